@@ -1,0 +1,246 @@
+"""``Arm``: a DH table with what the table alone does not say: base, tool, joint signs, limits, a name and a source."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import kinematics
+from .table import DHTable
+from .transform import require_pose
+
+__all__ = ["Arm"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Arm:
+    """A serial arm: ``base · A_1 … A_n · tool`` with joint variable ``theta_i`` (or ``d_i``) ``= sign_i · q_i + offset_i``.
+
+    Parameters
+    ----------
+    table : DHTable
+    base, tool : (4, 4), optional
+        The table's frame 0 in the world, and the end point in frame n; the identity when left out.
+    limits : sequence of n entries, optional
+        ``(low, high)`` in radians or metres, or None, per joint. Stated, never enforced by :meth:`forward`.
+    sign : sequence of n numbers +1 or -1, optional
+        How each joint counts; +1 when left out.
+    name, source : str, optional
+        What the arm is called and where its numbers come from.
+
+    Raises
+    ------
+    ValueError
+        One sentence: which part, what was expected, what was found.
+
+    Examples
+    --------
+    >>> arm = Arm(DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg"), name="two links")
+    >>> arm.forward([0, 0])[:3, 3]
+    array([0.4, 0. , 0.1])
+    """
+
+    table: DHTable
+    base: np.ndarray = None
+    tool: np.ndarray = None
+    limits: tuple = None
+    sign: np.ndarray = None
+    name: str = ""
+    source: str = ""
+
+    def __post_init__(self):
+        if not isinstance(self.table, DHTable):
+            raise ValueError(f"Arm: expected a DHTable first, found {type(self.table).__name__}; make one with DHTable.standard or DHTable.craig")
+        n = len(self.table)
+        for name in ("base", "tool"):
+            given = getattr(self, name)
+            pose = np.eye(4) if given is None else require_pose(given, f"Arm: {name}")
+            pose.flags.writeable = False
+            object.__setattr__(self, name, pose)
+        object.__setattr__(self, "sign", _signs(self.sign, n))
+        object.__setattr__(self, "limits", _limits(self.limits, n))
+        for name in ("name", "source"):
+            given = getattr(self, name)
+            if given is not None and not isinstance(given, str):
+                raise ValueError(f"Arm: {name}: expected text, found {type(given).__name__}")
+            object.__setattr__(self, name, given or "")
+
+    @classmethod
+    def load(cls, path):
+        """The arm in a ``.yaml`` or ``.csv`` table file; ``dhlab.load`` takes names of the library too."""
+        from .tablefile import read_arm
+        return read_arm(path)
+
+    def save(self, path, *, angle=None, length="m", overwrite=False):
+        """Write the arm as ``.yaml`` (all of it) or ``.csv`` (table and signs; refused when there is more to say).
+
+        Parameters as :meth:`DHTable.save <dhlab.table.DHTable.save>`.
+        """
+        from .tablefile import write
+        write(path, self, angle=angle, length=length, overwrite=overwrite)
+
+    def __len__(self):
+        """The number of joints."""
+        return len(self.table)
+
+    def forward(self, q):
+        """End pose, tool included.
+
+        Parameters
+        ----------
+        q : array (..., n)
+            Radians (revolute) or metres (prismatic).
+
+        Returns
+        -------
+        array (..., 4, 4)
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("article-6r").forward([0] * 6)[:3, 3].round(6)
+        array([ 0.75, -0.2 ,  0.1 ])
+        """
+        return self.frames(q)[..., -1, :, :] @ self.tool
+
+    def frames(self, q):
+        """Every frame of the chain; ``frames[0]`` is the base, ``frames[i] = base · A_1 … A_i``; the tool is not included.
+
+        Parameters
+        ----------
+        q : array (..., n)
+            Radians or metres.
+
+        Returns
+        -------
+        array (..., n + 1, 4, 4)
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("article-6r").frames([0] * 6).shape
+        (7, 4, 4)
+        """
+        return kinematics.frames(self.base, self.links(q))
+
+    def links(self, q):
+        """Every link matrix ``A_i`` at ``q`` (..., n); returns (..., n, 4, 4).
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("article-6r").links([0] * 6)[1, 0, 3]
+        np.float64(0.4)
+        """
+        moved = self.sign * self._checked(q)
+        slides, table = self.table.prismatic, self.table
+        theta = table.theta + np.where(slides, 0.0, moved)
+        d = table.d + np.where(slides, moved, 0.0)
+        return kinematics.link_matrices(table.convention, theta, d, table.a, table.alpha)
+
+    def jacobian(self, q):
+        """Geometric Jacobian at the end point (tool included), in the frame :meth:`forward` uses.
+
+        Parameters
+        ----------
+        q : array (..., n)
+            Radians or metres.
+
+        Returns
+        -------
+        array (..., 6, n)
+            Rows v then ω, per unit of each joint variable.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> int(np.linalg.matrix_rank(dh.load("article-6r").jacobian([0] * 6)))
+        4
+        """
+        chain = self.frames(q)
+        return kinematics.jacobian(self.table.convention, chain, chain[..., -1, :, :] @ self.tool, self.table.prismatic, self.sign)
+
+    def within_limits(self, q):
+        """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint without limits always is.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("panda").within_limits([0] * 7).tolist()
+        [True, True, True, False, True, True, True]
+        """
+        q = self._checked(q)
+        bounds = [(-np.inf, np.inf) if pair is None else pair for pair in self.limits or [None] * len(self)]
+        low, high = np.array(bounds).T
+        return (low <= q) & (q <= high)
+
+    def _checked(self, q):
+        """``q`` as floats (..., n), or a sentence."""
+        n = len(self)
+        unit = "radians, metres for a prismatic joint"
+        try:
+            array = np.asarray(q)
+        except ValueError:  # ragged
+            array = np.array(None)
+        if array.dtype.kind not in "iuf":
+            raise ValueError(f"q: expected {n} numbers ({unit}), found {type(q).__name__} that does not hold plain numbers only")
+        if array.shape[-1:] != (n,):
+            found = f"{array.shape[-1]} values" if array.ndim else "a single number"
+            raise ValueError(f"q: expected {n} values, one per joint of {self.name or 'the arm'} ({unit}), found {found}; a batch has shape (..., {n})")
+        if not np.isfinite(array).all():
+            joint = np.argwhere(~np.isfinite(array))[0][-1] + 1
+            raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({unit})")
+        return array.astype(float)
+
+    def __eq__(self, other):
+        """The same numbers and signs; whether two arms move alike is answered by ``dhlab.equivalent``."""
+        if not isinstance(other, Arm):
+            return NotImplemented
+        arrays = ((getattr(self, k), getattr(other, k)) for k in ("base", "tool", "sign"))
+        return self.table == other.table and self.limits == other.limits and all(np.array_equal(x, y) for x, y in arrays)
+
+    def __hash__(self):
+        return hash((self.table, self.base.tobytes(), self.tool.tobytes()))
+
+    def __reduce__(self):
+        return Arm, (self.table, self.base, self.tool, self.limits, self.sign, self.name, self.source)
+
+    def __repr__(self):
+        return f"<Arm {self.name or 'without a name'}: {len(self)} joints, {self.table.convention}>"
+
+    def __str__(self):
+        from .printing import arm_text
+        return arm_text(self)
+
+    def _repr_html_(self):
+        from .printing import arm_html
+        return arm_html(self)
+
+
+def _signs(sign, n):
+    try:
+        signs = np.ones(n) if sign is None else np.array(sign, dtype=float)
+    except (TypeError, ValueError):
+        signs = np.array(np.nan)
+    if signs.shape != (n,) or not np.isin(signs, (1, -1)).all():
+        raise ValueError(f"Arm: sign: expected {n} entries, each 1 or -1, found {sign!r}; write -1 where a joint counts the other way")
+    signs.flags.writeable = False
+    return signs
+
+
+def _limits(limits, n):
+    if limits is None:
+        return None
+    limits = list(limits) if np.iterable(limits) and not isinstance(limits, (str, bytes, dict)) else [limits] * (n + 1)
+    if len(limits) != n:
+        raise ValueError(f"Arm: limits: expected {n} entries, one (low, high) or None per joint, found {len(limits)}")
+    return tuple(None if pair is None else _pair(pair, i) for i, pair in enumerate(limits, 1))
+
+
+def _pair(pair, i):
+    try:
+        low, high = (float(value) for value in pair)
+    except (TypeError, ValueError):
+        low = high = np.nan
+    if not (np.isfinite([low, high]).all() and low <= high):
+        raise ValueError(f"Arm: limits: joint {i}: expected (low, high), two finite numbers with low <= high, found {pair!r}; None for a joint without limits")
+    return low, high

@@ -1,0 +1,97 @@
+"""Reading text and writing it so that nothing is ever half written or lost."""
+
+import os
+import tempfile
+from pathlib import Path
+
+__all__ = ["read_text", "write_text"]
+
+LARGEST = 10_000_000  # bytes; tables, pose files and logs are far smaller
+
+
+def read_text(path, what):
+    """The UTF-8 text of a file.
+
+    Parameters
+    ----------
+    path : str or path
+    what : str
+        What the file should be, for the error: "a table file".
+
+    Raises
+    ------
+    ValueError
+        One sentence when the file is missing, a folder, unreadable, too large or not UTF-8.
+
+    Examples
+    --------
+    >>> read_text("no-such.yaml", "a table file")
+    Traceback (most recent call last):
+    ...
+    ValueError: no-such.yaml: expected a table file, found no such file; check the name and the folder
+    """
+    path = Path(path)
+    try:
+        if path.is_dir():
+            raise ValueError(f"{path}: expected {what}, found a folder; name a file in it")
+        if path.exists() and not path.is_file():
+            raise ValueError(f"{path}: expected {what}, found something that is no plain file; name a file")
+        with open(path, "rb") as file:
+            raw = file.read(LARGEST + 1)
+    except FileNotFoundError:
+        raise ValueError(f"{path}: expected {what}, found no such file; check the name and the folder") from None
+    except OSError as error:
+        raise ValueError(f"{path}: expected {what}, found that it cannot be read ({error.strerror}); check its permissions") from None
+    if len(raw) > LARGEST:
+        raise ValueError(f"{path}: expected {what}, found more than {LARGEST // 1_000_000} MB; is it the right file?")
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ValueError(f"{path}: expected {what} in UTF-8, found other bytes; save it as plain text, encoding UTF-8") from None
+
+
+def write_text(path, text, *, overwrite=False):
+    """Write a whole file or nothing: a temporary file beside it is renamed into place.
+
+    Raises
+    ------
+    ValueError
+        The file exists and ``overwrite`` is false, or the folder cannot be written.
+    """
+    path = Path(path)
+    temporary = None
+    try:
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        _into_place(temporary, path, overwrite)
+    except FileExistsError:
+        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name or say overwrite") from None
+    except OSError as error:
+        raise ValueError(f"{path}: expected to write here, found that it cannot be done ({error.strerror}); choose another folder") from None
+    finally:
+        if temporary and os.path.exists(temporary):
+            os.unlink(temporary)
+
+
+def _into_place(temporary, path, overwrite):
+    if overwrite:
+        os.replace(temporary, path)
+        return
+    try:
+        os.link(temporary, path)  # fails when path exists, in one step
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without hard links
+        if path.exists():
+            raise FileExistsError(path) from None
+        os.replace(temporary, path)
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

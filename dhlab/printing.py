@@ -1,0 +1,131 @@
+"""Tables and poses as a person would write them: degrees and metres, named; plain text and HTML."""
+
+from html import escape
+
+import numpy as np
+
+__all__ = ["table_text", "table_html", "arm_text", "arm_html", "number", "matrix_text", "grid_text", "grid_html"]
+
+HEADINGS = {"standard": ("theta", "d", "a", "alpha"), "craig": ("theta", "d", "a(i-1)", "alpha(i-1)")}
+HTML_HEADINGS = {"standard": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i</sub>", "α<sub>i</sub>"),
+                 "craig": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i−1</sub>", "α<sub>i−1</sub>")}
+TITLES = {"standard": "standard DH", "craig": "Craig DH"}
+
+
+def number(value, digits=6):
+    """A number with at most ``digits`` decimals and no trailing zeros.
+
+    Examples
+    --------
+    >>> number(0.4), number(-90.0), number(1e-17), number(0.1625)
+    ('0.4', '-90', '0', '0.1625')
+    """
+    text = np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
+    return text
+
+
+def _cells(table, sign):
+    """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90" or "-q1"."""
+    sign = np.ones(len(table)) if sign is None else sign
+    for i, letter in enumerate(table.joints):
+        numbers = [np.rad2deg(table.theta[i]), table.d[i], table.a[i], np.rad2deg(table.alpha[i])]
+        texts = [number(value) for value in numbers]
+        k = 1 if letter == "P" else 0
+        texts[k] = _variable(i + 1, sign[i], texts[k])
+        yield texts
+
+
+def _variable(i, sign, offset):
+    variable = f"q{i}" if sign > 0 else f"-q{i}"
+    if offset == "0":
+        return variable
+    return f"{variable} - {offset[1:]}" if offset.startswith("-") else f"{variable} + {offset}"
+
+
+def _title(table):
+    joints = "1 joint" if len(table) == 1 else f"{len(table)} joints"
+    return f"{TITLES[table.convention]}, {joints} (lengths in m, angles in deg)"
+
+
+def grid_text(headings, rows):
+    """Columns lined up, as in a printed table.
+
+    Examples
+    --------
+    >>> print(grid_text(["i", "d"], [["1", "0.1"]]))
+     i  d
+     1  0.1
+    """
+    lines = [list(headings), *rows]
+    widths = [max(len(str(line[k])) for line in lines) for k in range(len(headings))]
+    return "\n".join((" " + "  ".join(str(cell).ljust(w) for cell, w in zip(line, widths))).rstrip() for line in lines)
+
+
+def grid_html(headings, rows, caption):
+    """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped."""
+    head = "".join(f'<th scope="col">{heading}</th>' for heading in headings)
+    body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
+    return f'<table class="dhlab"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+
+
+def table_text(table, sign=None):
+    """A table as plain text, a line per joint; ``sign`` (n,) as in ``Arm``."""
+    rows = [[str(i), *cells] for i, cells in enumerate(_cells(table, sign), 1)]
+    return _title(table) + "\n" + grid_text(["i", *HEADINGS[table.convention]], rows)
+
+
+def table_html(table, sign=None, caption=None):
+    """A table as HTML for a notebook."""
+    rows = [[str(i), *(cell.replace("-", "−") for cell in cells)] for i, cells in enumerate(_cells(table, sign), 1)]
+    head = ["i", *HTML_HEADINGS[table.convention]]
+    return grid_html(head, rows, caption or _title(table))
+
+
+def arm_text(arm):
+    """An arm as plain text: name, table, base and tool when they are not the identity, limits."""
+    lines = [arm.name] if arm.name else []
+    lines.append(table_text(arm.table, arm.sign))
+    lines += _extras(arm)
+    return "\n".join(lines)
+
+
+def arm_html(arm):
+    """An arm as HTML for a notebook."""
+    caption = f"{arm.name}: {_title(arm.table)}" if arm.name else None
+    extras = "".join(f"<p>{escape(line)}</p>" for line in _extras(arm))
+    return table_html(arm.table, arm.sign, caption) + extras
+
+
+def _extras(arm):
+    from .transform import to_xyz_rpy
+    for name in ("base", "tool"):
+        pose = getattr(arm, name)
+        if not np.array_equal(pose, np.eye(4)):
+            xyz, rpy = to_xyz_rpy(pose)
+            yield (f"{name}: xyz {' '.join(number(v) for v in xyz)} m, "
+                   f"roll pitch yaw {' '.join(number(v) for v in np.rad2deg(rpy))} deg")
+    if arm.limits:
+        yield "limits: " + ", ".join(_limit_text(pair, letter) for pair, letter in zip(arm.limits, arm.table.joints))
+    if arm.source:
+        yield f"source: {arm.source}"
+
+
+def _limit_text(pair, letter):
+    if pair is None:
+        return "none"
+    scale, unit = (1.0, "m") if letter == "P" else (180 / np.pi, "deg")
+    return f"{number(pair[0] * scale, 3)} to {number(pair[1] * scale, 3)} {unit}"
+
+
+def matrix_text(T, digits=6):
+    """A matrix in aligned columns; what rounds to nothing is written 0.
+
+    Examples
+    --------
+    >>> print(matrix_text(np.eye(2)))
+    [ 1  0 ]
+    [ 0  1 ]
+    """
+    cells = [[number(value, digits) for value in row] for row in np.atleast_2d(T)]
+    width = max(len(cell) for row in cells for cell in row)
+    return "\n".join("[ " + "  ".join(cell.rjust(width) for cell in row) + " ]" for row in cells)

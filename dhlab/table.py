@@ -1,0 +1,236 @@
+"""``DHTable``: the rows of a Denavit-Hartenberg table that know their convention, units and joint types."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import units
+
+__all__ = ["DHTable", "CONVENTIONS", "COLUMNS", "JOINT_WORDS", "joint_letter"]
+
+CONVENTIONS = ("standard", "craig")
+COLUMNS = ("theta", "d", "a", "alpha")
+JOINT_WORDS = {"revolute": "R", "prismatic": "P"}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class DHTable:
+    """A Denavit-Hartenberg table. Made by :meth:`standard` or :meth:`craig`; frozen, in radians and metres.
+
+    Parameters
+    ----------
+    convention : "standard" or "craig"
+        Standard: ``A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i)`` (Paul 1981; Siciliano et al., Robotics, section 2.8.2).
+        Craig (modified): ``A_i = Rx(alpha_{i-1}) Tx(a_{i-1}) Rz(theta_i) Tz(d_i)`` (Craig, Introduction to Robotics, eq. 3.6);
+        its row i holds ``a_{i-1}`` and ``alpha_{i-1}`` in the columns ``a`` and ``alpha``.
+    theta, d, a, alpha : arrays (n,)
+        Radians and metres. ``theta`` of a revolute joint and ``d`` of a prismatic one are zero offsets, added to the joint variable.
+    joints : str or sequence of "R" and "P"
+        One letter per row.
+
+    Raises
+    ------
+    ValueError
+        A wrong shape, a number that is not finite, an unknown convention or joint letter.
+
+    Examples
+    --------
+    >>> table = DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg")
+    >>> print(table)
+    standard DH, 2 joints (lengths in m, angles in deg)
+     i   theta  d    a    alpha
+     1   q1     0.1  0    90
+     2   q2     0    0.4  0
+    """
+
+    convention: str
+    theta: np.ndarray
+    d: np.ndarray
+    a: np.ndarray
+    alpha: np.ndarray
+    joints: str
+
+    def __post_init__(self):
+        if self.convention not in CONVENTIONS:
+            raise ValueError(f'DHTable: expected the convention "standard" or "craig", found {self.convention!r}; '
+                             'say which matrix the rows are for ("modified" is "craig" here)')
+        columns = [np.array(getattr(self, name), dtype=float) for name in COLUMNS]
+        lengths = [column.size if column.ndim == 1 else column.shape for column in columns]
+        if len(set(lengths)) != 1 or columns[0].ndim != 1:
+            raise ValueError(f"DHTable: expected four columns (theta, d, a, alpha) of one length, found {lengths}; give one number per joint in each")
+        for name, column in zip(COLUMNS, columns):
+            column = column + 0.0  # -0.0 prints badly
+            column.flags.writeable = False
+            object.__setattr__(self, name, column)
+        _require_finite(self.rows, "DHTable")
+        object.__setattr__(self, "joints", _joint_letters(self.joints, len(columns[0]), "DHTable"))
+
+    @classmethod
+    def standard(cls, rows, *, angle=None, length="m", joints=None):
+        """A table in the standard convention.
+
+        Parameters
+        ----------
+        rows : (n, 4) numbers
+            ``theta`` offset, ``d``, ``a``, ``alpha`` per joint, in this order.
+        angle : "deg" or "rad"
+            The unit of theta and alpha; always given.
+        length : "m" or "mm"
+            The unit of d and a.
+        joints : str or sequence, optional
+            ``"R"`` or ``"P"`` per joint, such as ``"RRP"``; all revolute when left out.
+
+        Returns
+        -------
+        DHTable
+
+        Raises
+        ------
+        ValueError
+            One sentence that names the row and the column.
+
+        Examples
+        --------
+        >>> DHTable.standard([[0, 0.1, 0]], angle="deg")
+        Traceback (most recent call last):
+        ...
+        ValueError: DHTable.standard: row 1 has 3 numbers, expected 4 (theta, d, a, alpha); fill in what is missing
+        """
+        return cls._from_rows("standard", rows, angle, length, joints)
+
+    @classmethod
+    def craig(cls, rows, *, angle=None, length="m", joints=None):
+        """A table in Craig's (modified) convention; row i holds theta_i, d_i, a_{i-1}, alpha_{i-1}. Parameters as :meth:`standard`.
+
+        Examples
+        --------
+        >>> print(DHTable.craig([[0, 333, 0, 0], [0, 0, 0, -90]], angle="deg", length="mm", joints="RP"))
+        Craig DH, 2 joints (lengths in m, angles in deg)
+         i   theta  d      a(i-1)  alpha(i-1)
+         1   q1     0.333  0       0
+         2   0      q2     0       -90
+        """
+        return cls._from_rows("craig", rows, angle, length, joints)
+
+    @classmethod
+    def _from_rows(cls, convention, rows, angle, length, joints):
+        where = f"DHTable.{convention}"
+        to_rad, to_m = units.scale_of(angle, "angle", where), units.scale_of(length, "length", where)
+        numbers = _as_rows(rows, where)
+        _require_finite(numbers, where)
+        theta, d, a, alpha = numbers.T
+        letters = _joint_letters(joints, len(numbers), where)
+        return cls(convention, units.convert(theta, to_rad), units.convert(d, to_m), units.convert(a, to_m), units.convert(alpha, to_rad), letters)
+
+    @classmethod
+    def load(cls, path):
+        """The table in a YAML or CSV file (formats in :mod:`dhlab.tablefile`); a file that also says base, tool, limits or
+        signs describes an arm and is refused, since a table cannot hold them: use ``dhlab.load``.
+        """
+        from .tablefile import read_table
+        return read_table(path)
+
+    def save(self, path, *, angle=None, length="m", overwrite=False):
+        """Write the table as ``.yaml`` or ``.csv``; :meth:`load` gives every number back.
+
+        Parameters
+        ----------
+        path : str or path
+            Ends in ``.yaml``, ``.yml`` or ``.csv``.
+        angle : "deg" or "rad", optional
+            Left out: degrees when every angle reads back from them exactly, radians otherwise.
+        length : "m" or "mm"
+        overwrite : bool
+            Replace an existing file; it is kept, with an error, otherwise.
+        """
+        from .tablefile import write
+        write(path, self, angle=angle, length=length, overwrite=overwrite)
+
+    @property
+    def rows(self):
+        """(n, 4) array of theta, d, a, alpha; radians and metres."""
+        return np.column_stack([self.theta, self.d, self.a, self.alpha])
+
+    @property
+    def prismatic(self):
+        """(n,) booleans: which joints slide."""
+        return np.array([letter == "P" for letter in self.joints], dtype=bool)
+
+    def __len__(self):
+        return len(self.joints)
+
+    def __eq__(self, other):
+        """Entry by entry; whether two tables describe one arm is another question, answered by ``dhlab.equivalent``."""
+        if not isinstance(other, DHTable):
+            return NotImplemented
+        return (self.convention, self.joints) == (other.convention, other.joints) and np.array_equal(self.rows, other.rows)
+
+    def __hash__(self):
+        return hash((self.convention, self.joints, self.rows.tobytes()))
+
+    def __reduce__(self):
+        return DHTable, (self.convention, self.theta, self.d, self.a, self.alpha, self.joints)
+
+    def __repr__(self):
+        return f"DHTable.{self.convention}({self.rows.tolist()}, angle=\"rad\", joints=\"{self.joints}\")"
+
+    def __str__(self):
+        from .printing import table_text
+        return table_text(self)
+
+    def _repr_html_(self):
+        from .printing import table_html
+        return table_html(self)
+
+
+def _as_rows(rows, where):
+    """(n, 4) floats from whatever was given, or a sentence that names the row and the column."""
+    if isinstance(rows, (str, bytes, dict)) or not np.iterable(rows):
+        raise ValueError(f"{where}: expected rows of four numbers (theta, d, a, alpha), found {type(rows).__name__}; give a list of rows")
+    rows = list(rows)
+    if not rows:
+        raise ValueError(f"{where}: expected at least one row (theta, d, a, alpha), found an empty table; give one row per joint")
+    numbers = np.empty((len(rows), 4))
+    for i, row in enumerate(rows, 1):
+        if isinstance(row, (str, bytes, dict)) or not np.iterable(row):
+            raise ValueError(f"{where}: row {i} is {row!r}, expected 4 numbers (theta, d, a, alpha); put each row in brackets of its own")
+        row = list(row)
+        if len(row) != 4:
+            todo = "fill in what is missing" if len(row) < 4 else "take out what is too much (is there an index column?)"
+            raise ValueError(f"{where}: row {i} has {len(row)} numbers, expected 4 (theta, d, a, alpha); {todo}")
+        for name, k in zip(COLUMNS, range(4)):
+            numbers[i - 1, k] = _as_number(row[k], f"{where}: row {i}, {name}")
+    return numbers
+
+
+def _as_number(value, where):
+    array = np.asarray(value)
+    if array.shape != () or array.dtype.kind not in "iuf":
+        raise ValueError(f"{where}: expected a number, found {value!r}; write it as a plain number")
+    return float(array)
+
+
+def _require_finite(numbers, where):
+    bad = np.argwhere(~np.isfinite(numbers))
+    if len(bad):
+        i, k = bad[0]
+        raise ValueError(f"{where}: row {i + 1}, {COLUMNS[k]}: expected a finite number, found {numbers[i, k]}; look at where it was computed")
+
+
+def _joint_letters(joints, n, where):
+    if joints is None:
+        joints = "R" * n
+    letters = list(joints) if np.iterable(joints) else [joints]
+    for i, letter in enumerate(letters, 1):
+        if not isinstance(letter, str) or letter not in ("R", "P"):
+            raise ValueError(f'{where}: joint {i} is {letter!r}, expected "R" (revolute) or "P" (prismatic)')
+    if len(letters) != n or n == 0:
+        raise ValueError(f"{where}: found {len(letters)} joint letters for {n} rows; expected one \"R\" or \"P\" per row and at least one row")
+    return "".join(letters)
+
+
+def joint_letter(word, where):
+    """"R" or "P" for the word a file uses, revolute or prismatic."""
+    if not isinstance(word, str) or word not in JOINT_WORDS:
+        raise ValueError(f"{where}: expected revolute or prismatic, found {word!r}")
+    return JOINT_WORDS[word]
