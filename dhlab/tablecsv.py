@@ -58,7 +58,8 @@ def _header(cells, path):
         elif name in ("d", "a"):
             scales[name] = units.scale_of(unit, "length", f"{path}: line 2: column {cell}")
         else:
-            todo = f"; name its unit, as in {cell}_{"m" if cell in ("d", "a") else "deg"}" if cell in COLUMNS else ""
+            unit = "m" if cell in ("d", "a") else "deg"
+            todo = f"; name its unit, as in {cell}_{unit}" if cell in COLUMNS else ""
             raise ValueError(f"{path}: line 2: column {cell!r}: expected {HEADER}{todo}")
         if name in names:
             raise ValueError(f"{path}: line 2: expected every column once, found {name} twice")
