@@ -1,0 +1,5 @@
+"""``python -m dhlab`` is the ``dhlab`` command."""
+
+from .cli import main
+
+main()
