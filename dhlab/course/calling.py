@@ -1,0 +1,126 @@
+"""Calling a learner's function: on copies, quietly, twice, and with what goes wrong put into words."""
+
+import contextlib
+import copy
+import dis
+import io
+import traceback
+import warnings
+
+import numpy as np
+
+__all__ = ["is_stub", "call_all", "CallFault"]
+
+
+class CallFault(Exception):
+    """What kept the answers from being compared: ``headline``, ``place``, ``next`` and perhaps the id of a ``mistake``."""
+
+    def __init__(self, headline, place="", next="", mistake=None):
+        super().__init__(headline)
+        self.headline, self.place, self.next, self.mistake = headline, place, next, mistake
+
+
+def is_stub(f):
+    """Whether a function's body is still the one that was handed out: nothing but ``...``, ``pass`` or a docstring.
+
+    Examples
+    --------
+    >>> def f(x):
+    ...     "Returns x twice."
+    >>> is_stub(f), is_stub(lambda x: 2 * x)
+    (True, False)
+    """
+    code = getattr(f, "__code__", None)
+    if code is None:
+        return False
+    steps = [step for step in dis.get_instructions(code) if step.opname not in ("RESUME", "NOP", "CACHE", "COPY_FREE_VARS")]
+    names = [step.opname for step in steps]
+    if names not in (["LOAD_CONST", "RETURN_VALUE"], ["RETURN_CONST"]):
+        return False
+    return steps[0].argval is None or steps[0].argval is Ellipsis
+
+
+def call_all(f, cases, shape, names):
+    """The answers of ``f`` to every case, each of the given shape and finite.
+
+    Parameters
+    ----------
+    f : callable
+    cases : list of tuples
+    shape : tuple
+        What every answer must have.
+    names : sequence of str
+        What the arguments are called, for the messages.
+
+    Returns
+    -------
+    list of arrays
+
+    Raises
+    ------
+    CallFault
+        The function stops, returns nothing or something of another shape, changes its inputs, or answers differently the second time.
+    """
+    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        answers = [_call(f, case, names) for case in cases]
+        again = _call(f, cases[0], names)
+    arrays = [_as_array(answer, shape, case, names) for answer, case in zip(answers, cases)]
+    if not np.array_equal(arrays[0], _as_array(again, shape, cases[0], names)):
+        raise CallFault("the second call with the same numbers gives another answer", _shown(cases[0], names),
+                        "Start from np.eye(4) inside the function, and change nothing that lives outside it.", "state-between-calls")
+    return arrays
+
+
+def _call(f, case, names):
+    given = copy.deepcopy(case)
+    try:
+        answer = copy.deepcopy(f(*given))
+    except NotImplementedError:
+        raise
+    except Exception as error:
+        raise CallFault(f"the function stops with {type(error).__name__}: {str(error)[:200]}", _line_of(error, f) or _shown(case, names),
+                        "Call it yourself with these numbers and read the last line of the message.") from None
+    if not all(np.array_equal(before, after) for before, after in zip(case, given)):
+        raise CallFault("the function changes the numbers it was given", _shown(case, names),
+                        "Work on a copy, or write x = x + … in place of x += …", "inputs-changed")
+    return answer
+
+
+def _line_of(error, f):
+    """The line inside the learner's function where it stopped."""
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == getattr(f, "__code__", f).co_filename] \
+        if hasattr(f, "__code__") else []
+    return f"line {frames[-1].lineno - f.__code__.co_firstlineno + 1} of {f.__name__}: {frames[-1].line}" if frames and frames[-1].line else ""
+
+
+def _as_array(answer, shape, case, names):
+    if answer is None or answer is Ellipsis:
+        raise CallFault("the function returns nothing", _shown(case, names), "Is the return missing, or indented into the loop's first turn?")
+    try:
+        array = np.asarray(answer)
+    except ValueError:
+        array = np.asarray(None)
+    if array.dtype.kind == "O":
+        try:
+            array = array.astype(float)
+        except (TypeError, ValueError):
+            array = np.asarray("")
+    if array.dtype.kind not in "iufb":
+        raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {'×'.join(map(str, shape))} numbers", _shown(case, names))
+    if array.shape != shape:
+        found = "×".join(map(str, array.shape)) or "a single number"
+        mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
+        raise CallFault(f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}", _shown(case, names),
+                        "A pose needs its fourth row, 0 0 0 1." if mistake else "Print the shape of what you return.", mistake)
+    if not np.isfinite(array).all():
+        raise CallFault("the answer holds NaN or infinity", _shown(case, names), "Look for a division by zero or a square root of a negative number.")
+    return array
+
+
+def _shown(case, names):
+    """The call, for a reader who wants to repeat it."""
+    def text(value):
+        array = np.asarray(value)
+        return f"{float(array):.3g}" if array.ndim == 0 else f"{'×'.join(map(str, array.shape))} numbers"
+    return "seen at " + ", ".join(f"{name} = {text(value)}" for name, value in zip(names, case))

@@ -1,0 +1,138 @@
+"""Lesson 05, the link matrix: four moves, their order, the closed form."""
+
+import numpy as np
+
+from ...doctor.wrong_links import WRONG_LINKS, standard
+from ...transform import rot_x
+from ..kinds import Choice, Function, Option, Order, Prediction, Value
+
+__all__ = ["EXERCISES"]
+
+RIGHT_ORDERS = (["a", "b", "c", "d"], ["b", "a", "c", "d"], ["a", "b", "d", "c"], ["b", "a", "d", "c"], ["a", "c", "b", "d"])
+
+
+def _draw_angle(rng):
+    return (float(rng.uniform(0.2, 3.0) * rng.choice([-1, 1])),)
+
+
+def _draw_row(rng):
+    """theta, d, a, alpha of one row: no zeros, no right angles."""
+    theta, alpha = rng.uniform(0.2, 1.4, 2) * rng.choice([-1, 1], 2)
+    d, a = rng.uniform(0.05, 0.6, 2) * rng.choice([-1, 1], 2)
+    return float(theta), float(d), float(a), float(alpha)
+
+
+def _from_a_blog(theta, d, a, alpha):
+    """The broken program of 05.7: one sign of the z arrow."""
+    T = standard(theta, d, a, alpha)
+    T[1, 2] *= -1
+    return T
+
+
+def _draw_column(rng):
+    return {"theta": float(rng.choice([20, 30, 40, 50, 60])), "d": float(rng.integers(1, 6) / 10), "a": float(rng.integers(1, 6) / 10),
+            "alpha": float(rng.choice([25, 35, 45, 55, 65]))}
+
+
+def _row_in_radians(theta, d, a, alpha):
+    return standard(np.deg2rad(theta), d, a, np.deg2rad(alpha))
+
+
+def _wrong_origins(theta, d, a, alpha):
+    T = _row_in_radians(theta, d, a, alpha)
+    t, al = np.deg2rad(theta), np.deg2rad(alpha)
+    yield "shift-not-turned-by-theta", "", [a, 0, d]
+    yield "rotation-block-misread", "this is the x arrow, without its length", T[:3, 0]
+    yield "rotation-block-misread", "this is the z arrow", T[:3, 2]
+    yield "degrees-in-sin-cos", "", [a * np.cos(theta), a * np.sin(theta), d]
+    yield "a-d-exchanged", "", [d * np.cos(t), d * np.sin(t), a]
+    yield "sin-cos-exchanged", "theta", [a * np.sin(t), a * np.cos(t), d]
+    yield "theta-alpha-exchanged", "", [a * np.cos(al), a * np.sin(al), d]
+    yield "standard-rows-in-craig-matrix", "", [a, -d * np.sin(al), d * np.cos(al)]
+    yield "pose-inverted", "", np.linalg.inv(T)[:3, 3]
+
+
+def _draw_slide(rng):
+    return {"q3": float(rng.choice([0.4, 0.5, 0.6, 0.7, 0.8]))}
+
+
+def _slide(q3):
+    """The sliding row of 05.9: theta = -90°, d = q3, a = 0.05, alpha = 90°."""
+    return standard(-np.pi / 2, q3, 0.05, np.pi / 2)
+
+
+def _wrong_slides(q3):
+    half = np.pi / 2
+    row = (-half, q3, 0.05, half)
+    yield "offset-missing", "theta is -90° at every q3", standard(0, q3, 0.05, half)
+    yield "offset-sign", "theta", standard(half, q3, 0.05, half)
+    yield "joint-values-unused", "q3 belongs to d", standard(-half, 0, 0.05, half)
+    yield "prismatic-variable-in-theta", "", standard(-half + q3, 0, 0.05, half)
+    for mistake, place, version in WRONG_LINKS:
+        yield mistake, place, version(*row)
+
+
+def _explain_order(letters):
+    if letters in (["c", "d", "a", "b"], ["d", "c", "a", "b"], ["c", "d", "b", "a"], ["d", "c", "b", "a"]):
+        return "standard-rows-in-craig-matrix", "x first, then z: this is Craig's order"
+    if letters.index("c") < letters.index("a"):
+        return "shift-not-turned-by-theta", "Tx(a) stands before Rz(θ)"
+    if letters.index("d") < letters.index("b"):
+        return "alpha-before-d", "Rx(α) stands before Tz(d)"
+    return "order-taken-for-free", ""
+
+
+EXERCISES = [
+    Prediction(id="05.P1", title="Turn, then step; step, then turn", options={
+        "a": "both end at the same place", "b": "the first ends at (0, 0.4), the second at (0.4, 0)", "c": "the first ends at (0.4, 0), the second at (0, 0.4)"},
+        correct="b", outcome="turning first turns the x arrow too, so the step goes along y0. Stepping first goes along x0, and the turn comes too late to matter."),
+    Function(id="05.1", title="A turn about x", draw=_draw_angle, answer=rot_x, names=("alpha",), family="rot_x",
+             praise="x stays; y goes towards z.", hints=(
+                 "Compare with rot_z: the axis that stays has a 1 on the diagonal. Which one stays now?",
+                 "The second column says where y goes: cos α along y, sin α along z.")),
+    Choice(id="05.2", title="Which moves may change places", correct="b", hints=(
+        "Try each pair with your hand: does the first move change the direction of the second?",
+        "A turn about an axis leaves that axis where it is."),
+        options={
+            "a": Option("none: every change of order is a mistake", "Too strict: a turn about z leaves the z axis where it is, so a shift along z does not notice.",
+                        "every-order-taken-for-wrong"),
+            "b": Option("Rz with Tz, Tx with Rx, and Tz with Tx", "Turn and shift about one axis commute, and so do two shifts: five of the 24 orders are right."),
+            "c": Option("all turns with all shifts", "A turn about z does change where a shift along x goes.", "order-taken-for-free"),
+            "d": Option("Rz with Rx, since both are turns", "Turns about different axes do not commute: try a book on the table.", "order-taken-for-free"),
+        }),
+    Order(id="05.3", title="The four moves in order", items={"a": "Rz(θ)", "b": "Tz(d)", "c": "Tx(a)", "d": "Rx(α)"},
+          accepts=lambda letters: letters in RIGHT_ORDERS, explain=_explain_order, praise="Five of the 24 orders give this matrix, and yours is one of them.",
+          hints=("Two of the moves belong to z, two to x. Which pair does a standard row make first?",
+                 "Tx(a) must come after Rz(θ), and Rx(α) after both z moves.")),
+    Function(id="05.4", title="dh_transform from four moves", points=2, draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
+             praise="Four moves, multiplied from left to right.", hints=(
+                 "Write the four matrices first, in the order about z, along z, along x, about x.",
+                 "Each new move is made in the current frame, so it goes to the right of those already made.")),
+    Prediction(id="05.P2", title="A test that says yes too often", options={
+        "a": "1 of the 24 orders passes", "b": "5 of the 24 orders pass", "c": "all 24 orders pass"},
+        correct="c", outcome="with θ = d = α = 0 three of the moves do nothing, and one move alone has no order. All 24 pass."),
+    Value(id="05.5", title="Where the new origin is", draw=_draw_column, answer=lambda **row: _row_in_radians(**row)[:3, 3], mistakes=_wrong_origins,
+          entries=("x", "y", "z"), praise="The link swings with θ; d lifts it; α has no say in the position.",
+          hints=("The last column of the link matrix is where the origin goes: which of the four numbers enter it?",
+                 "a is walked along the new x arrow, which θ has turned: (a cos θ, a sin θ, d).")),
+    Function(id="05.6", title="dh_transform in closed form", points=2, draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
+             praise="The same matrix, every entry your own.", hints=(
+                 "First column: the x arrow after the turn by θ. Last column: a times that arrow, and d.",
+                 "The second column is the turned y arrow (-sin θ, cos θ, 0), tilted towards z by α; the third is what is then left for z.")),
+    Function(id="05.7", title="The smallest fix", draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform", handed_out=_from_a_blog,
+             praise="One sign. It hides whenever θ or α is 0.", hints=(
+                 "Compare the two z arrows, entry by entry: which of them has the wrong sign?",
+                 "The third column must be at right angles to the first: multiply them entry by entry and add.")),
+    Choice(id="05.8", title="What a good test needs", correct="d", hints=(
+        "Which numbers make sin or cos vanish?", "A sign can only show where what it multiplies is not 0."),
+        options={
+            "a": Option("θ = 0, d = 0, a = 1, α = 0, and look for a shift of 1 along x", "All 24 orders of the moves pass this one.", "only-zero-pose-checked"),
+            "b": Option("all angles 90°, since the matrix is then clean", "Clean, because the cosines vanish, and what they multiply is never tested.", "only-zero-pose-checked"),
+            "c": Option("compare the positions only, that is what counts", "α never enters the position of its own link: half of the matrix would go untested.",
+                        "only-zero-pose-checked"),
+            "d": Option("values without zeros and right angles, position and rotation both", "Then every entry, and every sign, has to be right."),
+        }),
+    Value(id="05.9", title="A sliding joint, on an arm you have not seen", points=2, draw=_draw_slide, answer=_slide, mistakes=_wrong_slides, tolerance=1e-6,
+          praise="For a sliding joint d moves and θ stays: the matrix is the same.", hints=(
+              "Which of the four numbers does a sliding joint change?", "Call your dh_transform with theta = -90° in radians and d = q3.")),
+]

@@ -1,0 +1,125 @@
+"""Lesson 06, forward kinematics of a six-axis arm: from the table to the pose, zero offsets, reading the structure."""
+
+import numpy as np
+
+from ...arm import Arm
+from ...doctor.wrong_products import WRONG_PRODUCTS, product
+from ...robots import load
+from ...table import DHTable
+from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
+
+__all__ = ["EXERCISES"]
+
+ARTICLE = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90], [0, 0, 0, -90], [0, 0.1, 0, 0]]
+UPRIGHT = [[0, 0.1, 0, 90], [90, 0, 0.4, 0], [-90, 0, 0.35, 0], [0, 0.1, 0, 90], [0, 0, 0, -90], [0, 0.1, 0, 0]]
+
+
+def _article_rows():
+    return DHTable.standard(ARTICLE, angle="deg").rows
+
+
+def _draw_chain(rng):
+    """Rows and q of a random arm of 3 to 7 joints: no zeros, no right angles."""
+    n = int(rng.integers(3, 8))
+    rows = rng.uniform(0.15, 0.6, (n, 4)) * rng.choice([-1, 1], (n, 4))
+    rows[:, [0, 3]] *= 2.3
+    return rows, rng.uniform(0.2, 1.4, n) * rng.choice([-1, 1], n)
+
+
+def _wrong_poses(rows, q):
+    """What the wrong programs give for these rows and this q."""
+    for mistake, place, version in WRONG_PRODUCTS:
+        yield mistake, place, version(rows, q)
+
+
+def _zero_pose():
+    return product(_article_rows(), np.zeros(6))
+
+
+def _wrong_zero_poses():
+    yield from _wrong_poses(_article_rows(), np.zeros(6))
+    in_degrees = _article_rows()
+    in_degrees[:, 3] = np.rad2deg(in_degrees[:, 3])
+    yield "alpha-in-degrees", "", product(in_degrees, np.zeros(6))
+
+
+def _draw_unseen(rng):
+    return {"q": (rng.integers(15, 60, 6) * rng.choice([-1, 1], 6)).astype(float)}
+
+
+def _unseen_pose(q):
+    return load("irb120").forward(np.deg2rad(q))
+
+
+def _wrong_unseen(q):
+    rows = load("irb120").table.rows
+    yield from _wrong_poses(rows, np.deg2rad(q))
+    in_degrees = rows * [180 / np.pi, 1, 1, 180 / np.pi]
+    yield "degrees-in-sin-cos", "the rows were left in degrees", product(in_degrees, np.deg2rad(q))
+    yield "degrees-in-sin-cos", "rows and q were left in degrees", product(in_degrees, q)
+
+
+def _explain_labels(letters):
+    right = ["b", "d", "a", "e", "c"]
+    wrong = [name for name, letter, wanted in zip(("d1", "a2", "a3", "d4", "d6"), letters, right) if letter != wanted]
+    if letters[0] == "d" or letters[1] == "b":
+        return "a-d-exchanged", ", ".join(wrong)
+    return "length-value", ", ".join(wrong)
+
+
+EXERCISES = [
+    Order(id="06.1", title="What each length is on the arm", length=5, items={
+        "a": "the forearm", "b": "the height of the shoulder above the base", "c": "from the wrist's centre to the tool point",
+        "d": "the upper arm", "e": "the step sideways, along the wrist's first axis"},
+        accepts=lambda letters: letters == ["b", "d", "a", "e", "c"], explain=_explain_labels, praise="d runs along a joint axis, a across from one axis to the next.",
+        hints=("d is measured along z, a along x. Which of the five parts lie along a joint's axis?",
+               "Walk along the chain from the base: up, out, out, sideways, out to the tool.")),
+    Function(id="06.2", title="Forward kinematics", points=3, draw=_draw_chain, answer=product, names=("rows", "q"), family="forward_kinematics",
+             praise="One loop, one product, any number of joints.", hints=(
+                 "Start from np.eye(4) and walk over rows and q together.",
+                 "A row's θ is its offset plus its q. Each new link is seen from the last frame, so its matrix joins on the right.")),
+    Value(id="06.3", title="The zero pose", answer=_zero_pose, mistakes=_wrong_zero_poses, tolerance=1e-6,
+          praise="Position (0.75, -0.2, 0.1), as the article has it; the tool's z arrow points along -y0.",
+          hints=("Call your forward_kinematics with the rows in radians and q = zeros.", "np.deg2rad turns the angle columns; the length columns stay.")),
+    Prediction(id="06.P1", title="A quarter turn of the base", options={
+        "a": "(0.2, 0.75, 0.1)", "b": "(-0.2, 0.75, 0.1)", "c": "(0.75, -0.2, 0.1): only the directions change"}, correct="a",
+        outcome="the whole arm turns about z0: (x, y) goes to (-y, x), so (0.75, -0.2) goes to (0.2, 0.75)."),
+    Choice(id="06.4", title="What the quarter turn proves", correct="b", hints=(
+        "Write T = Rz(θ1) · M, where M holds everything else. What does turning q1 do to M?",
+        "Change a length in the table and run the test again: does it notice?"),
+        options={
+            "a": Option("the table is right: the arm turned about z0 as it must", "Change any number of the table and the test still passes.", "only-zero-pose-checked"),
+            "b": Option("the program turns about z0; the table may still be wrong", "T = Rz(θ1) · M for every table: the test is of the program alone."),
+            "c": Option("nothing at all", "It would catch a reversed product or degrees in sin and cos: it is a test of the program.", "product-reversed"),
+            "d": Option("q1 stays inside its limits", "Forward kinematics knows no limits.", "limits-in-forward"),
+        }),
+    Prediction(id="06.P2", title="The same rows in Craig's matrix, at q = 0", options={
+        "a": "another place altogether", "b": "the same pose but for one sign", "c": "exactly the same pose"}, correct="b",
+        outcome="the rotation is right and the position is (0.75, -0.2, -0.1): one sign gives it away, and only if somebody looks."),
+    Choice(id="06.5", title="What joint 4 does", correct="c", hints=(
+        "Look at α2 and α3 in the table: what do they say of the axes of joints 2, 3 and 4?",
+        "α = 0 means that the next z axis is parallel to this one."),
+        options={
+            "a": Option("it rolls the wrist about the forearm, as the text says", "Then its axis would lie along the forearm. Here it is parallel to the elbow's axis.", "structure-from-prose"),
+            "b": Option("it turns the tool about its own axis", "That is joint 6: the last axis, along the tool.", "structure-from-prose"),
+            "c": Option("it is a third pitch, with its axis parallel to those of joints 2 and 3", "α2 = α3 = 0: the three axes are parallel at every q, as on a UR arm."),
+            "d": Option("a table cannot tell", "It does: α is the angle between neighbouring axes, at every q.", "only-zero-pose-checked"),
+        }),
+    Table(id="06.6", title="An encoder that reads 0 elsewhere", points=2, answer=Arm(DHTable.standard(UPRIGHT, angle="deg")),
+          praise="Offsets go into the θ column, and every right table passes, this one or another.",
+          hints=("Where does θ2 stand when the upper arm points straight up?",
+                 "Turn your article arm to the encoder's zero: which q2 and q3 lift the upper arm and keep the forearm level? Those are the offsets.")),
+    Function(id="06.7", title="The smallest fix: right at zero only", draw=_draw_chain, answer=product, names=("rows", "q"), family="forward_kinematics",
+             handed_out=lambda rows, q: product(rows, np.roll(q, 1)), praise="One character. At q = 0 nobody would have noticed.", hints=(
+                 "The program is right when all q are equal. What could be mixed up, then?",
+                 "Print i and the q it uses, for the first row.")),
+    Choice(id="06.8", title="Far outside the limits", correct="a", hints=("Does any matrix of the product know about end stops?", "Put q2 = 500° into your function."),
+           options={
+               "a": Option("a pose, the right one for these angles; whether the arm may go there is another question", "The product takes any angle."),
+               "b": Option("an error: the pose cannot be reached", "No matrix of the product knows about end stops.", "limits-in-forward"),
+               "c": Option("a pose, but a wrong one: so the table can be checked this way", "The pose is right for those angles. It says nothing about the table.", "limits-in-forward"),
+           }),
+    Value(id="06.9", title="An arm you have not seen", points=3, draw=_draw_unseen, answer=_unseen_pose, mistakes=_wrong_unseen, tolerance=1e-6,
+          praise="An ABB IRB 120, with two offsets in its table, by your own program.",
+          hints=("Which columns of the rows are in degrees, and which unit has q?", "Both angle columns and q go through np.deg2rad; the offsets stay in the rows.")),
+]

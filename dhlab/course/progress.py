@@ -1,0 +1,102 @@
+"""The learner's log: a line per check, only ever appended to, in ``.dhlab/progress.jsonl`` of the course folder.
+
+Where there is no course folder nothing is written; a line that cannot be read is passed over, never removed.
+"""
+
+import json
+from datetime import datetime, timezone
+from html import escape
+from pathlib import Path
+
+from ..printing import grid_text
+from .verdict import MARKS, NOT_ATTEMPTED, RIGHT, WRONG
+
+__all__ = ["Log", "Progress", "course_folder", "MARKER"]
+
+MARKER = ".dhlab"
+RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RIGHT: 2}
+
+
+def course_folder():
+    """The folder of the course that this notebook lives in, or None: the nearest one upwards that holds ``.dhlab``."""
+    here = Path.cwd()
+    return next((folder for folder in (here, *here.parents) if (folder / MARKER).is_dir()), None)
+
+
+class Log:
+    """What has been checked: in this session, and on disk when there is a course folder."""
+
+    def __init__(self):
+        self.session = []
+
+    def add(self, verdict):
+        """Note a verdict; a folder that cannot be written to costs the learner nothing but the note."""
+        entry = {"time": datetime.now(timezone.utc).isoformat(timespec="seconds"), "exercise": verdict.exercise,
+                 "status": verdict.status, "mistake": verdict.mistake, "points": verdict.points}
+        self.session.append(entry)
+        folder = course_folder()
+        if folder is None or verdict.status == NOT_ATTEMPTED:
+            return
+        try:
+            with open(folder / MARKER / "progress.jsonl", "a", encoding="utf-8") as file:
+                file.write(json.dumps(entry) + "\n")
+        except OSError:
+            pass
+
+    def entries(self):
+        """Every entry, oldest first: the file's, then this session's that are not in it."""
+        folder = course_folder()
+        return [*(_read(folder / MARKER / "progress.jsonl") if folder else []), *self.session]
+
+    def best(self):
+        """The best status of each exercise: {id: (status, points)}."""
+        best = {}
+        for entry in self.entries():
+            status, key = entry["status"], entry["exercise"]
+            if RANK.get(status, -1) >= RANK.get(best.get(key, (None,))[0], -1) and status in RANK:
+                best[key] = (status, entry["points"])
+        return best
+
+
+def _read(path):
+    try:
+        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError:
+        return
+    for line in lines:
+        try:
+            entry = json.loads(line)
+        except json.JSONDecodeError:
+            continue
+        if isinstance(entry, dict) and {"exercise", "status", "points"} <= entry.keys() and isinstance(entry["points"], (int, float)):
+            yield entry
+
+
+class Progress:
+    """Every exercise and how it stands; shown as a table."""
+
+    def __init__(self, exercises, best):
+        self._rows = {key: {"title": exercise.title, "status": best.get(key, (NOT_ATTEMPTED, 0))[0],
+                            "points": best.get(key, (NOT_ATTEMPTED, 0))[1], "of": exercise.points} for key, exercise in exercises.items()}
+
+    def to_dict(self):
+        """{id: {title, status, points, of}}."""
+        return self._rows
+
+    def _cells(self):
+        for key, row in self._rows.items():
+            mark, word = MARKS[row["status"]]
+            yield [key, row["title"], f"{mark} {word.lower()}", f"{row['points']:g} of {row['of']:g}"]
+
+    def _sum(self):
+        return f"{sum(r['points'] for r in self._rows.values()):g} of {sum(r['of'] for r in self._rows.values()):g} points"
+
+    def __str__(self):
+        return grid_text(["", "exercise", "status", "points"], list(self._cells())) + "\n " + self._sum()
+
+    __repr__ = __str__
+
+    def _repr_html_(self):
+        rows = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>" for cells in self._cells())
+        head = "".join(f'<th scope="col">{name}</th>' for name in ("", "exercise", "status", "points"))
+        return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

@@ -1,0 +1,137 @@
+"""What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``."""
+
+from difflib import get_close_matches
+
+from .exercises import exercises
+from .kinds import Prediction
+from .progress import Log, Progress
+
+__all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant"]
+
+_log = Log()
+_guesses = {}
+_variant = 0
+
+
+def set_variant(variant):
+    """Choose which numbers the exercises draw: a whole number, 0 unless a teacher handed out another.
+
+    Examples
+    --------
+    >>> set_variant(0)
+    """
+    global _variant
+    if isinstance(variant, bool) or not isinstance(variant, int) or variant < 0:
+        raise ValueError(f"set_variant: expected a whole number from 0, found {variant!r}; copy it from the sheet you were given")
+    _variant = variant
+
+
+def check(exercise_id, answer):
+    """Judge an answer and say what is right or wrong with it.
+
+    Parameters
+    ----------
+    exercise_id : str
+        Such as ``"05.2"``.
+    answer
+        A value, a function, a table, a letter or a list of letters, as the exercise asks.
+
+    Returns
+    -------
+    Verdict
+        Shown by the notebook; ``.status``, ``.mistake`` and ``.points`` for programs.
+
+    Raises
+    ------
+    ValueError
+        There is no such exercise.
+
+    Examples
+    --------
+    >>> check("05.3", ...).status
+    'not attempted'
+    """
+    verdict = _exercise(exercise_id).judge(answer, _variant)
+    _log.add(verdict)
+    return verdict
+
+
+def hint(exercise_id, level=1):
+    """A hint: level 1 says where to look, level 2 which way to go; neither gives the answer.
+
+    Examples
+    --------
+    >>> print(hint("05.3"))
+    Hint 1 of 2: Two of the moves belong to z, two to x. Which pair does a standard row make first?
+    """
+    hints = _exercise(exercise_id).hints
+    if level not in range(1, len(hints) + 1):
+        raise ValueError(f"hint: expected a level from 1 to {len(hints)}, found {level!r}")
+    more = f' (hint("{exercise_id}", {level + 1}) says more)' if level < len(hints) else ""
+    return Note(f"Hint {level} of {len(hints)}: {hints[level - 1]}{more if level > 1 else ''}")
+
+
+def given(exercise_id):
+    """The numbers of a task, by name, as the learner's variant has them.
+
+    Examples
+    --------
+    >>> sorted(given("01.2"))
+    ['x', 'y', 'z']
+    """
+    return _exercise(exercise_id).given(_variant)
+
+
+def predict(prediction_id, guess):
+    """Note a guess before the next cell shows what happens. Never marked.
+
+    Examples
+    --------
+    >>> predict("05.P1", "a").status
+    'recorded'
+    """
+    verdict = _exercise(prediction_id, Prediction).judge(guess, _variant)
+    if verdict.status == "recorded":
+        _guesses[prediction_id] = guess.strip().lower()
+        _log.add(verdict)
+    return verdict
+
+
+def reveal(prediction_id):
+    """What happens, beside what was guessed.
+
+    Examples
+    --------
+    >>> str(reveal("05.P1"))[:4]
+    'You '
+    """
+    return Note(_exercise(prediction_id, Prediction).after(_guesses.get(prediction_id)))
+
+
+def progress():
+    """How far the learner is: every exercise of every lesson, from this session and the course folder's log.
+
+    Examples
+    --------
+    >>> progress().to_dict()["05.3"]["of"]
+    1
+    """
+    scored = {key: exercise for key, exercise in exercises().items() if not isinstance(exercise, Prediction)}
+    return Progress(scored, _log.best())
+
+
+class Note(str):
+    """A sentence that a notebook shows as text, without quotes."""
+
+    def __repr__(self):
+        return str(self)
+
+
+def _exercise(exercise_id, kind=None):
+    known = [key for key, exercise in exercises().items() if (isinstance(exercise, Prediction)) == (kind is Prediction)]
+    if exercise_id not in known:
+        near = get_close_matches(str(exercise_id), known, 1)
+        what = "prediction" if kind is Prediction else "exercise"
+        raise ValueError(f"expected the number of {'a prediction' if kind else 'an exercise'}, found {exercise_id!r}; "
+                         + (f'did you mean "{near[0]}"?' if near else f"the {what}s are {', '.join(known)}"))
+    return exercises()[exercise_id]

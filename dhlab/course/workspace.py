@@ -1,0 +1,120 @@
+"""The learner's own folder: lessons are copied into it, never over anything, and JupyterLab opens on it."""
+
+import json
+import os
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+from ..files import read_text, write_text
+from .progress import MARKER
+
+__all__ = ["handed_out", "prepare", "lab_command", "open_lab"]
+
+PACKAGE = Path(__file__).parents[1]
+SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False}}
+
+
+def handed_out():
+    """The folder of the lessons: inside an installed package, beside it in a checkout.
+
+    Raises
+    ------
+    ValueError
+        There are no lessons; the installation is broken.
+    """
+    for folder in (PACKAGE / "lessons", PACKAGE.parent / "lessons"):
+        if any(folder.glob("*.ipynb")):
+            return folder
+    raise ValueError("lab: expected the lessons beside the package, found none; install dhlab again")
+
+
+def prepare(folder):
+    """Copy the lessons into the learner's folder; what is there stays, a newer lesson arrives beside the old one.
+
+    Parameters
+    ----------
+    folder : str or path
+        Made when it does not exist.
+
+    Returns
+    -------
+    list of str
+        A sentence for each file that was added.
+
+    Raises
+    ------
+    ValueError
+        The folder cannot be made or written to, or is a file.
+    """
+    folder = Path(folder).expanduser()
+    try:
+        (folder / MARKER).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ValueError(f"lab: {folder}: expected a folder to put the lessons in, found that it cannot be made ({error.strerror}); choose another") from None
+    given = _given(folder)
+    added = []
+    for source in sorted(p for p in handed_out().iterdir() if p.suffix in (".ipynb", ".md")):
+        text = source.read_text(encoding="utf-8")
+        target = _free_name(folder / source.name, text, given.get(source.name))
+        if target:
+            write_text(target, text)
+            added.append(f"{target.name}: {'new' if target.name == source.name else 'a newer version, beside your own'}")
+        given[source.name] = _fingerprint(text)
+    write_text(folder / MARKER / "lessons.json", json.dumps(given, indent=1) + "\n", overwrite=True)
+    return added
+
+
+def _free_name(target, text, given_before):
+    """Where this version of a lesson goes, or None when the learner has it already."""
+    if not target.exists():
+        return target
+    if given_before == _fingerprint(text):
+        return None
+    number = 1
+    while target.exists():
+        if target.read_text(encoding="utf-8", errors="replace") == text:
+            return None
+        number += 1
+        target = target.with_name(f"{target.name.split('.')[0]}.version-{number}{target.suffix}")
+    return target
+
+
+def _given(folder):
+    """Which version of each lesson was handed out here before; empty when that is not known."""
+    try:
+        known = json.loads(read_text(folder / MARKER / "lessons.json", "the list of lessons"))
+    except (ValueError, json.JSONDecodeError):
+        return {}
+    return known if isinstance(known, dict) else {}
+
+
+def _fingerprint(text):
+    from hashlib import sha256
+    return sha256(text.encode()).hexdigest()
+
+
+def lab_command(folder, *, port=None, browser=True):
+    """The command that starts JupyterLab on a prepared folder."""
+    command = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={folder}", f"--LabApp.app_settings_dir={folder / MARKER / 'lab'}"]
+    command += [f"--ServerApp.port={port}"] if port else []
+    command += [] if browser else ["--no-browser"]
+    command += ["--allow-root"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    return command
+
+
+def open_lab(folder, *, port=None, browser=True):
+    """Prepare the folder and run JupyterLab on it until it is closed; returns its exit status."""
+    if find_spec("jupyterlab") is None:
+        raise ValueError('lab: expected JupyterLab, found that it is not installed; run: pip install "dhlab[lab]"')
+    folder = Path(folder).expanduser().resolve()
+    for sentence in prepare(folder):
+        print(sentence)
+    (folder / MARKER / "lab").mkdir(exist_ok=True)
+    write_text(folder / MARKER / "lab" / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
+    print(f"Your course is in {folder}; close JupyterLab with Ctrl + C.")
+    try:
+        return subprocess.call(lab_command(folder, port=port, browser=browser))
+    except KeyboardInterrupt:
+        return 0
