@@ -4,7 +4,7 @@ import os
 import tempfile
 from pathlib import Path
 
-__all__ = ["read_text", "write_text"]
+__all__ = ["read_text", "write_text", "write_bytes"]
 
 LARGEST = 10_000_000  # bytes; tables, pose files and logs are far smaller
 
@@ -51,6 +51,11 @@ def read_text(path, what):
 
 
 def write_text(path, text, *, overwrite=False):
+    """Write a text as UTF-8; see :func:`write_bytes`."""
+    write_bytes(path, text.encode("utf-8"), overwrite=overwrite)
+
+
+def write_bytes(path, data, *, overwrite=False):
     """Write a whole file or nothing: a temporary file beside it is renamed into place.
 
     Raises
@@ -62,14 +67,14 @@ def write_text(path, text, *, overwrite=False):
     temporary = None
     try:
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
             file.flush()
             os.fsync(file.fileno())
         os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
         _into_place(temporary, path, overwrite)
     except FileExistsError:
-        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name or say overwrite") from None
+        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name or say overwrite=True") from None
     except OSError as error:
         raise ValueError(f"{path}: expected to write here, found that it cannot be done ({error.strerror}); choose another folder") from None
     finally:

@@ -1,0 +1,10 @@
+"""Pictures for the page and the notebook: frames, arms, configurations, one row of a table. Each says in words and numbers what it shows.
+
+Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
+"""
+
+from .link import link
+from .picture import Picture
+from .pictures import arm, frames, poses
+
+__all__ = ["Picture", "arm", "frames", "link", "poses"]

@@ -1,0 +1,162 @@
+"""Labels that keep out of each other's way: each tries places around its anchor and takes the one that hides least.
+
+All coordinates here are page points from the panel's lower left corner.
+"""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from .camera import Camera
+from .scene import LAYERS, Dot, Face
+from .style import FONT, QUIET, halo
+
+__all__ = ["place_labels"]
+
+ANGLES = np.deg2rad(np.arange(0, 360, 22.5))
+NEAR, FAR = (3.0, 7.0, 12.0), (7.0, 13.0, 20.0, 28.0, 38.0, 50.0)  # gaps between anchor and text
+BESIDE = (0.0, 0.25, 0.45)  # of an arrow, from its tip back: where its letter may stand
+SPACING = 2.5  # between the samples that stand for a line
+
+
+def place_labels(scene, panel):
+    """Write every label of a scene where it is best read.
+
+    Parameters
+    ----------
+    scene : Scene
+    panel : Panel
+        What is drawn in it already is kept free where there is room.
+
+    Returns
+    -------
+    list of matplotlib Text
+    """
+    texts = [_text(label, panel) for label in scene.labels]
+    sizes = [_size(text) for text in texts]
+    ink = _ink(scene, panel)
+    own = [_own_points(label, panel) for label in scene.labels]
+    choices = [_places(label, size, points, panel) for label, size, points in zip(scene.labels, sizes, own)]
+    choices = [(boxes, costs + _doubt(k, boxes, scene.labels, own) + _hidden(boxes, ink, panel.size)) for k, (boxes, costs) in enumerate(choices)]
+    taken = [None] * len(texts)
+    order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))  # those with least choice first
+    for sweep in range(3):  # the second and third time each one knows where all others are
+        for k in order:
+            boxes, costs = choices[k]
+            others = np.array([box for j, box in enumerate(taken) if box is not None and j != k]).reshape(-1, 4)
+            taken[k] = boxes[np.argmin(costs + _overlap(boxes, others))]
+    for k, (label, text, box) in enumerate(zip(scene.labels, texts, taken)):
+        doubtful = _doubt(k, box[None], scene.labels, own)[0] > 0
+        _put(label, text, box, panel, doubtful)
+    return texts
+
+
+def _text(label, panel):
+    content = f"${label.text}$" if label.math else label.text
+    return panel.axes.text(0, 0, content, color=label.color, fontsize=label.size, family=FONT, math_fontfamily="dejavusans", parse_math=label.math,
+                           usetex=False, ha="center", va="center", path_effects=halo(), zorder=LAYERS["mark"] + 1, gid=label.gid)
+
+
+def _size(text):
+    """Width and height of a text, page points."""
+    figure = text.get_figure(root=True)
+    extent = text.get_window_extent(figure.canvas.get_renderer())
+    return np.array([extent.width, extent.height]) * 72 / figure.dpi
+
+
+def _ink(scene, panel):
+    """Samples (k, 3) of what is drawn: where, and how bad it is to cover it."""
+    samples = [np.empty((0, 3))]
+    for item in scene.items:
+        if LAYERS[item.layer] < LAYERS["body"] or isinstance(item, Face) and not item.outline:
+            continue
+        weight = 2.0 if item.layer == "frame" else 1.0
+        points = np.atleast_2d(item.point) if isinstance(item, Dot) else item.points
+        where = _along(panel.to_page(panel.camera.flat(points)))
+        samples.append(np.column_stack([where, np.full(len(where), weight)]))
+    return np.vstack(samples)
+
+
+def _along(path):
+    """A path (k, 2) filled with points so near each other that no letter fits between."""
+    if len(path) == 1:
+        return path
+    pieces = [np.linspace(start, end, max(2, int(np.ceil(np.hypot(*(end - start)) / SPACING)) + 1)) for start, end in zip(path[:-1], path[1:])]
+    return np.vstack(pieces)
+
+
+def _own_points(label, panel):
+    """What a label belongs to (k, 2): its anchor, or the outer half of its arrow."""
+    anchor = panel.to_page(panel.camera.flat(label.anchor))
+    if label.root is None:
+        return anchor[None]
+    return anchor + np.outer(BESIDE, panel.to_page(panel.camera.flat(label.root)) - anchor)
+
+
+def _places(label, size, own, panel):
+    """Boxes (k, 4) left, bottom, right, top to choose from, and how far each is from what the label wants."""
+    wanted = _wanted(label, panel.camera)
+    if label.fixed is not None:
+        centre = own[0] + wanted * (label.fixed + np.abs(wanted) @ size / 2)
+        return np.hstack([centre - size / 2, centre + size / 2])[None], np.zeros(1)
+    straying = 4.0 if label.toward is not None and np.any(label.toward) else 0.6
+    base = np.arctan2(wanted[1], wanted[0])
+    centres, costs = [], []
+    for back, point in enumerate(own):
+        for gap in FAR if label.far else NEAR:
+            for angle in ANGLES:
+                ray = np.array([np.cos(base + angle), np.sin(base + angle)])
+                centres.append(point + ray * (gap + _half(size, ray)))
+                costs.append(0.12 * gap + (straying * (1 - np.cos(angle)) if back == 0 else 4.0 + back))
+    return np.hstack([np.array(centres) - size / 2, np.array(centres) + size / 2]), np.array(costs)
+
+
+def _doubt(k, boxes, labels, own):
+    """A price on boxes (m, 4) nearer to what another label of the same kind names than to what label k names; less with a line to it."""
+    rivals = [own[j] for j, label in enumerate(labels) if j != k and label.gid == labels[k].gid and label.fixed is None]
+    if labels[k].fixed is not None or not rivals:
+        return np.zeros(len(boxes))
+    return (8.0 if labels[k].far else 25.0) * (_distance(boxes, np.vstack(rivals)) < _distance(boxes, own[k]) + 3.0)
+
+
+def _distance(boxes, points):
+    """From each box (m, 4) to the nearest of the points (k, 2)."""
+    beyond = np.maximum(boxes[:, None, :2] - points, points - boxes[:, None, 2:]).clip(0)
+    return np.linalg.norm(beyond, axis=-1).min(axis=1)
+
+
+def _wanted(label, camera: Camera):
+    """The unit direction (2,) on the page in which a label wants to stand; up when it does not care."""
+    flat = np.zeros(2) if label.toward is None else camera.flat(label.toward)
+    length = np.linalg.norm(flat)
+    return flat / length if length > 1e-9 else np.array([0.0, 1.0])
+
+
+def _half(size, ray):
+    """From the middle of a box to its edge along a unit ray."""
+    with np.errstate(divide="ignore"):
+        return np.min(size / 2 / np.abs(ray))
+
+
+def _hidden(boxes, ink, page):
+    """The price of the lines that each box (k, 4) would cover, and of what of it lies beyond the panel."""
+    x, y, weight = ink.T
+    inside = (x > boxes[:, :1]) & (x < boxes[:, 2:3]) & (y > boxes[:, 1:2]) & (y < boxes[:, 3:])
+    outside = np.clip(2 - boxes[:, :2], 0, None).sum(axis=1) + np.clip(boxes[:, 2:] - page + 2, 0, None).sum(axis=1)
+    return 0.8 * inside @ weight + 100 * outside
+
+
+def _overlap(boxes, others):
+    """The price of the other labels (j, 4) that each box (k, 4) would cover."""
+    shared = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + 2) - np.maximum(boxes[:, None, :2], others[None, :, :2] - 2)
+    return 0.9 * np.prod(np.clip(shared, 0, None), axis=-1).sum(axis=1)
+
+
+def _put(label, text, box, panel, doubtful):
+    """Move a text into its box, and tie it to its anchor when it stands far off."""
+    text.set_position(panel.from_page((box[:2] + box[2:]) / 2))
+    anchor = panel.to_page(panel.camera.flat(label.anchor))
+    nearest = np.clip(anchor, box[:2], box[2:])
+    distance = np.hypot(*(nearest - anchor))
+    if label.far and (distance > 11 or doubtful and distance > 3):
+        ends = panel.from_page(np.array([anchor, nearest]))
+        panel.axes.add_line(Line2D(*ends.T, color=QUIET, linewidth=0.7, zorder=LAYERS["mark"] + 0.5))

@@ -1,0 +1,102 @@
+"""``Picture``: a figure with the words and the table that say the same to someone who cannot see it."""
+
+import base64
+import io
+from html import escape
+from pathlib import Path
+
+import matplotlib
+from PIL import Image
+
+from .. import files
+from ..printing import grid_html, grid_text
+
+__all__ = ["Picture"]
+
+# dates and version numbers left out: the same picture is the same bytes
+FORMATS = {".png": {"Software": None}, ".svg": {"Date": None, "Creator": None}, ".pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
+
+
+class Picture:
+    """What the functions of :mod:`dhlab.view` return; a notebook shows it, with the table to unfold below.
+
+    Attributes
+    ----------
+    figure : matplotlib.figure.Figure
+        Not known to pyplot, so that no notebook shows it a second time.
+    alt : str
+        What is to be seen, in a few sentences.
+    table : str
+        The numbers behind it, as plain text; ``table_html`` is the same for a page.
+    points : dict of arrays (k, 3)
+        What was drawn, by name, in metres before it was projected: ``"x-axis:1"``, ``"joint:2"``, ...
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> from dhlab import view
+    >>> picture = view.arm(dh.load("article-6r"), side=False)
+    >>> print(picture.alt)
+    The article's 6R arm, as its table has it: an arm with 6 revolute joints, drawn at q = 0°, 0°, 0°, 0°, 0°, 0°.
+    Its end is at x = 0.75, y = -0.2, z = 0.1 m, its x axis along +x and its z axis along -y. Frames {4} and {5} share one origin.
+    """
+
+    def __init__(self, figure, alt, headings, rows, caption, points=None):
+        self.figure, self.alt, self.points = figure, alt, points or {}
+        self.table = f"{caption}\n{grid_text(headings, rows)}"
+        self.table_html = grid_html([escape(heading) for heading in headings], rows, caption)
+
+    def save(self, path, overwrite=False):
+        """Write the picture as ``.png``, ``.svg`` or ``.pdf``: the whole file or nothing.
+
+        Parameters
+        ----------
+        path : str or path
+        overwrite : bool
+            Replace an existing file; it is kept, with an error, otherwise.
+
+        Raises
+        ------
+        ValueError
+            Another ending, a file that exists, a folder that cannot be written.
+
+        Examples
+        --------
+        >>> from dhlab import view
+        >>> import numpy as np
+        >>> view.frames(np.eye(4)).save("frame.bmp")
+        Traceback (most recent call last):
+        ...
+        ValueError: frame.bmp: expected a name that ends in .png, .svg or .pdf, found '.bmp'; choose one of these
+        """
+        path = Path(path)
+        suffix = path.suffix.lower()
+        if suffix not in FORMATS:
+            raise ValueError(f"{path}: expected a name that ends in .png, .svg or .pdf, found {suffix!r}; choose one of these")
+        files.write_bytes(path, self._bytes(suffix), overwrite=overwrite)
+
+    def _bytes(self, suffix):
+        buffer = io.BytesIO()
+        with matplotlib.rc_context({"svg.hashsalt": "dhlab", "svg.fonttype": "path", "savefig.bbox": None}):
+            self.figure.savefig(buffer, format=suffix[1:], dpi=self.figure.dpi, facecolor="white", metadata=FORMATS[suffix])
+        return buffer.getvalue() if suffix != ".png" else _fewer_colours(buffer)
+
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        data = base64.b64encode(self._bytes(".png")).decode("ascii")
+        width = round(self.figure.get_figwidth() * 100)  # the file has more dots than that, for fine screens
+        image = f'<img alt="{escape(self.alt)}" src="data:image/png;base64,{data}" width="{width}" style="max-width:100%">'
+        details = f"<details><summary>{self.summary}</summary>{self.table_html}</details>"
+        return {"text/html": f'<figure class="dhlab-picture">{image}{details}</figure>', "text/plain": f"{self.alt}\n{self.table}"}
+
+    summary = "The frames as a table"
+
+    def __repr__(self):
+        return f"<Picture: {self.alt}>"
+
+
+def _fewer_colours(png):
+    """The same picture with a palette of 128 colours: a fourth of the bytes, and these pictures have some thirty colours and their blends."""
+    small = io.BytesIO()
+    image = Image.open(png).convert("RGB")
+    image.quantize(128, dither=Image.Dither.NONE).save(small, format="PNG", optimize=True)
+    return small.getvalue()
