@@ -19,6 +19,7 @@ __all__ = ["Item", "read", "parse", "fields", "entries", "number", "text", "plac
 # the core schema of YAML 1.2, section 10.3.2, decimal numbers only
 INTEGER = re.compile(r"[-+]?[0-9]+\Z")
 FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?\Z")
+RESOLVED = {"str", "int", "float", "bool", "null", "map", "seq", "timestamp", "merge"}
 SPECIAL = re.compile(r"([-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN))\Z")
 
 
@@ -74,6 +75,8 @@ def _item(node, name):
     where = f"{name}: line {node.start_mark.line + 1}"
     if node.anchor is not None:
         raise ValueError(f"{where}: expected plain values, found the anchor or alias {node.anchor!r}; write the value out")
+    if _tagged(node):
+        raise ValueError(f"{where}: expected a plain value, found the tag {_tagged(node)}; take the tag out")
     if isinstance(node, MappingNode):
         return Item(_mapping(node, name), where)
     if isinstance(node, SequenceNode):
@@ -96,9 +99,7 @@ def _mapping(node, name):
 
 def _scalar(node, where):
     text = node.value
-    if node.style is not None or _tagged(node):
-        if _tagged(node):
-            raise ValueError(f"{where}: expected a plain value, found the tag {_tagged(node)}; take the tag out")
+    if node.style is not None:
         return text
     if text in ("", "~", "null", "Null", "NULL"):
         return None
@@ -112,9 +113,9 @@ def _scalar(node, where):
 
 
 def _tagged(node):
-    """The tag a person wrote, or None: resolved tags all lie under tag:yaml.org,2002: and were written by no one."""
+    """A tag that YAML's own resolution does not give, or None."""
     tag = str(node.tag)
-    return None if tag.startswith("tag:yaml.org,2002:") else tag
+    return None if tag.removeprefix("tag:yaml.org,2002:") in RESOLVED else tag
 
 
 def fields(item, what, *, required, allowed):

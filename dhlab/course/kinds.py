@@ -94,7 +94,7 @@ class Value(Exercise):
         expected = np.asarray(self.answer(**given), dtype=float)
         try:
             array = np.asarray(answer)
-            array = array if array.dtype.kind in "iuf" else array.astype(float)
+            array = array if array.dtype.kind in "iuf" else array.astype(float, casting="unsafe" if array.dtype.kind == "O" else "safe")
         except (TypeError, ValueError):
             return self.wrong(headline=f"expected {_amount(expected)}, found {type(answer).__name__}", next="Give plain numbers, all of them, no text.")
         if array.shape != expected.shape:
@@ -198,10 +198,8 @@ class Table(Exercise):
     def judge(self, answer, variant=0):
         rows = list(answer) if isinstance(answer, (list, tuple)) else []
         stubs = [i for i, row in enumerate(rows, 1) if _untouched(row) or isinstance(row, (list, tuple)) and any(_untouched(x) for x in row)]
-        if stubs and len(stubs) == len(rows):
-            answer = None
-        elif stubs:
-            return self.wrong(headline="some numbers are still to be filled in", place=f"row {', row '.join(map(str, stubs))}", next="Replace every ...")
+        if stubs:
+            return self.say(NOT_ATTEMPTED, place=f"row {', row '.join(map(str, stubs))}", next="Put a number in place of every ...")
         return super().judge(answer, variant)
 
     def compare(self, answer, variant):
@@ -211,7 +209,7 @@ class Table(Exercise):
             return self.wrong(headline=str(error))
         n = len(self.answer)
         if len(arm) != n:
-            return self.wrong("product-stops-early" if len(arm) < n else None, headline=f"expected {n} rows, found {len(arm)}", next="One row per joint.")
+            return self.wrong(headline=f"expected {n} rows, found {len(arm)}", next="One row per joint.")
         q = self.poses_at(variant)
         difference = np.abs(arm.forward(q) - self.answer.forward(q)).max(axis=0)
         if difference.max() < 1e-6:
@@ -254,7 +252,7 @@ class Choice(Exercise):
     undecided: str = "Good to say so. Read the paragraph above once more, then choose."
 
     def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else answer
+        letter = answer.strip().lower() if isinstance(answer, str) else ""
         if letter == UNDECIDED:
             return self.say(WRONG, self.undecided, next=f'hint("{self.id}") gives a first hint.')
         if letter not in self.options:
@@ -303,7 +301,7 @@ class Prediction(Exercise):
     outcome: str = ""
 
     def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else answer
+        letter = answer.strip().lower() if isinstance(answer, str) else ""
         if letter not in self.options and letter != UNDECIDED:
             return self.wrong(headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}', next='Write the letter in quotes, such as "a".')
         guess = "you would rather see first" if letter == UNDECIDED else f"you expect: {self.options[letter]}"

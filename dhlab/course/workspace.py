@@ -10,7 +10,7 @@ from pathlib import Path
 from ..files import read_text, write_text
 from .progress import MARKER
 
-__all__ = ["handed_out", "prepare", "lab_command", "open_lab"]
+__all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]
 
 PACKAGE = Path(__file__).parents[1]
 SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False}}
@@ -95,6 +95,13 @@ def _fingerprint(text):
     return sha256(text.encode()).hexdigest()
 
 
+def write_settings(folder):
+    """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of the outside."""
+    settings = Path(folder) / MARKER / "lab" / "settings"
+    settings.mkdir(parents=True, exist_ok=True)
+    write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
+
+
 def lab_command(folder, *, port=None, browser=True):
     """The command that starts JupyterLab on a prepared folder."""
     command = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={folder}", f"--LabApp.app_settings_dir={folder / MARKER / 'lab'}"]
@@ -111,8 +118,7 @@ def open_lab(folder, *, port=None, browser=True):
     folder = Path(folder).expanduser().resolve()
     for sentence in prepare(folder):
         print(sentence)
-    (folder / MARKER / "lab").mkdir(exist_ok=True)
-    write_text(folder / MARKER / "lab" / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
+    write_settings(folder)
     print(f"Your course is in {folder}; close JupyterLab with Ctrl + C.")
     try:
         return subprocess.call(lab_command(folder, port=port, browser=browser))

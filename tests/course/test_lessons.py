@@ -1,0 +1,119 @@
+"""The lessons as they are handed out and as they are solved: marks, sources, contract."""
+
+import json
+import re
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+from dhlab.course import build, lint
+from dhlab.course.exercises import exercises
+
+NAMES = [path.stem for path in build.sources()]
+
+
+def marks(path, tmp_path):
+    """What ``progress()`` says after a run from top to bottom, with every error a failure."""
+    notebook = nbformat.read(path, as_version=4)
+    notebook.cells.append(nbformat.v4.new_code_cell("import json; print('MARKS', json.dumps(progress().to_dict()))"))
+    NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}).execute()
+    text = notebook.cells[-1].outputs[0].text
+    return {key: row for key, row in json.loads(text.split("MARKS", 1)[1]).items() if key.startswith(path.stem[:2])}, notebook
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_solution_earns_full_marks(name, tmp_path):
+    earned, _ = marks(build.SOLUTIONS / f"{name}.ipynb", tmp_path)
+    assert earned and all(row["status"] == "right" and row["points"] == row["of"] for row in earned.values()), earned
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_untouched_lesson_runs_and_earns_nothing(name, tmp_path):
+    earned, notebook = marks(build.LESSONS / f"{name}.ipynb", tmp_path)
+    assert earned and all(row["status"] == "not attempted" and row["points"] == 0 for row in earned.values()), earned
+    said = [output.data.get("text/plain", "") for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("check(") for output in cell.outputs]
+    assert len(said) == len(earned) and all("Not attempted yet" in text for text in said)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_solution_is_handed_out(name):
+    source = (build.SOLUTIONS / f"{name}.md").read_text(encoding="utf-8")
+    lesson = (build.LESSONS / f"{name}.ipynb").read_text(encoding="utf-8")
+    regions = re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", source, re.DOTALL)
+    assert len(regions) == sum(key.startswith(name[:2]) for key in exercises())
+    assert "SOLUTION" not in lesson
+    for region in regions:
+        for line in region.strip().splitlines():
+            if len(line.strip()) > 40:
+                quoted = json.dumps(line.strip(), ensure_ascii=False)[1:-1]
+                assert quoted not in lesson or quoted in source.replace(region, ""), line
+
+
+def test_rebuilding_gives_what_is_committed():
+    assert build.stale() == []
+
+
+def test_rebuilding_is_repeatable():
+    path = build.sources()[0]
+    once, twice = (nbformat.writes(build.lesson_notebook(build.read_source(path))) for _ in range(2))
+    assert once == twice
+
+
+def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
+    for folder in ("solutions", "lessons"):
+        (tmp_path / folder).mkdir()
+        for path in (build.ROOT / folder).glob("*.*"):
+            (tmp_path / folder / path.name).write_bytes(path.read_bytes())
+    monkeypatch.setattr(build, "ROOT", tmp_path)
+    monkeypatch.setattr(build, "SOLUTIONS", tmp_path / "solutions")
+    monkeypatch.setattr(build, "LESSONS", tmp_path / "lessons")
+    assert build.stale() == []
+    source = tmp_path / "solutions" / "01-frames.md"
+    source.write_text(source.read_text(encoding="utf-8").replace("Keep those numbers.", "Keep these numbers."), encoding="utf-8")
+    assert build.stale() == ["lessons/01-frames.ipynb", "solutions/01-frames.ipynb"]
+
+
+def test_the_contract_is_kept():
+    table, failures = lint.report()
+    assert failures == [] and len(table.splitlines()) == 1 + len(lint.CONTRACT) * len(NAMES)
+
+
+BREAKS = {
+    "time": ("minutes: 40", "minutes: 20"), "opening": ("read the arrows and the origin of a frame off its pose\"", "understand frames\""),
+    "prose": ("## Key points", "word " * 700 + "\n\n## Key points"), "new terms": ("(glossary.md#pose)", "(elsewhere.md#pose)"),
+    "checks": ('check("01.5", chain)', 'print("01.5")'), "predictions": ('reveal("01.P1")', 'print("01.P1")'),
+    "misconceptions": ("**Against it.** Compare", "Compare"), "choices": ('#   "?" I don\'t know yet\nwhy', "why"), "worked example": (":tags: [worked]", ":tags: [shown]"),
+    "why": ("[exercise, why]", "[exercise]"), "modify, make": ("[modify]", "[play]"), "code": ("length = 0.12", "import matplotlib\nlength = 0.12"),
+    "transfer": ("[exercise, transfer]", "[exercise]"), "close": ("## Where next", "## And so on"),
+}
+
+
+@pytest.mark.parametrize("line", BREAKS)
+def test_the_linter_refuses(line, tmp_path, monkeypatch):
+    for path in build.SOLUTIONS.glob("*.md"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    (tmp_path / "teacher").mkdir()
+    for path in (build.SOLUTIONS / "teacher").glob("*.md"):
+        (tmp_path / "teacher" / path.name).write_bytes(path.read_bytes())
+    source = tmp_path / "01-frames.md"
+    text = source.read_text(encoding="utf-8")
+    old, new = BREAKS[line]
+    assert old in text
+    source.write_text(text.replace(old, new), encoding="utf-8")
+    monkeypatch.setattr(build, "SOLUTIONS", tmp_path)
+    monkeypatch.setattr(lint, "SOLUTIONS", tmp_path)
+    monkeypatch.setattr(build, "LESSONS", tmp_path / "lessons")
+    assert any(f"lesson 01, {line}:" in failure for failure in lint.report()[1])
+    with pytest.raises(ValueError, match="nothing was built"):
+        build.build()
+    assert not (tmp_path / "lessons").exists()
+
+
+def test_nbgrader_knows_every_cell():
+    for path in build.sources():
+        cells = build.read_source(path).cells
+        ids = [cell.metadata.nbgrader.grade_id for cell in cells if "nbgrader" in cell.metadata]
+        assert len(ids) == len(set(ids)) and len({cell.id for cell in cells}) == len(cells)
+        points = sum(cell.metadata.nbgrader.get("points", 0) for cell in cells if "nbgrader" in cell.metadata)
+        assert points == sum(e.points for key, e in exercises().items() if key.startswith(path.name[:2]))

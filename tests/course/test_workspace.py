@@ -1,0 +1,111 @@
+"""The learner's folder: copied once, never written over, newer lessons beside the old; the log of what was checked."""
+
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from dhlab.course import session, workspace
+from dhlab.course.progress import Log
+from dhlab.course.verdict import RIGHT, WRONG, Verdict
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def lessons(tmp_path, monkeypatch):
+    folder = tmp_path / "handed-out"
+    folder.mkdir()
+    (folder / "01-frames.ipynb").write_text("first version")
+    monkeypatch.setattr(workspace, "handed_out", lambda: folder)
+    return folder
+
+
+def test_lessons_are_copied_and_kept(lessons, tmp_path):
+    mine = tmp_path / "mine" / "course"
+    assert workspace.prepare(mine) == ["01-frames.ipynb: new"]
+    (mine / "01-frames.ipynb").write_text("my work")
+    assert workspace.prepare(mine) == [] and (mine / "01-frames.ipynb").read_text() == "my work"
+
+
+def test_a_newer_version_arrives_beside(lessons, tmp_path):
+    mine = tmp_path / "mine"
+    workspace.prepare(mine)
+    (mine / "01-frames.ipynb").write_text("my work")
+    for number, text in ((2, "second version"), (3, "third version")):
+        (lessons / "01-frames.ipynb").write_text(text)
+        workspace.prepare(mine)
+        assert (mine / f"01-frames.version-{number}.ipynb").read_text() == text
+        assert workspace.prepare(mine) == []
+    assert (mine / "01-frames.ipynb").read_text() == "my work" and len(list(mine.glob("*.ipynb"))) == 3
+
+
+def test_a_folder_that_had_other_files_keeps_them(lessons, tmp_path):
+    (tmp_path / "01-frames.ipynb").write_text("something of mine")
+    workspace.prepare(tmp_path)
+    assert (tmp_path / "01-frames.ipynb").read_text() == "something of mine"
+    assert (tmp_path / "01-frames.version-2.ipynb").read_text() == "first version"
+
+
+def test_a_broken_list_loses_nothing(lessons, tmp_path):
+    workspace.prepare(tmp_path)
+    (tmp_path / "01-frames.ipynb").write_text("my work")
+    (tmp_path / ".dhlab" / "lessons.json").write_text("{broken")
+    workspace.prepare(tmp_path)
+    assert (tmp_path / "01-frames.ipynb").read_text() == "my work"
+
+
+def test_a_deleted_lesson_comes_back(lessons, tmp_path):
+    workspace.prepare(tmp_path)
+    (tmp_path / "01-frames.ipynb").unlink()
+    assert workspace.prepare(tmp_path) == ["01-frames.ipynb: new"]
+
+
+def test_a_file_is_no_folder(lessons, tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match="expected a folder"):
+        workspace.prepare(tmp_path / "file")
+
+
+def test_the_real_lessons_are_handed_out(tmp_path):
+    workspace.prepare(tmp_path)
+    assert {p.name for p in tmp_path.glob("*.ipynb")} == {p.name for p in (ROOT / "lessons").glob("*.ipynb")} and (tmp_path / "glossary.md").exists()
+
+
+def test_the_log_is_appended_to_and_read_back(tmp_path, monkeypatch):
+    workspace.prepare(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    Log().add(Verdict("05.2", WRONG, of=1))
+    Log().add(Verdict("05.2", RIGHT, points=1, of=1))
+    Log().add(Verdict("05.2", WRONG, of=1))
+    with open(tmp_path / ".dhlab" / "progress.jsonl", "a") as file:
+        file.write('{"half a li\n["not", "an", "entry"]\n')
+    assert Log().best() == {"05.2": (RIGHT, 1)}
+    monkeypatch.setattr(session, "_log", Log())
+    assert session.progress().to_dict()["05.2"]["status"] == RIGHT and "1 of" in str(session.progress())
+
+
+def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Log().add(Verdict("05.2", RIGHT, points=1, of=1))
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_wheel_holds_all_it_needs(tmp_path):
+    subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(tmp_path), str(ROOT)], check=True, capture_output=True)
+    names = zipfile.ZipFile(next(tmp_path.glob("dhlab-*.whl"))).namelist()
+    for wanted in ("dhlab/robots/ur5e.yaml", "dhlab/doctor/catalogue.yaml", "dhlab/lessons/01-frames.ipynb", "dhlab/lessons/glossary.md", "dhlab/course/exercises/lesson05.py"):
+        assert wanted in names, wanted
+    assert not any(name.startswith(("tests/", "solutions/")) for name in names)
+
+
+def test_dhlab_lab_works_from_an_installed_package(tmp_path):
+    subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", str(tmp_path / "site"), str(ROOT)], check=True, capture_output=True)
+    script = "import sys; sys.path.insert(0, sys.argv[1]); from dhlab.course import workspace; print(workspace.__file__); workspace.prepare(sys.argv[2])"
+    answer = subprocess.run([sys.executable, "-I", "-c", script, str(tmp_path / "site"), str(tmp_path / "mine")], capture_output=True, text=True, cwd=tmp_path)
+    assert answer.returncode == 0 and str(tmp_path / "site") in answer.stdout, answer.stderr
+    assert json.loads((tmp_path / "mine" / "06-forward-kinematics.ipynb").read_text())["cells"]
