@@ -18,8 +18,8 @@ test: .venv/test
 	$(BIN)/python -m dhlab.course.lint
 	$(BIN)/python -m dhlab.course.build --check
 	$(BIN)/python -m pytest
-	$(BIN)/python -m pytest --nbval --nbval-sanitize-with tests/nbval.cfg -p no:doctest -o testpaths=solutions solutions
-	$(BIN)/python -m pytest --nbval-lax -p no:doctest -o testpaths=lessons lessons
+	$(BIN)/python -m pytest -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
+	$(BIN)/python -m pytest -q -o addopts= --nbval-lax lessons
 
 # Chromium and bubblewrap come from apt where this user may install; otherwise the tests that need them are skipped by name.
 test-deps:

@@ -97,6 +97,6 @@ class Progress:
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>" for cells in self._cells())
-        head = "".join(f'<th scope="col">{name}</th>' for name in ("", "exercise", "status", "points"))
+        rows = "".join("<tr>" + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells) + "</tr>" for cells in self._cells())
+        head = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in ("", "exercise", "status", "points"))
         return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

@@ -1,6 +1,7 @@
 """What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``."""
 
 from difflib import get_close_matches
+from html import escape
 
 from .exercises import exercises
 from .kinds import Prediction
@@ -108,15 +109,22 @@ def reveal(prediction_id):
     return Note(_exercise(prediction_id, Prediction).after(_guesses.get(prediction_id)))
 
 
-def progress():
-    """How far the learner is: every exercise of every lesson, from this session and the course folder's log.
+def progress(lesson=""):
+    """How far the learner is: every exercise of a lesson, or of all, from this session and the course folder's log.
+
+    Parameters
+    ----------
+    lesson : str
+        Such as ``"05"``; all lessons when left out.
 
     Examples
     --------
-    >>> progress().to_dict()["05.3"]["of"]
+    >>> progress("05").to_dict()["05.3"]["of"]
     1
     """
-    scored = {key: exercise for key, exercise in exercises().items() if not isinstance(exercise, Prediction)}
+    scored = {key: exercise for key, exercise in exercises().items() if not isinstance(exercise, Prediction) and key.startswith(lesson)}
+    if not scored:
+        raise ValueError(f'progress: expected the number of a lesson, such as "05", found {lesson!r}')
     return Progress(scored, _log.best())
 
 
@@ -125,6 +133,9 @@ class Note(str):
 
     def __repr__(self):
         return str(self)
+
+    def _repr_html_(self):
+        return f"<p>{escape(self)}</p>"
 
 
 def _exercise(exercise_id, kind=None):

@@ -55,7 +55,7 @@ def prepare(folder):
         raise ValueError(f"lab: {folder}: expected a folder to put the lessons in, found that it cannot be made ({error.strerror}); choose another") from None
     given = _given(folder)
     added = []
-    for source in sorted(p for p in handed_out().iterdir() if p.suffix in (".ipynb", ".md")):
+    for source in sorted(p for p in handed_out().iterdir() if p.suffix in (".ipynb", ".md") and p.name != "LICENSE.md"):
         text = source.read_text(encoding="utf-8")
         target = _free_name(folder / source.name, text, given.get(source.name))
         if target:
@@ -97,7 +97,7 @@ def _fingerprint(text):
 
 def write_settings(folder):
     """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of the outside."""
-    settings = Path(folder) / MARKER / "lab" / "settings"
+    settings = Path(folder) / MARKER / "lab"
     settings.mkdir(parents=True, exist_ok=True)
     write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
 

@@ -86,7 +86,7 @@ def test_the_log_is_appended_to_and_read_back(tmp_path, monkeypatch):
         file.write('{"half a li\n["not", "an", "entry"]\n')
     assert Log().best() == {"05.2": (RIGHT, 1)}
     monkeypatch.setattr(session, "_log", Log())
-    assert session.progress().to_dict()["05.2"]["status"] == RIGHT and "1 of" in str(session.progress())
+    assert session.progress().to_dict()["05.2"]["status"] == RIGHT and "1 of" in str(session.progress("05"))
 
 
 def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
