@@ -159,6 +159,54 @@ class Arm:
         chain = self.frames(q)
         return kinematics.jacobian(self.table.convention, chain, chain[..., -1, :, :] @ self.tool, self.table.prismatic, self.sign)
 
+    def to(self, convention):
+        """The same arm with its table in another convention, ``"standard"`` or ``"craig"``; base and tool take up the difference.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("panda").to("standard").table.convention
+        'standard'
+        """
+        from .conversion import to_convention
+        return to_convention(self, convention)
+
+    def flip_x(self, i):
+        """The same arm with x_i turned round (frame i, 0 to n): theta_i and theta_{i+1} by 180°, a_i and alpha_i change sign.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("ur5e").flip_x(2).table.a
+        array([ 0.    ,  0.425 , -0.3922,  0.    ,  0.    ,  0.    ])
+        """
+        from .freedoms import flip_x
+        return flip_x(self, i)
+
+    def flip_z(self, i):
+        """The same arm with z_i turned round (frame i, 0 to n): the joint on z_i counts the other way.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("ur5e").flip_z(2).sign
+        array([ 1.,  1., -1.,  1.,  1.,  1.])
+        """
+        from .freedoms import flip_z
+        return flip_z(self, i)
+
+    def slide(self, i, h):
+        """The same arm with o_i moved by ``h`` metres along z_i, where the axes on both sides are parallel (a ValueError elsewhere).
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("ur5e").slide(3, 0.1333).table.d
+        array([0.1625, 0.    , 0.1333, 0.    , 0.0997, 0.0996])
+        """
+        from .freedoms import slide
+        return slide(self, i, h)
+
     def within_limits(self, q):
         """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint without limits always is.
 

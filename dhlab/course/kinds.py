@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arm import Arm
 from ..doctor import catalogue, explain_function, explain_rows
+from ..equivalence import equivalent
 from ..table import DHTable
 from .calling import CallFault, call_all, is_stub
 from .verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
@@ -212,14 +213,17 @@ class Table(Exercise):
             return self.wrong(headline=f"expected {n} rows, found {len(arm)}", next="One row per joint.")
         q = self.poses_at(variant)
         difference = np.abs(arm.forward(q) - self.answer.forward(q)).max(axis=0)
+        verdict = equivalent(self.answer, arm)
         if difference.max() < 1e-6:
-            return self.right()
+            choices = "; ".join(choice.message for choice in verdict.differences)
+            return self.say(RIGHT, f"{self.praise} Yours is another right table than ours: {choices}." if choices else self.praise)
         finding = explain_rows(arm, self.answer, q)
         if finding:
             return self.wrong(finding.mistake.id, place=finding.place)
         rotation = difference[:3, :3].max() > 1e-6
         words = "theta, alpha or the order of the rows" if rotation else "d and a: the rotation is right at every pose"
-        return self.wrong(headline="this is another arm", place=f"look at {words}")
+        axis = f"joint {verdict.joint} is the first whose axis is not where it must be; " if verdict.joint else "every joint's axis is right, only the end is not; "
+        return self.wrong(headline="this is another arm", place=f"{axis}look at {words}")
 
 
 def _as_arm(answer, right):

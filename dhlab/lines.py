@@ -1,0 +1,134 @@
+"""Lines in space: nearest points, the common normal of two lines, and the angle about an axis. Plain arrays, metres and radians."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["CommonNormal", "unit", "nearest_on", "common_normal", "parallel_normal", "tilt", "angle_about", "across"]
+
+
+@dataclass(frozen=True)
+class CommonNormal:
+    """The shortest way from a first line to a second: it leaves the first at ``out`` and reaches the second at ``into``
+    (metres from each line's own point, along its direction), along the unit vector ``x`` for ``a`` metres; ``alpha`` turns the first
+    direction into the second about ``x``. ``x`` is None when the lines coincide. ``a`` may be negative: the sense of ``x`` is a choice.
+    """
+
+    out: float
+    into: float
+    x: np.ndarray
+    a: float
+    alpha: float
+
+
+def unit(v):
+    """``v`` at length 1.
+
+    Examples
+    --------
+    >>> unit(np.array([3.0, 0.0, 4.0]))
+    array([0.6, 0. , 0.8])
+    """
+    return v / np.linalg.norm(v)
+
+
+def nearest_on(p, z, target):
+    """The point of the line (p, z) nearest to ``target``.
+
+    Examples
+    --------
+    >>> nearest_on(np.zeros(3), np.array([0.0, 0, 1]), np.array([1.0, 2, 3]))
+    array([0., 0., 3.])
+    """
+    return p + z * ((target - p) @ z)
+
+
+def across(v, z):
+    """The part of ``v`` at right angles to the unit vector ``z``.
+
+    Examples
+    --------
+    >>> across(np.array([1.0, 2, 3]), np.array([0.0, 0, 1]))
+    array([1., 2., 0.])
+    """
+    return v - z * (v @ z)
+
+
+def tilt(z, w):
+    """How far two unit directions are from parallel or antiparallel, in radians: 0 to π/2.
+
+    Examples
+    --------
+    >>> z = np.array([0.0, 0.0, 1.0])
+    >>> float(tilt(z, -z)), round(float(tilt(z, np.array([0.6, 0.0, 0.8]))), 4)
+    (0.0, 0.6435)
+    """
+    return np.arctan2(np.linalg.norm(np.cross(z, w)), abs(z @ w))
+
+
+def angle_about(z, x, y):
+    """The angle that turns ``x`` into ``y`` about ``z`` (all unit vectors, x and y across z), in (-π, π].
+
+    Examples
+    --------
+    >>> x, y, z = np.eye(3)
+    >>> float(angle_about(z, x, y).round(6)), float(angle_about(-z, x, y).round(6))
+    (1.570796, -1.570796)
+    """
+    return np.arctan2(np.cross(x, y) @ z, x @ y)
+
+
+def common_normal(p, z, q, w):
+    """The common normal of two lines that are not parallel, along z × w.
+
+    Parameters
+    ----------
+    p, z : arrays (3,)
+        A point (m) and the unit direction of the first line.
+    q, w : arrays (3,)
+        The second line.
+
+    Returns
+    -------
+    CommonNormal
+
+    Examples
+    --------
+    >>> N = common_normal(np.zeros(3), np.array([0.0, 0, 1]), np.array([0.0, 0.3, 2]), np.array([1.0, 0, 0]))
+    >>> float(N.out), float(N.into), N.x, float(N.a)
+    (2.0, 0.0, array([0., 1., 0.]), 0.3)
+    """
+    c = np.cross(z, w)
+    s = np.linalg.norm(c)
+    x, r = c / s, q - p
+    return CommonNormal(np.cross(r, w) @ x / s, np.cross(r, z) @ x / s, x, r @ x, np.arctan2(s, z @ w))
+
+
+def parallel_normal(p, z, q, w, out, same):
+    """A common normal of two parallel (or antiparallel) lines; it is free, so it is asked to leave the first line at ``out``.
+
+    Parameters
+    ----------
+    p, z, q, w : arrays (3,)
+        As in :func:`common_normal`; w = z or w = -z.
+    out : float
+        Metres from p along z.
+    same : float
+        Lines nearer than this (m) coincide: then ``x`` is None and ``a`` 0.
+
+    Returns
+    -------
+    CommonNormal
+
+    Examples
+    --------
+    >>> z = np.array([0.0, 0, 1])
+    >>> N = parallel_normal(np.zeros(3), z, np.array([0.4, 0, 1]), z, 0.25, 1e-13)
+    >>> float(N.into), N.x, float(N.a)
+    (-0.75, array([1., 0., 0.]), 0.4)
+    """
+    gap = across(q - p, z)
+    a = np.linalg.norm(gap)
+    into = (p + out * z - q) @ w
+    alpha = 0.0 if z @ w > 0 else np.pi
+    return CommonNormal(out, into, gap / a, a, alpha) if a > same else CommonNormal(out, into, None, 0.0, alpha)
