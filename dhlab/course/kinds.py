@@ -169,7 +169,7 @@ class Function(Exercise):
             return self.right()
         finding = explain_function(answers, expected, cases, self.family)
         if finding:
-            return self.wrong(finding.mistake.id, place=finding.place)
+            return self.wrong(finding.mistake, place=finding.place)
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(headline="the answer is the same whatever goes in", next="Does the function use its arguments, and return what the loop made?")
         return self.wrong(headline="the answers differ from the right ones", place=f"{sum(off)} of {len(off)} calls; {self._parts(answers, expected)}")
@@ -219,7 +219,7 @@ class Table(Exercise):
             return self.say(RIGHT, f"{self.praise} Yours is another right table than ours: {choices}." if choices else self.praise)
         finding = explain_rows(arm, self.answer, q)
         if finding:
-            return self.wrong(finding.mistake.id, place=finding.place)
+            return self.wrong(finding.mistake, place=finding.place)
         rotation = difference[:3, :3].max() > 1e-6
         words = "theta, alpha or the order of the rows" if rotation else "d and a: the rotation is right at every pose"
         axis = f"joint {verdict.joint} is the first whose axis is not where it must be; " if verdict.joint else "every joint's axis is right, only the end is not; "

@@ -1,7 +1,9 @@
 """What is wrong: the catalogue of mistakes in words, and the search over them."""
 
 from .catalogue import Mistake, catalogue
-from .programs import Finding, explain_function
+from .diagnosis import Diagnosis
+from .finding import Finding
+from .programs import explain_function
 from .rows import explain_rows
 
-__all__ = ["Mistake", "catalogue", "Finding", "explain_function", "explain_rows"]
+__all__ = ["Mistake", "catalogue", "Diagnosis", "Finding", "explain_function", "explain_rows"]

@@ -3,11 +3,11 @@
 import numpy as np
 
 from ..transform import inverse, pose_fault
-from .finding import Finding, find
+from .finding import find
 from .wrong_links import WRONG_COMPOSE, WRONG_LINKS, WRONG_ROT_X
 from .wrong_products import WRONG_PRODUCTS
 
-__all__ = ["Finding", "explain_function", "WRONG_VERSIONS"]
+__all__ = ["explain_function", "WRONG_VERSIONS"]
 
 WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE}
 
@@ -37,7 +37,7 @@ def explain_function(answers, expected, cases, kind):
     >>> from dhlab.transform import inverse
     >>> cases = [(0.3, 0.1, 0.4, 0.5), (1.1, -0.2, 0.3, -0.7)]
     >>> right = [standard(*case) for case in cases]
-    >>> explain_function(inverse(right), right, cases, "dh_transform").mistake.id
+    >>> explain_function(inverse(right), right, cases, "dh_transform").mistake
     'pose-inverted'
     """
     answers, expected = np.array(answers), np.array(expected, dtype=float)

@@ -1,0 +1,91 @@
+"""``Diagnosis``: what the doctor says, for a terminal, a notebook and a program."""
+
+from dataclasses import dataclass
+from html import escape
+
+import numpy as np
+
+from ..printing import number
+from .catalogue import catalogue
+from .finding import Finding
+
+__all__ = ["Diagnosis", "AGREES", "CALIBRATED", "EXPLAINED", "UNEXPLAINED"]
+
+AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED = "agrees", "calibrated", "explained", "unexplained"
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """The answer of the doctor.
+
+    Parameters
+    ----------
+    verdict : "agrees", "calibrated", "explained" or "unexplained"
+    headline : str
+        One sentence.
+    findings : tuple of Finding
+        Best first; together they explain what was seen when ``verdict`` is "explained" (a pair of mistakes is two findings).
+    before, after : (float, float) or None
+        Largest residual in mm and degrees, of the arm as given and as repaired; the angle is NaN where only positions were compared.
+    notes : tuple of str
+        What else a reader should know: look-alikes, too few poses, how the noise was estimated.
+    next_pose : array (n,) or None
+        A configuration whose measurement would tell the remaining explanations apart; radians and metres.
+    picture : object or None
+        Predicted against measured, when there is something to draw.
+    """
+
+    verdict: str
+    headline: str
+    findings: tuple[Finding, ...] = ()
+    before: tuple | None = None
+    after: tuple | None = None
+    notes: tuple = ()
+    next_pose: np.ndarray | None = None
+    picture: object = None
+
+    def __bool__(self):
+        """True when nothing is wrong."""
+        return self.verdict == AGREES
+
+    def to_dict(self):
+        """Plain values for a program."""
+        return {"verdict": self.verdict, "headline": self.headline, "findings": [finding.to_dict() for finding in self.findings],
+                "before": _pair(self.before), "after": _pair(self.after), "notes": list(self.notes),
+                "next_pose": None if self.next_pose is None else np.asarray(self.next_pose).tolist()}
+
+    def _lines(self):
+        for k, finding in enumerate(self.findings, 1):
+            words = catalogue()[finding.mistake]
+            lead = f"{k}. " if len(self.findings) > 1 else ""
+            yield "What", f"{lead}{words.title}" + (f" ({finding.place})" if finding.place else "") + (f": {finding.detail}" if finding.detail else "")
+            yield "Seen", words.see
+            yield "Why", words.why
+            yield "Next", words.next
+            if finding.look_alikes:
+                yield "Same", "looks the same on this arm: " + "; ".join(catalogue()[name].title for name in finding.look_alikes)
+        if self.before is not None:
+            yield "Off by", _size(self.before) + (f", once repaired {_size(self.after)}" if self.after is not None else "")
+        for note in self.notes:
+            yield "Note", note
+        if self.next_pose is not None:
+            yield "Measure", "q = " + ", ".join(number(v, 4) for v in self.next_pose) + " (rad, m) would tell them apart"
+
+    def __str__(self):
+        return "\n".join([self.headline, *(f"  {label + ':':8} {text}" for label, text in self._lines())])
+
+    __repr__ = __str__
+
+    def _repr_html_(self):
+        rows = "".join(f"<div><em>{label}:</em> {escape(text)}</div>" for label, text in self._lines())
+        picture = self.picture._repr_mimebundle_()["text/html"] if self.picture is not None else ""
+        return f'<div role="status" style="border-left:4px solid #0b62c4;padding:.3em .8em"><div><strong>{escape(self.headline)}</strong></div>{rows}</div>{picture}'
+
+
+def _pair(residual):
+    return None if residual is None else {"mm": float(residual[0]), "deg": None if np.isnan(residual[1]) else float(residual[1])}
+
+
+def _size(residual):
+    millimetres, degrees = residual
+    return f"{number(millimetres, 3)} mm" + ("" if np.isnan(degrees) else f" and {number(degrees, 3)}°")
