@@ -80,6 +80,39 @@ def fk(arm: Annotated[str, typer.Argument(metavar="ARM", help="A name of the lib
         print(f"Note: outside the stated limits: joint {', '.join(outside)}. The pose is right for these values all the same.")
 
 
+@app.command()
+def convert(arm: Annotated[str, typer.Argument(metavar="ARM", help="A name of the library, or a .yaml or .csv table file.")],
+            to: Annotated[str, typer.Option("--to", help="standard or craig.")],
+            out: Annotated[str, typer.Option("--out", help="Write a .yaml file; an existing one is kept.")] = "", as_json: Json = False):
+    """The same arm in the other convention: the same pose for every q, exactly."""
+    _give(load(arm).to(to), out, as_json)
+
+
+@app.command(name="from-urdf")
+def from_urdf(file: Annotated[Path, typer.Argument(metavar="FILE", help="A URDF file (expand xacro first).")],
+              base: Annotated[str, typer.Option(help="The link the chain begins with; the root when left out.")] = "",
+              tip: Annotated[str, typer.Option(help="The link it ends with; the only leaf when left out.")] = "",
+              to: Annotated[str, typer.Option("--to", help="standard or craig.")] = "standard",
+              out: Annotated[str, typer.Option("--out", help="Write a .yaml file; an existing one is kept.")] = "", as_json: Json = False):
+    """The DH table of a URDF chain: the same pose for every q."""
+    import warnings
+
+    from .urdf import read_urdf
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        model = read_urdf(file, base or None, tip or None, convention=to)
+    _give(model, out, as_json)
+    for warning in noted:
+        print(f"Note: {warning.message}", file=sys.stderr)
+
+
+def _give(model, out, as_json):
+    """Print an arm, and write it where asked."""
+    if out:
+        model.save(out)
+    print(json.dumps(_described(model), ensure_ascii=False) if as_json else model)
+
+
 def _joint_values(text, model, deg):
     cells = [cell for cell in re.split(r"[,\s]+", text.strip()) if cell] if text.strip() else ["0"] * len(model)
     try:

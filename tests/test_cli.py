@@ -76,3 +76,23 @@ def test_a_closed_pipe_is_no_traceback():
     process.stdout.close()
     _, errors = process.communicate()
     assert b"Traceback" not in errors
+
+
+def test_convert_keeps_the_pose(tmp_path):
+    answer = dhlab("convert", "panda", "--to", "standard", "--out", str(tmp_path / "panda.yaml"))
+    assert answer.returncode == 0 and "standard DH, 7 joints" in answer.stdout
+    q = "0.1,0.2,0.3,-0.4,0.5,0.6,0.7"
+    poses = [json.loads(dhlab("fk", name, "--q", q, "--json").stdout)["pose"] for name in ("panda", str(tmp_path / "panda.yaml"))]
+    assert np.allclose(*poses, atol=1e-14)
+    again = dhlab("convert", "panda", "--to", "craig", "--out", str(tmp_path / "panda.yaml"))
+    assert again.returncode == 2 and "found one that exists" in again.stderr
+
+
+def test_from_urdf(tmp_path):
+    import dhlab as dh
+    dh.to_urdf(dh.load("ur5e"), tmp_path / "ur5e.urdf")
+    answer = json.loads(dhlab("from-urdf", str(tmp_path / "ur5e.urdf"), "--json").stdout)
+    assert answer["convention"] == "standard" and len(answer["rows"]) == 6
+    wrong = dhlab("convert", "ur5e", "--to", "modified")
+    assert wrong.returncode == 2 and '"craig"' in wrong.stderr and wrong.stderr.count("\n") == 1
+    assert dhlab("from-urdf", str(tmp_path / "none.urdf")).returncode == 2
