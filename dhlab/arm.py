@@ -73,7 +73,7 @@ class Arm:
     def save(self, path, *, angle=None, length="m", overwrite=False):
         """Write the arm as ``.yaml`` (all of it) or ``.csv`` (table and signs; refused when there is more to say).
 
-        Parameters as :meth:`DHTable.save <dhlab.table.DHTable.save>`.
+        Parameters as :meth:`DHTable.save`.
         """
         from .tablefile import write
         write(path, self, angle=angle, length=length, overwrite=overwrite)

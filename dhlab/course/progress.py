@@ -92,11 +92,11 @@ class Progress:
         return f"{sum(r['points'] for r in self._rows.values()):g} of {sum(r['of'] for r in self._rows.values()):g} points"
 
     def __str__(self):
-        return grid_text(["", "exercise", "status", "points"], list(self._cells())) + "\n " + self._sum()
+        return grid_text(["No.", "exercise", "status", "points"], list(self._cells())) + "\n " + self._sum()
 
     __repr__ = __str__
 
     def _repr_html_(self):
         rows = "".join("<tr>" + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells) + "</tr>" for cells in self._cells())
-        head = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in ("", "exercise", "status", "points"))
+        head = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in ("No.", "exercise", "status", "points"))
         return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

@@ -1,0 +1,152 @@
+"""Building the site: pages from ``docs/``, the lessons as they are handed out, all cells run, no reader's browser sent elsewhere.
+
+    python docs/build.py          # docs/_build/html
+    python docs/build.py OUT      # OUT/html; the folders html, source, doctrees and executed in OUT belong to the build
+
+A lesson is run again when it or anything in ``dhlab`` has changed; a cell that fails, and any warning of Sphinx, ends the build.
+"""
+
+import argparse
+import hashlib
+import re
+import shutil
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from importlib.metadata import version
+from pathlib import Path
+
+import jupytext
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+from sphinx.cmd.build import main as sphinx
+
+__all__ = ["build", "pages", "executed", "accessible"]
+
+DOCS = Path(__file__).resolve().parent
+ROOT = DOCS.parent
+NOTE = """:::{admonition} Read it here, do it in Jupyter
+:class: tip
+This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted yet*.
+To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
+:::"""
+LANDMARKS = [  # what furo leaves to be named, so that somebody who listens to the page can tell its parts
+    (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),
+    (r'<aside class="toc-drawer( no-toc)?">', r'<aside class="toc-drawer\1" aria-label="This page">'),
+    (r'<div class="content-icon-container">', '<div class="content-icon-container" role="navigation" aria-label="View">'),
+    (r'(<a href="#" class="back-to-top.*?</a>)', r'<nav aria-label="Top">\1</nav>'),
+    (r'<p class="caption" role="heading">', '<p class="caption" role="heading" aria-level="2">'),
+    (r"<pre\b", '<pre tabindex="0"'),
+    (r'<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
+    (r'<div id="search-results">', '<h1>Search</h1><div id="search-results">'),
+]
+
+
+def build(out):
+    """Everything, into ``out``; returns Sphinx's exit status. Only the runs of notebooks are kept from the build before."""
+    source, html, doctrees = out / "source", out / "html", out / "doctrees"
+    texts = pages(out / "executed")
+    for folder in (source, html, doctrees):
+        shutil.rmtree(folder, ignore_errors=True)
+    for name, text in texts.items():
+        _write(source / name, text)
+    status = sphinx(["-W", "--keep-going", "-q", "-b", "html", "-c", str(DOCS), "-d", str(doctrees), str(source), str(html)])
+    for path in html.rglob("*.html"):
+        _write(path, accessible(path.read_text(encoding="utf-8")))
+    return status
+
+
+def _write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8", newline="\n")
+
+
+def pages(cache):
+    """What Sphinx reads, by name: pages as they are, and notebooks (lessons and pages with cells) after a run."""
+    plain, notebooks = {}, {}
+    for path in sorted(DOCS.glob("*.md")):
+        text = path.read_text(encoding="utf-8")
+        if "{code-cell}" in text:
+            notebooks[path.stem] = jupytext.reads(text, fmt="md:myst")
+        else:
+            plain[path.name] = text
+    for path in sorted((ROOT / "lessons").glob("*.ipynb")):
+        notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4))
+    plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")
+    with ThreadPoolExecutor(2) as pool:
+        runs = dict(zip(notebooks, pool.map(lambda name: executed(name, notebooks[name], cache), notebooks)))
+    for path in set(cache.rglob("*.ipynb")) - set(runs.values()):
+        path.unlink()
+    texts = plain | {f"{name}.ipynb": path.read_text(encoding="utf-8") for name, path in runs.items()}
+    return {name: _relinked(text, runs) for name, text in texts.items()}
+
+
+def _relinked(text, runs):
+    """Links to a page with cells, which is Markdown here and a notebook once it has been run."""
+    names = "|".join(name for name in runs if "/" not in name)
+    return re.sub(rf"\]\(((?:\.\./)?(?:{names}))\.md", r"](\1.ipynb", text)
+
+
+def with_note(notebook):
+    """A lesson with a line under its title that says where it is worked through."""
+    title, _, rest = notebook.cells[0].source.partition("\n")
+    notebook.cells[0].source = f"{title}\n\n{NOTE}\n{rest}"
+    return notebook
+
+
+def executed(name, notebook, cache):
+    """The file of a notebook with its outputs; run only when there is no stored run of the same cells and the same ``dhlab``.
+
+    What cells print to stderr goes to the terminal and not to the page.
+    """
+    for position, cell in enumerate(notebook.cells):
+        cell["id"] = f"cell-{position:03d}"
+    stored = cache / f"{name}.{_key(notebook)}.ipynb"
+    if not stored.exists():
+        _run(name, notebook)
+        _write(stored, nbformat.writes(notebook) + "\n")
+    return stored
+
+
+def _key(notebook):
+    """A fingerprint of all that the outputs depend on."""
+    found = hashlib.sha256(nbformat.writes(notebook).encode())
+    for path in sorted(p for p in (ROOT / "dhlab").rglob("*") if p.suffix in (".py", ".yaml", ".js")):
+        found.update(path.read_bytes())
+    for package in ("numpy", "matplotlib", "ipython"):
+        found.update(version(package).encode())
+    return found.hexdigest()[:16]
+
+
+def _run(name, notebook):
+    with tempfile.TemporaryDirectory() as empty:  # no learner's log above it
+        try:
+            NotebookClient(notebook, timeout=300, kernel_name="python3", extra_arguments=["--IPKernelApp.log_level=40"],
+                           resources={"metadata": {"path": empty}}).execute()
+        except CellExecutionError as error:
+            raise SystemExit(f"{name}: a cell failed, so no site was built\n{error}") from None
+    for cell in notebook.cells:
+        cell.metadata.pop("execution", None)
+        noise = [o for o in cell.get("outputs", []) if o.output_type == "stream" and o.name == "stderr"]
+        for output in noise:
+            print(f"{name}, {cell.id}, to stderr: {output.text.strip()}", file=sys.stderr)
+            cell.outputs.remove(output)
+
+
+def accessible(html):
+    """A page with furo's landmarks named, what scrolls within reach of the keyboard, and a heading on the search page."""
+    for found, wanted in LANDMARKS:
+        html = re.sub(found, wanted, html, flags=re.DOTALL)
+    return html
+
+
+def main():
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", nargs="?", type=Path, default=DOCS / "_build")
+    sys.exit(build(parser.parse_args().out.resolve()))
+
+
+if __name__ == "__main__":
+    main()

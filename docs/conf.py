@@ -1,0 +1,46 @@
+"""The site's settings: Sphinx with myst-nb and furo, and nothing that a reader's browser would fetch from elsewhere.
+
+Built by ``docs/build.py``, which hands in pages whose cells have been run already.
+"""
+
+import sys
+from pathlib import Path
+
+import dhlab
+
+sys.path.insert(0, str(Path(__file__).parent))  # for mathml
+
+project = "dhlab"
+author = "the dhlab authors"
+release = version = dhlab.__version__
+language = "en"
+
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_copybutton", "sphinx_design", "mathml"]
+exclude_patterns = ["_build"]
+myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
+myst_heading_anchors = 3
+nb_execution_mode = "off"
+nb_merge_streams = True
+smartquotes_action = "D"  # dashes; quotation marks stay as they were typed
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+add_module_names = False
+toc_object_entries_show_parents = "hide"
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+napoleon_use_ivar = True
+
+copybutton_prompt_text = r">>> |\.\.\. "
+copybutton_prompt_is_regexp = True
+copybutton_exclude = ".linenos, .gp, .go"
+
+html_theme = "furo"
+html_title = "dhlab"
+html_favicon = "_static/favicon.svg"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_show_copyright = False
+html_domain_indices = False

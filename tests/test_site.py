@@ -1,0 +1,230 @@
+"""The site, built and then opened in Chromium: nothing fetched from elsewhere, nothing broken, nothing given away."""
+
+import importlib.util
+import inspect
+import re
+import subprocess
+import sys
+import threading
+from functools import partial
+from html import unescape
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from urllib.parse import unquote, urljoin, urlsplit
+
+import nbformat
+import numpy as np
+import pytest
+
+import dhlab as dh
+import dhlab.course
+import dhlab.transform
+import dhlab.view
+
+ROOT = Path(__file__).parents[1]
+LESSONS = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
+PAGES = ["index", "conventions", "table-files", "reference", "lessons/glossary", "search", "genindex", *(f"lessons/{name}" for name in LESSONS)]
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+         "--disable-component-update", "--disable-sync"]
+BLOCK = re.compile(r"```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)```(?:\n\n```\{code-block\} text\n:class: error\n(.*?)```)?", re.DOTALL)
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory):
+    """The folder of the pages, built as ``make site`` does."""
+    out = tmp_path_factory.mktemp("site")
+    _build(out)
+    return out / "html"
+
+
+def _build(out):
+    done = subprocess.run([sys.executable, ROOT / "docs" / "build.py", out], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.fixture(scope="session")
+def address(site):
+    """Where the site is served, on a free port of this machine."""
+    handler = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(handler, directory=site)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@pytest.fixture(scope="session")
+def browser(chromium):
+    from playwright.sync_api import sync_playwright
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="session")
+def opened(browser, address):
+    """Every page after loading: {name: (page, what went wrong while it loaded)}."""
+    seen = {}
+    for name in PAGES:
+        page, faults = browser.new_page(), []
+        page.on("request", lambda r, f=faults: None if r.url.startswith((address, "data:", "blob:")) else f.append(f"outside: {r.url}"))
+        page.on("response", lambda r, f=faults: f.append(f"{r.status}: {r.url}") if r.status >= 400 else None)
+        page.on("pageerror", lambda e, f=faults: f.append(f"script: {e}"))
+        page.on("console", lambda m, f=faults: f.append(f"console: {m.text}") if m.type == "error" else None)
+        page.goto(f"{address}/{name}.html", wait_until="networkidle")
+        seen[name] = page, faults
+    return seen
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_page_loads_with_nothing_from_elsewhere_and_no_fault(opened, name):
+    page, faults = opened[name]
+    assert faults == []
+    assert page.locator("h1").count() == 1
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_pictures_have_words(opened, name):
+    for image in opened[name][0].locator("img").all():
+        alt = image.get_attribute("alt") or ""
+        assert len(alt.split()) >= 8 and not re.search(r"\.(png|svg|jpe?g)$", alt), f"{name}: alt text {alt!r}"
+        assert image.evaluate("i => i.naturalWidth") > 100
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_formulas_are_set(opened, name):
+    page = opened[name][0]
+    assert not re.search(r"\\(begin|hat|theta|frac|text|qquad)\b|\$\$", page.locator("#furo-main-content").inner_text())
+    for formula in page.locator("math").all():
+        assert formula.evaluate("m => m.getBoundingClientRect().width") > 3
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_what_scrolls_and_what_surrounds_is_in_reach_of_keyboard_and_screen_reader(opened, name):
+    page = opened[name][0]
+    assert page.locator("pre:not([tabindex])").count() == 0
+    assert page.locator("aside:not([aria-label])").count() == 0
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_lesson_is_whole(opened, lesson):
+    page = opened[f"lessons/{lesson}"][0]
+    notebook = nbformat.read(ROOT / "lessons" / f"{lesson}.ipynb", as_version=4)
+    prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
+    headings = [heading.inner_text().rstrip("¶#").strip() for heading in page.locator("#furo-main-content :is(h1, h2)").all()]
+    assert headings == re.findall(r"^##? (.+)$", prose, re.MULTILINE)
+    assert page.locator("figure.dhlab-picture img").count() == len(re.findall(r"^view\.", code, re.MULTILINE)) > 0
+    assert page.locator("[role=status]", has_text="Not attempted yet").count() >= len(re.findall(r"^check\(", code, re.MULTILINE))
+    assert page.locator("div.cell_input button.copybtn").count() == sum(cell.cell_type == "code" for cell in notebook.cells)
+    assert page.locator(".traceback, .stderr").count() == 0 and "Traceback" not in page.content()
+    assert page.locator('a[href$="index.html#set-up"]').count() == 1
+
+
+def test_a_second_build_gives_the_same_pages(site):
+    before = _contents(site)
+    _build(site.parent)
+    after = _contents(site)
+    assert [path for path in before | after if before.get(path) != after.get(path)] == []
+
+
+def _contents(folder):
+    return {str(path): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_formulas_have_space_round_functions_and_no_unknown_commands():
+    spec = importlib.util.spec_from_file_location("mathml", ROOT / "docs" / "mathml.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert re.findall(r"<mspace|<m[io]>.*?</m[io]>", module.mathml(r"a\cos\theta + \sin 2")) == [
+        "<mi>a</mi>", "<mspace", "<mi>cos</mi>", "<mspace", "<mi>θ</mi>", "<mo>+</mo>", "<mi>sin</mi>", "<mspace"]
+    for tex in (r"\curvy x", r"\begin{bmatrix} 1"):
+        with pytest.raises(ValueError, match="formula"):
+            module.mathml(tex)
+
+
+def test_a_formula_of_a_lesson_is_a_matrix(opened):
+    assert opened["lessons/01-frames"][0].locator("math mtable mtr").count() >= 2
+
+
+def test_reference_has_every_public_name(opened):
+    page, _ = opened["reference"]
+    for module in (dh, dh.course, dh.transform, dh.view):
+        for name in module.__all__:
+            anchor = f"{module.__name__}.{name}"
+            anchor = f"module-{anchor}" if inspect.ismodule(getattr(module, name)) else anchor
+            assert page.locator(f'[id="{anchor}"]').count() == 1, f"{anchor} is not on the reference page"
+
+
+def test_search_finds_the_glossary(browser, address):
+    page = browser.new_page()
+    page.goto(f"{address}/search.html?q=flange")
+    page.wait_for_selector("#search-results li a", timeout=10_000)
+    assert any("glossary" in (link.get_attribute("href") or "") for link in page.locator("#search-results li a").all())
+
+
+def test_links_inside_the_site_resolve(site):
+    texts = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    targets = {name: set(re.findall(r'\bid="([^"]+)"', text)) for name, text in texts.items()}
+    broken = []
+    for name, text in texts.items():
+        for link in re.findall(r'<a [^>]*?href="([^"]*)"', text):
+            parts = urlsplit(urljoin(f"http://site/{name}", unescape(link)))
+            path, anchor = unquote(parts.path.lstrip("/")), unquote(parts.fragment)
+            if parts.netloc == "site" and not (path in targets and (not anchor or anchor in targets[path])):
+                broken.append(f"{name}: {link}")
+    assert broken == []
+
+
+def test_terms_of_the_lessons_are_linked_to_the_glossary(site):
+    linked = sum(len(re.findall(r'href="glossary\.html#', (site / f"lessons/{name}.html").read_text(encoding="utf-8"))) for name in LESSONS)
+    assert linked >= len(LESSONS)
+
+
+def _solution_regions():
+    for path in sorted((ROOT / "solutions").glob("[0-9]*.md")):
+        for region in re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", path.read_text(encoding="utf-8"), re.DOTALL):
+            yield path.stem, [" ".join(line.split()) for line in region.splitlines() if line.strip()]
+
+
+def test_site_gives_no_solution_away(site):
+    files = [path for path in site.rglob("*") if path.suffix in (".html", ".js", ".ipynb", ".txt", ".md") and "_static" not in path.parts]
+    words = " ".join(" ".join(unescape(re.sub(r"<[^>]+>", "", path.read_text(encoding="utf-8"))).split()) for path in files)
+    handed_out = " ".join(" ".join(cell.source for cell in nbformat.read(ROOT / "lessons" / f"{name}.ipynb", as_version=4).cells) for name in LESSONS)
+    handed_out = " ".join(handed_out.split())
+    checks = re.findall(r'check\("[^)]+\)', handed_out)
+    assert checks and all(line in words for line in checks), "code is not found on the pages, so this test would see nothing"
+    regions = list(_solution_regions())
+    assert len(regions) > 20
+    for lesson, lines in regions:
+        assert " ".join(lines) not in words, f"{lesson}: the site shows the solution {lines}"
+        for line in lines:  # lines such as "def f(x):" stand in the task as well
+            assert line in handed_out or line not in words, f"{lesson}: the site shows {line!r}"
+
+
+def _examples():
+    return BLOCK.findall((ROOT / "docs" / "table-files.md").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name, text, error", _examples(), ids=[name for name, _, _ in _examples()])
+def test_examples_of_the_table_files_page(tmp_path, monkeypatch, name, text, error):
+    monkeypatch.chdir(tmp_path)
+    Path(name).write_text(text, encoding="utf-8")
+    if error:
+        with pytest.raises(ValueError) as raised:
+            dh.load(name)
+        assert str(raised.value) == " ".join(error.split())
+    else:
+        table = dh.load(name).table
+        assert (table.convention, table.joints) == ("standard", "RRP")
+        np.testing.assert_allclose(table.rows, [[0, 0.3, 0, np.pi / 2], [np.pi / 2, 0, 0.25, 0], [0, 0.12, 0, 0]], atol=1e-15)
+
+
+def test_the_arm_of_the_table_files_page_is_where_the_page_says(tmp_path):
+    (name, text, _), *_ = _examples()
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    arm = dh.load(tmp_path / name)
+    np.testing.assert_allclose(arm.forward([0, 0, 0])[:3, 3], [0, -0.22, 0.55], atol=1e-12)
+    assert arm.limits[2] is None and arm.sign.tolist() == [1, -1, 1]
+    arm.save(tmp_path / "copy.yaml")
+    np.testing.assert_allclose(dh.load(tmp_path / "copy.yaml").forward([0.1, 0.2, 0.3]), arm.forward([0.1, 0.2, 0.3]), atol=1e-15)
