@@ -1,0 +1,180 @@
+"""What to call a repair: the mistakes which, made on the repaired arm, give the arm that was found wrong."""
+
+
+import numpy as np
+
+from ..printing import number
+from .faults import A, ALPHA, D, NAMES, THETA, faults
+from .finding import Finding
+from .fitting import Measured, misfit
+
+__all__ = ["name_change", "name_data_fault"]
+
+# poses without zeros or right angles, at which two arms that agree are one arm for all practical purposes
+SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (4, 16)) * np.random.default_rng(21).choice([-1, 1], (4, 16))
+TOLERANCE = 1e-6
+ORDER = ("standard-rows-in-craig-matrix", "craig-rows-in-standard-matrix", "alpha-sign", "length-sign", "joint-reversed", "offset-missing", "offset-sign",
+         "a-d-exchanged", "length-unit", "tool-missing", "base-turned")
+
+
+def name_change(wrong, right, data, entries=(), ends=()):
+    """The Finding for a change that makes a wrong arm right.
+
+    Parameters
+    ----------
+    wrong, right : Arm
+        Before and after the change.
+    data : Measured
+        Says whether base and tool are free, and how exact the fitted numbers are.
+    entries, ends : tuples
+        (row, column) of the entries that were fitted; "base" or "tool".
+
+    Returns
+    -------
+    Finding
+        Its ``look_alikes`` are the other mistakes that give the same poses.
+    """
+    alike = _made_on(right, wrong, data, bool(entries))
+    own = _by_value(wrong, right, entries, ends)
+    names = [own] if own and not alike else alike + ([own] if own else [])
+    if not names:
+        names = _by_difference(wrong, right)
+    mistake, joint, parameter, place, detail = names[0]
+    others = tuple(dict.fromkeys(name for name in [n[0] for n in names[1:]] + _twins(wrong, entries) if name != mistake))
+    return Finding(mistake, joint, parameter, place, detail or _difference_text(wrong, right), right, others)
+
+
+def name_data_fault(fault, arm):
+    """The Finding for a mistake that sits in the measurements."""
+    mistake, joint, parameter, place = fault
+    return Finding(mistake, joint, parameter, place, "", arm)
+
+
+def _twins(arm, entries):
+    """Numbers at the two ends of a table do what a base or a tool does: they cannot be told apart by any pose."""
+    twins, last = [], len(arm) - 1
+    of_base, of_tool = ((THETA, D), (A, ALPHA)) if arm.table.convention == "standard" else ((A, ALPHA), (THETA, D))
+    for i, column in entries if len(entries) == 1 else ():
+        if i == 0 and column in of_base or i == 0 and column == D and abs(np.sin(arm.table.alpha[0])) < 1e-9:
+            twins.append("base-height-missing-or-twice" if column == D else "base-turned")
+        if i == 0 and arm.table.convention == "craig" and column in (THETA, D) and arm.table.a[0] == arm.table.alpha[0] == 0:
+            twins.append("base-turned" if column == THETA else "base-height-missing-or-twice")
+        if i == last and (column in of_tool or arm.table.convention == "standard" and arm.table.a[i] == arm.table.alpha[i] == 0):
+            twins.append("tool-missing")
+    return twins
+
+
+def _made_on(right, wrong, data, fitted):
+    """Every mistake of the catalogue that, made on the right arm, gives the wrong one: (mistake, joint, parameter, place, detail), simplest first."""
+    q = SAMPLES[:, :len(right)]
+    T = wrong.forward(q)
+    slack = max(TOLERANCE, 3 * data.noise[0] if fitted and data.noise[0] > 1e-5 else 0), max(TOLERANCE, 3 * data.noise[1] if fitted and data.noise[1] > 1e-5 else 0)
+    sample = Measured(q, T[:, :3, 3], T[:, :3, :3], slack, data.base_free, data.tool_free)
+    found = [(fault.mistake, fault.joint, fault.parameter, _place(fault.joint, fault.parameter), "") for fault in faults(right)
+             if misfit(fault.arm, sample).chi2 < sample.count]
+    rank = {name: k for k, name in enumerate(ORDER)}
+    found.sort(key=lambda f: (f[1] is None and f[0] not in rank, rank.get(f[0], len(rank))))
+    return list(dict.fromkeys(found))
+
+
+def _place(joint, parameter):
+    if joint is None:
+        return ""
+    return f"row {joint}, {parameter}" if parameter in NAMES else f"joint {joint}"
+
+
+def _by_value(wrong, right, entries, ends):
+    """The name of one fitted entry, by what stood there and what should."""
+    if ends:
+        return _by_end(wrong, right, ends[0])
+    if len(entries) != 1:
+        return None
+    (i, column), = entries
+    was, should = wrong.table.rows[i, column], right.table.rows[i, column]
+    name = _of_length(was, should, i, column, wrong) if column in (D, A) else _of_angle(was, should, column, wrong.table.joints[i])
+    return name, i + 1, NAMES[column], _place(i + 1, NAMES[column]), _from_to(was, should, column)
+
+
+def _of_length(was, should, i, column, arm):
+    if abs(was + should) < 1e-6 and abs(should) > 1e-6:
+        return "length-sign"
+    if abs(was) > 1e-9 and any(abs(should / was / factor - 1) < 1e-3 for factor in (1000, 1e-3, 25.4, 25.4e-3)):
+        return "length-unit"
+    if column == D and i == 0 and (abs(was) < 1e-9 or abs(was - 2 * should) < 1e-6):
+        return "base-height-missing-or-twice"
+    if column == D and i == len(arm) - 1 and abs(was) < 1e-9:
+        return "tool-missing"
+    if column == D and arm.table.joints[i] == "P":
+        return "prismatic-constant-lost" if abs(was) < 1e-9 else "length-value"
+    return "length-value"
+
+
+def _of_angle(was, should, column, letter):
+    turn = np.rad2deg(_wrapped(should - was))
+    if column == THETA:
+        if letter == "P" and abs(was) < 1e-9:
+            return "prismatic-constant-lost"
+        if abs(was) < 1e-9:
+            return "offset-missing"
+        if abs(_wrapped(was + should)) < 1e-3:
+            return "offset-sign"
+        return "offset-counted-twice" if abs(was - 2 * should) < 1e-3 else "offset-in-degrees" if abs(was * np.pi / 180 - should) < 1e-3 else "offset-value"
+    if abs(_wrapped(was + should)) < 1e-3:
+        return "alpha-sign"
+    if abs(was * np.pi / 180 - should) < 1e-3:
+        return "alpha-in-degrees"
+    if abs(abs(turn) - 180) < 0.1:
+        return "z-flip-incomplete"
+    if abs(abs(turn) - 90) < 0.1:
+        return "z-across-joint-axis"
+    return "pi-rounded" if abs(turn) < 0.7 and abs(np.rad2deg(should) / 90 - round(np.rad2deg(should) / 90)) < 1e-6 else "alpha-value"
+
+
+def _by_end(wrong, right, end):
+    was, should = getattr(wrong, end), getattr(right, end)
+    moved = should @ np.linalg.inv(was) if end == "base" else np.linalg.inv(was) @ should
+    turn = np.rad2deg(np.arccos(np.clip((np.trace(moved[:3, :3]) - 1) / 2, -1, 1)))
+    shift = ", ".join(number(v * 1000, 1) for v in moved[:3, 3])
+    detail = f"moved by ({shift}) mm" + (f" and turned by {number(turn, 2)}°" if turn > 0.01 else "")
+    name = "tool-missing" if end == "tool" else "base-turned" if turn > 0.5 else "base-height-missing-or-twice"
+    return name, None, end, end, detail
+
+
+def _by_difference(wrong, right):
+    """A change that the catalogue does not know: named by the kind of the entries that differ."""
+    changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
+    for i, column in changed:
+        own = _by_value(wrong, right, ((i, column),), ())
+        if own:
+            rows = ", ".join(f"row {r + 1}, {NAMES[c]}" for r, c in changed)
+            return [(own[0], own[1] if len({r for r, _ in changed}) == 1 else None, own[2], rows, "")]
+    signs = np.flatnonzero(wrong.sign != right.sign)
+    if len(signs):
+        return [("joint-reversed", int(signs[0]) + 1, "sign", f"joint {signs[0] + 1}", "")]
+    end = "base" if not np.allclose(wrong.base, right.base) else "tool"
+    return [_by_end(wrong, right, end)]
+
+
+def _difference_text(wrong, right):
+    """What stood there and what should, for up to three entries."""
+    if wrong.table.convention != right.table.convention:
+        return f"the rows are {right.table.convention}"
+    if wrong.table.joints != right.table.joints:
+        return f"the joints are {right.table.joints}"
+    changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
+    if len(changed) > 3:
+        return f"{len(changed)} numbers of the table change"
+    parts = [f"{NAMES[c]}{i + 1} {_from_to(wrong.table.rows[i, c], right.table.rows[i, c], c)}" for i, c in changed]
+    parts += [f"joint {i + 1} counts the other way" for i in np.flatnonzero(wrong.sign != right.sign)]
+    return "; ".join(parts)
+
+
+def _from_to(was, should, column):
+    if column in (THETA, ALPHA):
+        return f"is {number(np.rad2deg(was), 3)}°, should be {number(np.rad2deg(was + _wrapped(should - was)), 3)}°"
+    return f"is {number(was * 1000, 2)} mm, should be {number(should * 1000, 2)} mm"
+
+
+def _wrapped(angle):
+    """Into (-π, π]."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi

@@ -1,0 +1,288 @@
+"""From measured poses: whether an arm's table is right, what is wrong with it, and what it looks like repaired."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.stats import chi2 as chi2_law
+
+from ..arm import Arm
+from ..table import DHTable
+from ..transform import pose_fault
+from .diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
+from .faults import A, ALPHA, D, THETA
+from .fitting import Fit, Measured, fit, limit, misfit, rotation_vectors, with_rows
+from .naming import name_change, name_data_fault
+from .armsearch import calibrated, pairs, singles
+
+__all__ = ["diagnose"]
+
+EXACT = (1e-6, 1e-6)         # what counts as no noise at all (m, rad): a micrometre, and digits lost in printing
+LARGEST_NOISE = (0.01, 0.05)  # beyond this nothing is explained any more
+SMALL = (0.012, 0.02)        # a misfit that a calibration might make (m, rad, root mean square)
+CALIBRATION = (0.012, 0.02)  # and how far it may move a number (m, rad)
+
+
+def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
+    """What is wrong with an arm's table, from measured poses.
+
+    Parameters
+    ----------
+    arm : Arm or DHTable
+        The candidate.
+    q : array (m, n)
+        Joint values, radians (metres for prismatic joints).
+    poses : array (m, 4, 4) or (m, 3)
+        What was measured there: poses, or positions only, in metres.
+    noise : (float, float) or float, optional
+        Standard deviation of one coordinate (m) and of one axis of rotation (rad); estimated when left out.
+    base, tool : "fixed" or "free"
+        Free: the measurements were taken in another base frame (to another tool frame), which is found as well.
+
+    Returns
+    -------
+    Diagnosis
+        ``verdict`` "agrees", "calibrated", "explained" or "unexplained"; ``findings`` together explain the data.
+
+    Raises
+    ------
+    ValueError
+        Wrong shapes, numbers that are not finite, matrices that are no poses.
+
+    Notes
+    -----
+    The rule: an explanation must leave no more misfit than the noise (χ² passed by noise alone but once in ten million draws). One
+    mistake goes before two; among these, fewer fitted numbers, then the smaller misfit. A small misfit (rms below 12 mm and 1.1°) that
+    no single mistake explains clearly is called a calibration, when small changes of all numbers explain it.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> right = dh.load("article-6r")
+    >>> rows = right.table.rows
+    >>> rows[3, 3] *= -1
+    >>> wrong = dh.Arm(dh.DHTable.standard(rows, angle="rad"))
+    >>> q = np.random.default_rng(1).uniform(-2, 2, (6, 6))
+    >>> answer = diagnose(wrong, q, right.forward(q))
+    >>> answer.verdict, answer.findings[0].mistake, answer.findings[0].joint
+    ('explained', 'alpha-sign', 4)
+    """
+    arm = Arm(arm) if isinstance(arm, DHTable) else arm
+    data = _measured(arm, q, poses, noise, base, tool)
+    if noise is not None:
+        return _decide(arm, data, ())
+    exact = _decide(arm, data, ("The measurements are exact to a micrometre.",))
+    if exact.verdict in (AGREES, EXPLAINED):
+        return exact
+    estimated, enough = _estimate(arm, data)
+    said = f"The noise was estimated from the data: {estimated[0] * 1e3:.2g} mm" + ("" if data.R is None else f", {np.rad2deg(estimated[1]):.2g}°") + "."
+    few = () if enough else (f"With {len(data.q)} poses the noise cannot be told from a mistake; 8 to 12 general ones would do.",)
+    return _decide(arm, replace(data, noise=estimated), (said, *few))
+
+
+def _measured(arm, q, poses, noise, base, tool):
+    if not isinstance(arm, Arm):
+        raise ValueError(f"diagnose: expected an Arm or a DHTable, found {type(arm).__name__}")
+    for name, value in (("base", base), ("tool", tool)):
+        if value not in ("fixed", "free"):
+            raise ValueError(f'diagnose: {name}: expected "fixed" or "free", found {value!r}')
+    q = np.atleast_2d(arm._checked(q))
+    poses = np.asarray(poses)
+    if q.ndim != 2 or len(q) == 0 or poses.shape not in ((len(q), 4, 4), (len(q), 3)):
+        raise ValueError(f"diagnose: expected q (m, {len(arm)}) and as many poses (m, 4, 4) or positions (m, 3), found {q.shape} and {poses.shape}")
+    if poses.dtype.kind not in "iuf" or not np.isfinite(poses).all():
+        raise ValueError("diagnose: poses: expected finite numbers, found something else; take the row out that could not be measured")
+    full = poses.ndim == 3
+    if full and (fault := pose_fault(poses, 0.02)):
+        raise ValueError(f"diagnose: poses: expected poses, but one is none: {fault}; give positions (m, 3) if the rotations are not known")
+    level = EXACT if noise is None else _noise(noise)
+    R = _orthonormal(poses[:, :3, :3]) if full else None
+    return Measured(q, poses[:, :3, 3] if full else poses.astype(float), R, level, base == "free", tool == "free")
+
+
+def _orthonormal(R):
+    U, _, Vt = np.linalg.svd(R.astype(float))
+    return U @ Vt
+
+
+def _noise(noise):
+    values = np.atleast_1d(np.asarray(noise, dtype=float))
+    if values.shape not in ((1,), (2,)) or not (np.isfinite(values).all() and (values >= 0).all()):
+        raise ValueError(f"diagnose: noise: expected (m, rad), two numbers from 0, found {noise!r}")
+    return max(values[0], EXACT[0] / 10), max(values[-1], EXACT[1] / 10)
+
+
+def _estimate(arm, data):
+    """The noise that is left when every number is fitted, begun at the most promising arms; and whether the data suffice for it."""
+    loose = replace(data, noise=(1e-3, 2e-3))
+    spare = data.count - 4 * len(arm)
+    enough = spare >= 8
+    if not enough:
+        return (5e-4, 2e-3), False
+    starts = [arm] + [e.fit.arm for e in sorted(singles(arm, loose), key=lambda e: e.fit.chi2)[:3] if e.data_fault is None]
+    best = None
+    for start in starts:
+        r = loose.residual(calibrated(start, loose).arm.forward(data.q))
+        share = np.sqrt(data.count / spare)
+        position = loose.noise[0] * np.sqrt((r[:, :3] ** 2).mean()) * share
+        turn = loose.noise[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else 0.0
+        if best is None or position < best[0]:
+            best = position, turn
+    return (float(np.clip(best[0], EXACT[0], LARGEST_NOISE[0])), float(np.clip(best[1], EXACT[1], LARGEST_NOISE[1]))), True
+
+
+def _decide(arm, data, notes):
+    now = misfit(arm, data)
+    if now.explains(data):
+        return Diagnosis(AGREES, "The table agrees with the measurements.", before=_size(arm, data, now), notes=notes + _weak(data))
+    small = _is_small(now, data)
+    ones = [e for e in singles(arm, data) if e.fit.explains(data)]
+    ones = [e for e in ones if e.data_fault is None or not any(o.data_fault is None for o in ones)]
+    if small:
+        ones = [e for e in ones if e.fit.chi2 <= chi2_law.isf(0.003, max(data.count - e.fit.fitted, 1)) and len(e.entries) <= 1]
+    if ones:
+        return _explained(arm, data, now, ones, notes)
+    if small and (whole := _calibration(arm, data)):
+        return Diagnosis(CALIBRATED, "The table is right; this arm is a little off it, as every real arm is.", before=_size(arm, data, now),
+                         after=_size(whole.arm, data, whole), notes=notes)
+    twos = [] if small and data.noise[0] > 2 * EXACT[0] else [e for e in pairs(arm, data) if e.fit.explains(data)]
+    if twos:
+        return _explained(arm, data, now, twos, notes)
+    if whole := _calibration(arm, data):
+        return Diagnosis(CALIBRATED, "The table is right; this arm is a little off it, as every real arm is.", before=_size(arm, data, now),
+                         after=_size(whole.arm, data, whole), notes=notes)
+    return Diagnosis(UNEXPLAINED, "No one or two mistakes explain these measurements.", before=_size(arm, data, now),
+                     notes=notes + ("Check that q and poses belong together, in order and in unit, and that every joint was really where it was read.",))
+
+
+def _is_small(now, data):
+    r = data.residual(now.arm.forward(data.q))
+    position = data.noise[0] * np.sqrt((r[:, :3] ** 2).sum(1).mean())
+    turn = data.noise[1] * np.sqrt((r[:, 3:] ** 2).sum(1).mean()) if data.R is not None else 0
+    return position < SMALL[0] and turn < SMALL[1]
+
+
+def _calibration(arm, data):
+    """The fit of all numbers, when it explains the data by small changes only."""
+    whole = calibrated(arm, data)
+    change = np.abs(whole.arm.table.rows - misfit(arm, data).arm.table.rows)
+    moved = change[:, [D, A]].max() < CALIBRATION[0] and change[:, [THETA, ALPHA]].max() < CALIBRATION[1]
+    return whole if moved and whole.explains(data) else None
+
+
+def _explained(arm, data, now, explanations, notes):
+    """The Diagnosis from everything that fits: the simplest first, snapped to round numbers, named; the others noted."""
+    explanations = sorted((_snapped(e, data) for e in explanations), key=lambda e: (e.changes, len(e.entries) + 6 * len(e.ends), e.fit.chi2))
+    best = explanations[0]
+    findings = _named(best, data)
+    others = _rivals(best, explanations[1:], data)
+    words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
+    pose = None
+    if others:
+        pose = _telling_pose(best.fit.arm, [e.fit.arm for e in others], data)
+        notes += ("Another explanation fits these poses as well: " + "; ".join(_named(e, data)[0].message.split(". ")[0] for e in others[:3]) + ".",)
+    return Diagnosis(EXPLAINED, f"{words} the measurements.", tuple(findings), _size(arm, data, now), _size(best.fit.arm, data, best.fit), notes + _weak(data), pose)
+
+
+def _named(explanation, data):
+    if explanation.data_fault is not None:
+        return [name_data_fault(explanation.data_fault, explanation.fit.arm)]
+    chain, findings = explanation.chain, []
+    entries = list(explanation.entries)
+    for step, (wrong, right) in enumerate(zip(chain, chain[1:])):
+        last = step == len(chain) - 2
+        own = tuple(e for e in entries if abs(wrong.table.rows[e] - right.table.rows[e]) > 1e-12) if len(chain) > 2 else tuple(entries)
+        ends = explanation.ends if last and not own else ()
+        found = name_change(wrong, right, data, own, ends)
+        findings.append(replace(found, repair=chain[-1]))
+    return findings
+
+
+def _snapped(explanation, data):
+    """Fitted numbers made round where a round one fits: -90, not -89.97."""
+    if not explanation.entries or explanation.fit.sigma is None:
+        return explanation
+    arm, start = explanation.fit.arm, explanation.chain[0]
+    rows = arm.table.rows
+    for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
+        rows[entry] = _round(rows[entry], start.table.rows, entry, max(4 * sigma, 1e-8))
+    snapped = with_rows(arm, rows)
+    found = fit(snapped, data, ()) if data.base_free or data.tool_free or explanation.ends else misfit(snapped, data)
+    if explanation.ends:
+        found = Fit(snapped, float((data.residual(snapped.forward(data.q)) ** 2).sum()), explanation.fit.fitted)
+    if found.chi2 > max(limit(data.count), explanation.fit.chi2 * 1.5 + 20):
+        return explanation
+    found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
+    middle = [with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows)) for link in explanation.chain[1:-1]]
+    return replace(explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm))
+
+
+def _take(link_rows, rows, entries, fitted):
+    """An arm on the way takes the round numbers for the entries it has already repaired."""
+    for entry in entries:
+        if link_rows[entry] == fitted[entry]:
+            link_rows[entry] = rows[entry]
+    return link_rows
+
+
+def _round(value, rows, entry, slack):
+    """The nearest number that a person would have meant, within the slack: a quarter turn, the old number's negative, its double, its neighbour's …"""
+    i, column = entry
+    old = rows[i, column]
+    if column in (D, A):
+        near = [0, -old, 2 * old, old / 2, 1000 * old, old / 1000, rows[i, D], rows[i, A]]
+    else:
+        turn = 2 * np.pi * np.round((value - old) / (2 * np.pi))
+        quarter = np.pi / 2 * np.round(value / (np.pi / 2))
+        near = [quarter, old + turn, -old + turn, 2 * old, old / 2, old * np.pi / 180, -old, old + np.pi, old - np.pi, old + np.pi / 2, old - np.pi / 2]
+    best = min(near, key=lambda v: abs(v - value))
+    value = best if abs(best - value) <= slack else value
+    return value if column in (D, A) or abs(value) <= np.pi + 1e-9 else (value + np.pi) % (2 * np.pi) - np.pi
+
+
+def _rivals(best, others, data):
+    """Explanations of as few mistakes whose repaired arm moves otherwise."""
+    rivals = []
+    for other in others:
+        if other.changes > best.changes or other.data_fault is not None or len(rivals) == 3:
+            continue
+        if all(_differs(other.fit.arm, arm, data) for arm in [best.fit.arm, *(r.fit.arm for r in rivals)]):
+            rivals.append(other)
+    return rivals
+
+
+def _differs(a, b, data):
+    q = np.random.default_rng(3).uniform(-2.5, 2.5, (6, len(a)))
+    T, U = a.forward(q), b.forward(q)
+    sample = Measured(q, U[:, :3, 3], None if data.R is None else U[:, :3, :3], tuple(5 * s for s in data.noise))
+    return (sample.residual(T) ** 2).max() > 1
+
+
+def _telling_pose(best, others, data):
+    """Of 200 random configurations the one at which the explanations differ most."""
+    rng = np.random.default_rng(4)
+    bounds = [(-2.5, 2.5) if pair is None else pair for pair in best.limits or [None] * len(best)]
+    low, high = np.array(bounds).T
+    q = rng.uniform(low, high, (200, len(best)))
+    apart = [np.linalg.norm(best.forward(q)[:, :3, 3] - other.forward(q)[:, :3, 3], axis=1) for other in others]
+    return q[np.argmax(np.min(apart, axis=0))]
+
+
+def _size(arm, data, found):
+    """Largest residual in mm and degrees."""
+    T = found.arm.forward(data.q)
+    millimetres = 1e3 * np.linalg.norm(T[:, :3, 3] - data.p, axis=1).max()
+    if data.R is None:
+        return float(millimetres), float("nan")
+    turn = np.linalg.norm(rotation_vectors(np.swapaxes(T[:, :3, :3], -1, -2) @ data.R), axis=1)
+    return float(millimetres), float(np.rad2deg(turn.max()))
+
+
+def _weak(data):
+    """What these poses could not have shown."""
+    needed = 3 if data.R is not None else 6
+    if len(data.q) < needed:
+        return (f"{len(data.q)} {'poses' if data.R is not None else 'positions'} prove little: {needed - len(data.q)} more, general ones, without zeros and right angles.",)
+    steps = data.q / (np.pi / 2)
+    if (np.abs(steps - np.round(steps)) < 1e-3).all():
+        return ("All poses are at multiples of 90°, where many mistakes do not show: add three general ones.",)
+    return ()
