@@ -164,8 +164,9 @@ def pairs(arm, data):
     for one in first:
         yield from _then_an_entry(one, data)
         for end in ("base", "tool"):
-            if not getattr(data, f"{end}_free") and data.R is not None:
-                found = misfit(one.chain[1], replace(data, **{f"{end}_free": True}))
+            freed = replace(data, **{f"{end}_free": True})
+            if not getattr(data, f"{end}_free") and data.R is not None and _worth_a_fit(place_ends(one.chain[1], freed), freed):
+                found = misfit(one.chain[1], freed)
                 yield Explanation(found, (*one.chain, found.arm), ends=(end,))
     yield from _entry_and_end(arm, data)
     for one in first:
@@ -173,6 +174,11 @@ def pairs(arm, data):
             if not repair.free and _rotation_fits(repair.arm, data):
                 found = misfit(repair.arm, data)
                 yield Explanation(found, (*one.chain, found.arm))
+
+
+def _worth_a_fit(arm, data, times=30):
+    """Whether an arm is near enough that a fit can bring it within the noise."""
+    return (data.residual(arm.forward(data.q)) ** 2).sum() < times * limit(data.count) + 1e6 * (data.noise[0] < 1e-5)
 
 
 def _rotation_fits(arm, data):
@@ -216,8 +222,8 @@ def _then_an_entry(one, data):
     arm = one.fit.arm
     rotation = limit(3 * len(data.q)) * (30 if data.base_free or data.tool_free else 2)
     for entry, turn, left in _turns(arm, data):
-        if left < rotation:
-            found = fit(_turned(arm, entry, turn), data, (entry,))
+        if left < rotation and _worth_a_fit(turned := _turned(arm, entry, turn), data, 300 if data.base_free or data.tool_free else 30):
+            found = fit(turned, data, (entry,))
             yield Explanation(found, (*one.chain, found.arm), (entry,))
     if (data.residual(arm.forward(data.q))[:, 3:] ** 2).sum() < rotation:
         for entry in _best_lengths(arm, data, 2):
@@ -284,10 +290,15 @@ def _entry_and_end(arm, data):
         freed = replace(data, **{f"{end}_free": True})
         placed = place_ends(arm, freed)
         for entry in _entries(arm):
-            found = min(_entry_fits(placed, freed, *entry), key=lambda f: f.chi2)
+            if entry[1] in (THETA, ALPHA):
+                trials = [place_ends(_turned(placed, entry, start), freed) for start in STARTS[::2]]
+                begun = min(trials, key=lambda trial: (freed.residual(trial.forward(freed.q)) ** 2).sum())
+                found = fit(begun, freed, (entry,))
+            else:
+                found = fit(placed, freed, (entry,), steps=4)
             yield Explanation(found, (arm, _halfway(arm, found.arm, entry), found.arm), (entry,), (end,))
 
 
-def calibrated(arm, data):
-    """The fit of every entry at once, begun at the arm: what a factory calibration does."""
-    return fit(place_ends(arm, data), data, _entries(arm), steps=25)
+def calibrated(arm, data, prior=None):
+    """The fit of every entry at once, begun at the arm: what a factory calibration does; ``prior`` as in ``fit``."""
+    return fit(place_ends(arm, data), data, _entries(arm), steps=25, prior=prior)

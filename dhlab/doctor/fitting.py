@@ -1,6 +1,6 @@
 """Measured poses, how far a model is from them in units of their noise, and small fits of a model's numbers to them."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -10,7 +10,7 @@ from ..arm import Arm
 from ..table import DHTable
 from ..transform import inverse
 
-__all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "place_ends", "limit", "rotation_vectors"]
+__all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "with_parts", "place_ends", "limit", "rotation_vectors"]
 
 FALSE_ALARM = 1e-7  # how often right data may look wrong
 
@@ -65,9 +65,22 @@ def rotation_vectors(R):
 
 
 def with_rows(arm, rows, **parts):
-    """The arm with other rows (theta, d, a, alpha in rad and m) and perhaps other parts."""
-    table = DHTable(parts.pop("convention", arm.table.convention), *np.asarray(rows, dtype=float).T, parts.pop("joints", arm.table.joints))
-    return replace(arm, table=table, **parts)
+    """The arm with other rows (theta, d, a, alpha in rad and m) and perhaps other parts.
+
+    The search makes tens of thousands of arms from checked ones, so the checks of ``DHTable`` and ``Arm`` are not made again.
+    """
+    table, changed = object.__new__(DHTable), object.__new__(Arm)
+    columns = dict(zip(("theta", "d", "a", "alpha"), np.array(rows, dtype=float).T + 0.0))
+    table.__dict__.update(columns, convention=parts.pop("convention", arm.table.convention), joints=parts.pop("joints", arm.table.joints))
+    changed.__dict__.update(arm.__dict__, table=table, **parts)
+    return changed
+
+
+def with_parts(arm, **parts):
+    """The arm with another base, tool or sign; unchecked, like :func:`with_rows`."""
+    changed = object.__new__(Arm)
+    changed.__dict__.update(arm.__dict__, **parts)
+    return changed
 
 
 def misfit(arm, data):
@@ -81,7 +94,7 @@ def place_ends(arm, data):
     """The arm with the free base and tool that bring it near the measured poses."""
     T = arm.forward(data.q)
     if data.R is None:
-        return replace(arm, base=_kabsch(T[:, :3, 3], data.p) @ arm.base) if data.base_free else arm
+        return with_parts(arm, base=_kabsch(T[:, :3, 3], data.p) @ arm.base) if data.base_free else arm
     U = np.tile(np.eye(4), (len(T), 1, 1))
     U[:, :3, :3], U[:, :3, 3] = data.R, data.p
     B, E = np.eye(4), np.eye(4)
@@ -92,7 +105,7 @@ def place_ends(arm, data):
             E = _mean(inverse(B @ T) @ U)
         if data.base_free:
             B = _mean(U @ inverse(T @ E))
-    return replace(arm, base=_rigid(B @ arm.base), tool=_rigid(arm.tool @ E))
+    return with_parts(arm, base=_rigid(B @ arm.base), tool=_rigid(arm.tool @ E))
 
 
 def _kabsch(points, targets):
@@ -128,7 +141,7 @@ def _rigid(T):
     return T
 
 
-def fit(arm, data, free, *, base=None, tool=None, steps=15):
+def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     """Fit some of an arm's numbers by damped Gauss-Newton steps.
 
     Parameters
@@ -140,6 +153,8 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15):
         0-based row, column 0 to 3 for theta, d, a, alpha.
     base, tool : bool, optional
         Fit the base (tool) pose as well; as the data say when left out.
+    prior : (float, float), optional
+        Hold lengths (m) and angles (rad) to where they start, with this standard deviation; the cost is in the χ².
 
     Returns
     -------
@@ -151,13 +166,20 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15):
     best = (data.residual(arm.forward(data.q)) ** 2).sum()
     if size == 0:
         return Fit(arm, float(best))
+    start = np.array([arm.table.rows[entry] for entry in free])
+    stiff = np.zeros(size)
+    if prior:
+        stiff[:len(free)] = [1 / prior[0 if column in (1, 2) else 1] for _, column in free]
     damping = 1e-9
     for _ in range(steps):
         J, r = _jacobian(arm, data, free, base, tool)
-        H, g = J.T @ J, J.T @ r
+        pull = np.zeros(size)
+        pull[:len(free)] = [arm.table.rows[entry] for entry in free] - start
+        H, g = J.T @ J + np.diag(stiff**2), J.T @ r + stiff**2 * pull
         step = np.linalg.lstsq(H + damping * np.diag(np.diag(H) + 1e-12), -g, rcond=1e-13)[0]
         trial = _moved(arm, step, free, base, tool)
-        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum()
+        moved = np.array([trial.table.rows[entry] for entry in free]) - start
+        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + ((stiff[:len(free)] * moved) ** 2).sum()
         if chi2 < best:
             done = best - chi2 < 1e-7 * (1 + chi2)
             arm, best, damping = trial, chi2, damping / 10

@@ -1,6 +1,6 @@
 """Ways to change a candidate arm that might make it right: whole-arm and row repairs without numbers to fit, each with what it undoes."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from ..arm import Arm
 from ..freedoms import half_turn
 from .faults import A, ALPHA, D, DEG, THETA, flipped_x, flipped_z
-from .fitting import with_rows
+from .fitting import with_parts, with_rows
 
 __all__ = ["Repair", "discrete_repairs"]
 
@@ -45,9 +45,9 @@ def _all(arm):
     up[-1, A:] = 0
     n = len(rows)
     yield Repair(with_rows(arm, up), ((n - 1, A), (n - 1, ALPHA)))
-    yield Repair(replace(arm, sign=-arm.sign))
+    yield Repair(with_parts(arm, sign=-arm.sign))
     yield Repair(with_rows(arm, rows * [-1, 1, 1, 1], sign=-arm.sign))
-    yield Repair(replace(arm, base=np.eye(4), tool=_shift_of(arm.base) @ arm.tool))
+    yield Repair(with_parts(arm, base=np.eye(4), tool=_shift_of(arm.base) @ arm.tool))
     for i in range(n):
         yield from _of_row(arm, i)
     for i in range(n - 1):
@@ -92,7 +92,7 @@ def _of_row(arm, i):
         changed[i, pair] = rows[i, pair[::-1]]
         yield Repair(with_rows(arm, changed))
     one = np.where(np.arange(len(arm)) == i, -1, 1)
-    yield Repair(replace(arm, sign=arm.sign * one))
+    yield Repair(with_parts(arm, sign=arm.sign * one))
     changed = rows.copy()
     changed[i, THETA] *= -1
     yield Repair(with_rows(arm, changed, sign=arm.sign * one))
