@@ -1,13 +1,13 @@
 # make lab    the course in JupyterLab, on your own copy of the lessons (my-course)
 # make test   everything that is tested, as CI does
 # make site   the static pages, in docs/_build/html
-# make lessons, make bench, make lock: for developers
+# make lessons, make bench: for developers
 
 PYTHON ?= python3
 BIN := .venv/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
-.PHONY: lab test test-deps site lessons bench lock
+.PHONY: lab test test-deps site lessons bench
 .DELETE_ON_ERROR:
 
 lab: .venv/lab
@@ -33,10 +33,6 @@ lessons: .venv/test
 
 bench: .venv/test
 	$(BIN)/python benchmarks/accuracy.py
-
-lock: .venv/test
-	$(PIP) uv
-	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --all-extras --no-header --no-annotate --no-emit-index-url --no-emit-find-links --output-file constraints.txt pyproject.toml
 
 .venv/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "dhlab needs Python 3.11 or newer; found: $$($(PYTHON) --version 2>&1). Say which to use: make lab PYTHON=python3.12"; exit 1; }

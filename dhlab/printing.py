@@ -65,7 +65,7 @@ def grid_html(headings, rows, caption):
     """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped."""
     head = "".join(f'<th scope="col">{heading}</th>' for heading in headings)
     body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
-    return f'<table class="dhlab"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+    return f'<table class="dhlab" style="min-width:22em"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
 
 
 def table_text(table, sign=None):

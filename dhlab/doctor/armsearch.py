@@ -58,6 +58,8 @@ def singles(arm, data):
             yield Explanation(found, (arm, found.arm))
     for found, free in _all_offsets(arm, data):
         yield Explanation(found, (arm, found.arm), free)
+    for found in _rounded_angles(placed, data):
+        yield Explanation(found, (arm, found.arm))
     for end in ("base", "tool"):
         if not getattr(data, f"{end}_free") and not (data.R is None and end == "tool"):
             found = misfit(arm, replace(data, **{f"{end}_free": True}))
@@ -140,6 +142,19 @@ def _all_offsets(arm, data):
         rows = arm.table.rows
         rows[:, THETA] += grid[k]
         yield fit(place_ends(with_rows(arm, rows), data), data, free, steps=10), free
+
+
+def _rounded_angles(placed, data):
+    """Angles that were written with two to four decimals of a radian: all of them fitted, kept when they round to what stands there."""
+    free = _entries(placed, (THETA, ALPHA))
+    angles = np.array([placed.table.rows[e] for e in free])
+    for digits in (2, 3, 4):
+        if np.abs(np.round(angles, digits) - angles).max() < 1e-12 and np.abs(angles).max() > 0:
+            found = fit(placed, data, free)
+            fitted = np.array([found.arm.table.rows[e] for e in free])
+            if np.abs(fitted - angles).max() < 0.6 * 10.0**-digits:
+                yield found
+            return
 
 
 def _grid_misfit(T, data):

@@ -171,10 +171,10 @@ def _difference_text(wrong, right):
 
 def _from_to(was, should, column):
     if column in (THETA, ALPHA):
-        return f"is {number(np.rad2deg(was), 3)}°, should be {number(np.rad2deg(was + _wrapped(should - was)), 3)}°"
+        return f"is {number(np.rad2deg(was), 3)}°, should be {number(np.rad2deg(_wrapped(should)), 3)}°"
     return f"is {number(was * 1000, 2)} mm, should be {number(should * 1000, 2)} mm"
 
 
 def _wrapped(angle):
     """Into (-π, π]."""
-    return (angle + np.pi) % (2 * np.pi) - np.pi
+    return np.pi - (np.pi - angle) % (2 * np.pi)

@@ -17,6 +17,7 @@ __all__ = ["diagnose"]
 
 EXACT = (1e-6, 1e-6)         # what counts as no noise at all (m, rad): a micrometre, and digits lost in printing
 LARGEST_NOISE = (0.01, 0.05)  # beyond this nothing is explained any more
+COARSE = (2e-3, 4e-3)        # supposed where the noise cannot be estimated: a ruler, a phone
 SMALL = (0.012, 0.02)        # a misfit that a calibration might make (m, rad, root mean square)
 CALIBRATION = (1e-3, 2e-3)   # how far it moves a number, standard deviation (m, rad): the arms of dh_facts are 1 to 5 mm off at the end
 DOUBT = 10                   # a mistake must explain noisy data this much better than a calibration does (χ²)
@@ -70,13 +71,18 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
     data = _measured(arm, q, poses, noise, base, tool)
     if noise is not None:
         return _decide(arm, data, ())
-    exact = _decide(arm, data, ("The measurements are exact to a micrometre.",))
-    if exact.verdict in (AGREES, EXPLAINED):
-        return exact
+    answer = _decide(arm, data, ("The measurements are exact to a micrometre.",), two=False)
+    if answer.verdict in (AGREES, EXPLAINED):
+        return answer
     estimated, enough = _estimate(arm, data)
-    said = f"The noise was estimated from the data: {estimated[0] * 1e3:.2g} mm" + ("" if data.R is None else f", {np.rad2deg(estimated[1]):.2g}°") + "."
     few = () if enough else (f"With {len(data.q)} poses the noise cannot be told from a mistake; 8 to 12 general ones would do.",)
-    return _decide(arm, replace(data, noise=estimated), (said, *few))
+    levels = [EXACT, estimated] if estimated[0] < LARGEST_NOISE[0] else [EXACT, COARSE]
+    for level in levels if answer.verdict == UNEXPLAINED else [estimated]:
+        said = f"The noise was estimated from the data: {level[0] * 1e3:.2g} mm" + ("" if data.R is None else f", {np.rad2deg(level[1]):.2g}°") + "."
+        answer = _decide(arm, replace(data, noise=level), (said, *few))
+        if answer.verdict != UNEXPLAINED:
+            break
+    return answer
 
 
 def _measured(arm, q, poses, noise, base, tool):
@@ -117,7 +123,7 @@ def _estimate(arm, data):
     spare = data.count - 4 * len(arm)
     enough = spare >= 8
     if not enough:
-        return (5e-4, 2e-3), False
+        return COARSE, False
     starts = [arm] + [e.fit.arm for e in sorted(singles(arm, loose), key=lambda e: e.fit.chi2)[:3] if e.data_fault is None]
     best = None
     for start in starts:
@@ -130,7 +136,8 @@ def _estimate(arm, data):
     return (float(np.clip(best[0], EXACT[0], LARGEST_NOISE[0])), float(np.clip(best[1], EXACT[1], LARGEST_NOISE[1]))), True
 
 
-def _decide(arm, data, notes):
+def _decide(arm, data, notes, two=True):
+    """The verdict at a known level of noise; ``two`` asks for pairs of mistakes as well."""
     now = misfit(arm, data)
     if now.explains(data):
         return Diagnosis(AGREES, "The table agrees with the measurements.", before=_size(arm, data, now), notes=notes + _weak(data))
@@ -145,7 +152,7 @@ def _decide(arm, data, notes):
     if whole:
         return Diagnosis(CALIBRATED, "The table is right; this arm is a little off it, as every real arm is.", before=_size(arm, data, now),
                          after=_size(whole.arm, data, whole), notes=notes)
-    twos = [] if small and data.noise[0] > 2 * EXACT[0] else [e for e in pairs(arm, data) if e.fit.explains(data)]
+    twos = [] if not two or small and data.noise[0] > 2 * EXACT[0] else [e for e in pairs(arm, data) if e.fit.explains(data)]
     if twos:
         return _explained(arm, data, now, twos, notes)
     return Diagnosis(UNEXPLAINED, "No one or two mistakes explain these measurements.", before=_size(arm, data, now),
