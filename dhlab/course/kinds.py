@@ -8,9 +8,9 @@ import numpy as np
 
 from ..arm import Arm
 from ..doctor import catalogue, explain_function, explain_rows
+from ..doctor.calling import CallFault, call_all, is_stub
 from ..equivalence import equivalent
 from ..table import DHTable
-from .calling import CallFault, call_all, is_stub
 from .verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
 
 __all__ = ["Exercise", "Value", "Function", "Table", "Choice", "Order", "Prediction", "Option", "UNDECIDED"]
@@ -169,7 +169,7 @@ class Function(Exercise):
             return self.right()
         finding = explain_function(answers, expected, cases, self.family)
         if finding:
-            return self.wrong(finding.mistake, place=finding.place)
+            return self.wrong(finding.mistake, place="; ".join(filter(None, (finding.place, finding.detail))))
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(headline="the answer is the same whatever goes in", next="Does the function use its arguments, and return what the loop made?")
         return self.wrong(headline="the answers differ from the right ones", place=f"{sum(off)} of {len(off)} calls; {self._parts(answers, expected)}")

@@ -1,10 +1,13 @@
-"""What is wrong: the catalogue of mistakes in words, and the search over them."""
+"""What is wrong: the catalogue of mistakes, and the search over it from measured poses, programs, tables and motion."""
 
 from .catalogue import Mistake, catalogue
 from .diagnosis import Diagnosis
+from .dialects import Reading, Recognised, recognise_table
 from .finding import Finding
+from .functions import diagnose_function
 from .poses import diagnose
 from .programs import explain_function
 from .rows import explain_rows
 
-__all__ = ["Mistake", "catalogue", "Diagnosis", "Finding", "diagnose", "explain_function", "explain_rows"]
+__all__ = ["Diagnosis", "Finding", "Mistake", "Reading", "Recognised", "catalogue", "diagnose", "diagnose_function", "explain_function", "explain_rows",
+           "recognise_table"]

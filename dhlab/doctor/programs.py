@@ -1,15 +1,21 @@
-"""What is wrong with a program whose answers are known: general tests first, then the wrong versions that give the same answers."""
+"""What is wrong with a program whose answers are known: one slip or two that give the same answers, then what can be said in general."""
+
+from dataclasses import replace
 
 import numpy as np
 
 from ..transform import inverse, pose_fault
+from .catalogue import catalogue
 from .finding import find
+from .slipsearch import search
 from .wrong_links import WRONG_COMPOSE, WRONG_LINKS, WRONG_ROT_X
 from .wrong_products import WRONG_PRODUCTS
 
-__all__ = ["explain_function", "WRONG_VERSIONS"]
+__all__ = ["explain_function", "explain_all", "WRONG_VERSIONS"]
 
 WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE}
+PARAMETERS = ("theta", "d", "a", "alpha", "q")
+ROUNDED = 0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
 
 
 def explain_function(answers, expected, cases, kind):
@@ -24,12 +30,12 @@ def explain_function(answers, expected, cases, kind):
     cases : sequence of tuples
         The arguments of each call.
     kind : str
-        A key of :data:`WRONG_VERSIONS`, which holds the wrong versions to compare with.
+        A key of :data:`WRONG_VERSIONS`.
 
     Returns
     -------
     Finding or None
-        None when nothing known explains them.
+        The best one; ``detail`` names a second mistake where it takes two. None when nothing known explains the answers.
 
     Examples
     --------
@@ -40,15 +46,45 @@ def explain_function(answers, expected, cases, kind):
     >>> explain_function(inverse(right), right, cases, "dh_transform").mistake
     'pose-inverted'
     """
+    findings = explain_all(answers, expected, cases, kind)
+    if len(findings) < 2:
+        return findings[0] if findings else None
+    others = "; ".join(_named(finding) for finding in findings[1:])
+    return replace(findings[0], detail=f"and a second thing: {others}")
+
+
+def _named(finding):
+    return catalogue()[finding.mistake].title + (f" ({finding.place})" if finding.place else "")
+
+
+def explain_all(answers, expected, cases, kind, tolerance=1e-9):
+    """All the mistakes that together explain the answers, a tuple of Findings; parameters as :func:`explain_function`."""
+    if any(np.shape(answer) != (4, 4) for answer in answers):
+        return (find("last-row-missing"),) if all(np.shape(answer) == (3, 4) for answer in answers) else ()
     answers, expected = np.array(answers), np.array(expected, dtype=float)
     if answers.dtype.kind in "iub":
-        return find("integer-arrays")
-    if answers.shape != expected.shape:
-        return find("last-row-missing") if answers.shape[-2:] == (3, 4) else None
-    return _wrong_version(answers, cases, kind) or _relation(answers, expected) or _entries(answers, expected) or _not_a_pose(answers)
+        return (find("integer-arrays"),)
+    if _same(answers, expected, tolerance):
+        return ()
+    slips, look_alikes = _searched(answers, cases, kind, tolerance)
+    if slips:
+        return tuple(_finding(slip, look_alikes if len(slips) == 1 else ()) for slip in slips)
+    found = _wrong_version(answers, cases, kind) or _relation(answers, expected, tolerance) or _entries(answers, expected) or _not_a_pose(answers)
+    return (found,) if found else ()
+
+
+def _searched(answers, cases, kind, tolerance):
+    return search(answers, cases, kind, tolerance) if kind in ("dh_transform", "forward_kinematics") else ((), ())
+
+
+def _finding(slip, look_alikes):
+    parameter = slip.place if slip.place in PARAMETERS else None
+    return find(slip.mistake, slip.place, parameter=parameter, look_alikes=look_alikes)
 
 
 def _wrong_version(answers, cases, kind):
+    if kind in ("dh_transform", "forward_kinematics"):
+        return None  # the search has seen them all
     with np.errstate(all="ignore"):
         for mistake, place, version in WRONG_VERSIONS.get(kind, ()):
             if all(_same(version(*case), answer) for case, answer in zip(cases, answers)):
@@ -60,7 +96,7 @@ def _same(a, b, tolerance=1e-9):
     return np.allclose(a, b, rtol=tolerance, atol=tolerance)
 
 
-def _relation(answers, expected):
+def _relation(answers, expected, tolerance):
     """How the answers stand to the right poses as wholes, whatever program made them."""
     transposed = np.swapaxes(expected, -1, -2)
     scaled = expected * np.where(np.arange(4) == 3, np.array([1000, 1000, 1000, 1])[:, None], 1)
@@ -68,11 +104,11 @@ def _relation(answers, expected):
     turned[..., :3, :3] = transposed[..., :3, :3]
     for mistake, other in (("pose-inverted", inverse(expected)), ("matrix-transposed", transposed),
                            ("rotation-transposed", turned), ("length-unit", scaled), ("integer-arrays", np.trunc(expected))):
-        if _same(answers, other):
+        if _same(answers, other, tolerance):
             return find(mistake)
-    if np.abs(answers - expected).max() < 0.02 and _same(answers, expected, 2e-2):
+    if np.abs(answers - expected).max() < ROUNDED:
         return find("pi-rounded")
-    if _same(answers[..., :3, :], expected[..., :3, :]):
+    if _same(answers[..., :3, :], expected[..., :3, :], tolerance):
         return find("last-row-missing")
     return None
 

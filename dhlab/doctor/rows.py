@@ -50,6 +50,8 @@ def wrong_tables(table):
     yield from _whole_table(table)
     for i in range(len(table)):
         yield from _one_row(table, i)
+    for i in range(len(table)):
+        yield from _frames(table, i)
 
 
 def _whole_table(table):
@@ -63,7 +65,7 @@ def _whole_table(table):
     yield "alpha-sign", "all rows", replace(table, alpha=-table.alpha)
     yield "offset-missing", "all rows", replace(table, theta=0 * table.theta)
     yield "offset-sign", "all rows", replace(table, theta=-table.theta)
-    yield "length-sign", "all made positive", replace(table, d=np.abs(table.d), a=np.abs(table.a))
+    yield "lengths-made-positive", "", replace(table, d=np.abs(table.d), a=np.abs(table.a))
     down = np.vstack([[0, 0], rows[:-1, 2:]])
     yield "a-alpha-from-previous-row", "", replace(table, a=down[:, 0], alpha=down[:, 1])
 
@@ -89,6 +91,26 @@ def _one_row(table, i):
             moved[k, 0] += theta
             moved[i, 0] = 0
             yield "offset-on-wrong-joint", f"it belongs to row {i + 1}, you have it in row {k + 1}", _with_rows(table, moved)
+
+
+def _frames(table, i):
+    """Slips made while placing frames, which change a row in more than one entry or by half a turn."""
+    place = f"row {i + 1}"
+    theta, d, a, alpha = table.rows[i]
+    half_turn = abs(abs(alpha) - np.pi) < 1e-9
+    yield "x-flip-incomplete", f"x{i + 1}", _with_row(table, i, [theta, d, -a, -alpha])
+    yield "x-flip-incomplete", f"x{i + 1}", _with_row(table, i, [theta + np.pi, d, -a, -alpha])
+    name, where = ("antiparallel-taken-for-parallel", place) if half_turn else ("z-flip-incomplete", f"z{i + 1}")
+    yield name, where, _with_row(table, i, [theta, d, a, alpha + np.pi])
+    yield "offset-counted-twice", place, _with_row(table, i, [2 * theta, d, a, alpha])
+    if i + 1 < len(table) and alpha == 0:
+        both = table.rows
+        both[i, 1] = both[i + 1, 1] = d + both[i + 1, 1]
+        yield "parallel-offset-in-both-rows", f"rows {i + 1} and {i + 2}", _with_rows(table, both)
+    if table.joints[i] == "P":
+        yield "prismatic-constant-lost", place, _with_row(table, i, [0, 0, a, alpha])
+        yield "prismatic-constant-lost", f"{place}, d", _with_row(table, i, [theta, 0, a, alpha])
+    yield "prismatic-variable-in-theta", place, replace(table, joints=table.joints[:i] + "RP"[table.joints[i] == "R"] + table.joints[i + 1:])
 
 
 def _with_row(table, i, row):

@@ -1,15 +1,16 @@
-"""Wrong versions of the link matrix: what a learner's ``dh_transform`` computes when one thing is wrong.
+"""Wrong versions of the link matrix, of a turn about x and of a product of two poses: what a learner's function computes when one thing is wrong.
 
-Each entry of :data:`WRONG_LINKS` is ``(mistake, place, function of theta, d, a, alpha)``; the angles are radians.
+Each entry of the lists is ``(mistake, place, function)``; :data:`WRONG_LINKS` holds functions of theta, d, a, alpha; angles are radians.
 """
-
-from itertools import permutations
 
 import numpy as np
 
 from ..transform import rot_x, rot_y, rot_z, trans_x, trans_z
+from .entries import MONOMIALS
+from .slipsearch import mistyped
+from .stages import ARGUMENTS, LINK, RESULT, run_link, rounded, truncated
 
-__all__ = ["standard", "WRONG_LINKS", "WRONG_ROT_X", "WRONG_COMPOSE", "rounded", "truncated"]
+__all__ = ["standard", "WRONG_LINKS", "WRONG_ROT_X", "WRONG_COMPOSE", "distinct"]
 
 DEG = 180 / np.pi
 
@@ -19,91 +20,35 @@ def standard(theta, d, a, alpha):
     return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)
 
 
-def craig(theta, d, a, alpha):
-    """Craig's order: Rx(alpha) Tx(a) Rz(theta) Tz(d)."""
-    return rot_x(alpha) @ trans_x(a) @ rot_z(theta) @ trans_z(d)
-
-
-def truncated(T):
-    """What is left when T is written into an array of whole numbers."""
-    return np.trunc(T)
-
-
-def rounded(T, digits=2):
-    """T as it is after ``np.round``."""
-    return np.round(T, digits)
-
-
-def _entries(change):
-    """The closed form with some entries replaced: ``change(c, s, ca, sa, d, a)`` gives {(row, column): value}."""
-    def link(theta, d, a, alpha):
-        T = standard(theta, d, a, alpha)
-        for (i, j), value in change(np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha), d, a).items():
-            T[i, j] = value
-        return T
-    return link
-
-
 def _without_last_row(T):
     T = T.copy()
     T[3] = 0
     return T
 
 
-def _in_order(names):
-    def link(theta, d, a, alpha):
-        moves = {"Rz": rot_z(theta), "Tz": trans_z(d), "Tx": trans_x(a), "Rx": rot_x(alpha)}
-        return moves[names[0]] @ moves[names[1]] @ moves[names[2]] @ moves[names[3]]
-    return link
+def distinct(versions, *sample):
+    """The (mistake, place, function) entries whose answers at ``sample`` no earlier entry gives under another id; first come, first named."""
+    kept, seen = [], []
+    with np.errstate(all="ignore"):
+        for mistake, place, version in versions:
+            T = version(*sample)
+            if all(name == mistake or not np.allclose(T, other, rtol=1e-9, atol=1e-9, equal_nan=True) for name, other in seen):
+                kept.append((mistake, place, version))
+                seen.append((mistake, T))
+    return kept
 
 
-WRONG_LINKS = [
-    ("standard-rows-in-craig-matrix", "the four moves reversed are Craig's order", craig),
-    ("degrees-in-sin-cos", "theta and alpha", lambda t, d, a, al: standard(t * DEG, d, a, al * DEG)),
-    ("degrees-in-sin-cos", "theta", lambda t, d, a, al: standard(t * DEG, d, a, al)),
-    ("alpha-in-degrees", "", lambda t, d, a, al: standard(t, d, a, al * DEG)),
-    ("converted-to-radians-twice", "theta and alpha", lambda t, d, a, al: standard(t / DEG, d, a, al / DEG)),
-    ("converted-to-radians-twice", "theta", lambda t, d, a, al: standard(t / DEG, d, a, al)),
-    ("converted-to-radians-twice", "alpha", lambda t, d, a, al: standard(t, d, a, al / DEG)),
-    ("shift-not-turned-by-theta", "", lambda t, d, a, al: trans_x(a) @ rot_z(t) @ trans_z(d) @ rot_x(al)),
-    ("alpha-before-d", "", lambda t, d, a, al: rot_z(t) @ trans_x(a) @ rot_x(al) @ trans_z(d)),
-    ("pose-inverted", "", lambda t, d, a, al: np.linalg.inv(standard(t, d, a, al))),
-    ("rotation-transposed", "", _entries(lambda c, s, ca, sa, d, a: dict(zip(
-        [(i, j) for i in range(3) for j in range(3)], [c, s, 0, -s * ca, c * ca, sa, s * sa, -c * sa, ca])))),
-    ("matrix-transposed", "", lambda t, d, a, al: standard(t, d, a, al).T),
-    ("row-vector-convention", "", lambda t, d, a, al: standard(-t, d, a, -al)),
-    ("row-vector-convention", "the turn about z", lambda t, d, a, al: standard(-t, d, a, al)),
-    ("alpha-sign", "the turn about x", lambda t, d, a, al: standard(t, d, a, -al)),
-    ("a-d-exchanged", "", lambda t, d, a, al: standard(t, a, d, al)),
-    ("theta-alpha-exchanged", "", lambda t, d, a, al: standard(al, d, a, t)),
-    ("length-sign", "d", lambda t, d, a, al: standard(t, -d, a, al)),
-    ("length-sign", "a", lambda t, d, a, al: standard(t, d, -a, al)),
-    ("length-unit", "", lambda t, d, a, al: standard(t, d * 1000, a * 1000, al)),
-    ("length-unit", "", lambda t, d, a, al: standard(t, d / 1000, a / 1000, al)),
-    ("sin-cos-exchanged", "alpha", lambda t, d, a, al: standard(t, d, a, np.pi / 2 - al)),
-    ("sin-cos-exchanged", "theta", lambda t, d, a, al: standard(np.pi / 2 - t, d, a, al)),
-    ("elementwise-product", "", lambda t, d, a, al: rot_z(t) * trans_z(d) * trans_x(a) * rot_x(al)),
-    ("last-row-missing", "", lambda t, d, a, al: _without_last_row(standard(t, d, a, al))),
-    ("integer-arrays", "", lambda t, d, a, al: truncated(standard(t, d, a, al))),
-    ("matrix-entry-mistyped", "row 1, column 2: the minus of -sin θ cos α is lost", _entries(lambda c, s, ca, sa, d, a: {(0, 1): s * ca})),
-    ("matrix-entry-mistyped", "row 1, column 3: the sign of sin θ sin α", _entries(lambda c, s, ca, sa, d, a: {(0, 2): -s * sa})),
-    ("matrix-entry-mistyped", "row 2, column 3: the minus of -cos θ sin α is lost", _entries(lambda c, s, ca, sa, d, a: {(1, 2): c * sa})),
-    ("matrix-entry-mistyped", "row 3, column 2: the sign of sin α", _entries(lambda c, s, ca, sa, d, a: {(2, 1): -sa})),
-    ("shift-not-turned-by-theta", "", _entries(lambda c, s, ca, sa, d, a: {(0, 3): a, (1, 3): 0})),
-]
+def _with(slip):
+    return lambda theta, d, a, alpha: run_link((slip,), theta, d, a, alpha)
 
 
-def _other_orders():
-    """Of the 24 orders of the four moves, those whose product is neither right nor named above (turn and shift about one axis commute)."""
-    sample = (0.3, 0.1, 0.4, 0.5)
-    known = [standard(*sample), *(version(*sample) for _, _, version in WRONG_LINKS)]
-    for order in permutations(("Rz", "Tz", "Tx", "Rx")):
-        link = _in_order(order)
-        if not any(np.allclose(link(*sample), T) for T in known):
-            yield "order-taken-for-free", " ".join(order), link
+def _typed(entry, sign, parts):
+    return mistyped(entry, next(m for m in MONOMIALS if m.sign == sign and m.parts == parts))
 
 
-WRONG_LINKS += list(_other_orders())
+TYPICAL_ENTRIES = [_typed((0, 1), 1, (2, 1, 0)), _typed((0, 2), -1, (2, 2, 0)), _typed((1, 2), 1, (1, 2, 0)), _typed((2, 1), -1, (0, 2, 0)),
+                   _typed((1, 3), 1, (1, 0, 1)), _typed((2, 3), 0, (0, 0, 0))]
+WRONG_LINKS = distinct([(slip.mistake, slip.place, _with(slip)) for slip in ARGUMENTS + LINK + RESULT + TYPICAL_ENTRIES], 0.3, -0.1, 0.4, 0.5)
 
 WRONG_ROT_X = [
     ("rotation-transposed", "", lambda al: rot_x(-al)),

@@ -3,6 +3,7 @@
 import contextlib
 import copy
 import dis
+import inspect
 import io
 import traceback
 import warnings
@@ -61,6 +62,7 @@ def call_all(f, cases, shape, names):
     CallFault
         The function stops, returns nothing or something of another shape, changes its inputs, or answers differently the second time.
     """
+    _fits(f, names)
     with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         answers = [_call(f, case, names) for case in cases]
@@ -72,13 +74,26 @@ def call_all(f, cases, shape, names):
     return arrays
 
 
+def _fits(f, names):
+    """Whether the function takes as many arguments as it will be given; said before Python says it less plainly."""
+    try:
+        signature = inspect.signature(f)
+        signature.bind(*names)
+    except ValueError:  # no signature to be had
+        return
+    except TypeError:
+        takes = ", ".join(signature.parameters) or "nothing"
+        raise CallFault(f"TypeError: the function cannot be called with {len(names)} arguments ({', '.join(names)})", f"it takes {takes}",
+                        f"Give it the arguments {', '.join(names)}, in this order.") from None
+
+
 def _call(f, case, names):
     given = copy.deepcopy(case)
     try:
         answer = copy.deepcopy(f(*given))
     except NotImplementedError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise CallFault(f"the function stops with {type(error).__name__}: {str(error)[:200]}", _line_of(error, f) or _shown(case, names),
                         "Call it yourself with these numbers and read the last line of the message.") from None
     if not all(np.array_equal(before, after) for before, after in zip(case, given)):
@@ -107,7 +122,8 @@ def _as_array(answer, shape, case, names):
         except (TypeError, ValueError):
             array = np.asarray("")
     if array.dtype.kind not in "iufb":
-        raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {'×'.join(map(str, shape))} numbers", _shown(case, names))
+        wanted = "×".join(map(str, shape))
+        raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers", _shown(case, names))
     if array.shape != shape:
         found = "×".join(map(str, array.shape)) or "a single number"
         mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None

@@ -1,0 +1,66 @@
+"""How many wrong programs the doctor names, how many right ones it leaves alone, and how long it takes.
+
+Run ``python benchmarks/doctor_programs.py`` from the project's top folder. The programs and what is wrong with each stand in
+``tests/doctor/wrong_programs.py``; they were written, with their expectations, before the doctor was run on them, and the doctor was
+then improved on them. Those of ``unseen_programs.py`` came after and were not used to improve it: theirs is the honest share.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+import dhlab.doctor.functions as functions
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor"))
+from unseen_programs import UNSEEN  # noqa: E402
+from wrong_programs import RIGHT, WRONG, program  # noqa: E402
+
+
+def diagnosed(kind, text):
+    """The diagnosis of a program run anew, and the seconds it took."""
+    f = program(kind, text)
+    start = time.perf_counter()
+    answer = functions.diagnose_function(f, kind)
+    return answer, time.perf_counter() - start
+
+
+def named(answer, expected):
+    """Whether a single is the first finding or its look-alike, or one of a pair is the first finding; and whether all are named."""
+    found = [finding.mistake for finding in answer.findings]
+    alike = set(answer.findings[0].look_alikes) if found else set()
+    wanted = set(expected)
+    return bool(found) and bool(wanted & ({found[0]} | alike)), wanted <= set(found) | alike
+
+
+def count(name, programs, times):
+    """Print the shares of one collection, and what was missed."""
+    groups, missed = {1: [0, 0, 0], 2: [0, 0, 0]}, []
+    for kind, expected, text in programs:
+        answer, seconds = diagnosed(kind, text)
+        times.append(seconds)
+        first, every = named(answer, expected)
+        groups[len(expected)] = [old + new for old, new in zip(groups[len(expected)], (1, first, every))]
+        if not every:
+            missed.append((kind, expected, answer))
+    print(f"{name}, one mistake:  {groups[1][1]} of {groups[1][0]} named right (first finding or its look-alike)")
+    print(f"{name}, two mistakes: {groups[2][1]} of {groups[2][0]} with one of the two as first finding, {groups[2][2]} with both named")
+    for kind, expected, answer in missed:
+        print("  missed:", kind, *expected, "->", answer.verdict, *(finding.mistake for finding in answer.findings), "|", answer.headline)
+
+
+def main():
+    functions.diagnose_function(lambda theta, d, a, alpha: np.eye(4), "dh_transform")  # what is computed once is computed now
+    times = []
+    count("corpus", WRONG, times)
+    count("unseen", UNSEEN, times)
+    alarms = [(kind, answer) for kind, text in RIGHT for answer in [diagnosed(kind, text)[0]] if answer.verdict != "agrees"]
+    print(f"right programs: {len(alarms)} false alarms in {len(RIGHT)}")
+    for kind, answer in alarms:
+        print("  false alarm:", kind, answer)
+    print(f"time: median {1000 * np.median(times):.0f} ms, worst {1000 * max(times):.0f} ms on this machine; machines differ")
+
+
+if __name__ == "__main__":
+    main()
