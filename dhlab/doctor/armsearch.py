@@ -23,6 +23,7 @@ class Explanation:
 
     ``chain`` holds the arms on the way: the candidate, after the first change, (after the second). ``entries`` are the (row, column)
     that were fitted, ``ends`` names "base" or "tool" when one was, ``data_fault`` the mistake when the data were changed instead.
+    ``odd`` counts fitted entries that are no number one would have guessed.
     """
 
     fit: Fit
@@ -30,6 +31,7 @@ class Explanation:
     entries: tuple = ()
     ends: tuple = ()
     data_fault: tuple = None
+    odd: int = 0
 
     @property
     def changes(self):

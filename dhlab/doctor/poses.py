@@ -52,7 +52,7 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
     Notes
     -----
     The rule: an explanation must leave no more misfit than the noise (χ² passed by noise alone but once in ten million draws). One
-    mistake goes before two; among these, fewer fitted numbers, then the smaller misfit. A small misfit (rms below 12 mm and 1.1°) that
+    mistake goes before two; among these, fewer numbers that nobody would have guessed, then the smaller misfit. A small misfit (rms below 12 mm and 1.1°) that
     small changes of all numbers (1 mm, 0.1°) explain about as well as one mistake does is called a calibration.
 
     Examples
@@ -175,7 +175,7 @@ def _calibration(arm, data):
 
 def _explained(arm, data, now, explanations, notes):
     """The Diagnosis from everything that fits: the simplest first, snapped to round numbers, named; the others noted."""
-    explanations = sorted((_snapped(e, data) for e in explanations), key=lambda e: (e.changes, len(e.entries) + 6 * len(e.ends), e.fit.chi2))
+    explanations = sorted((_snapped(e, data) for e in explanations), key=lambda e: (e.changes, e.odd + 6 * len(e.ends), len(e.entries) > 2, e.fit.chi2))
     best = explanations[0]
     findings = _named(best, data)
     others = _rivals(best, explanations[1:], data)
@@ -204,7 +204,7 @@ def _named(explanation, data):
 def _snapped(explanation, data):
     """Fitted numbers made round where a round one fits: -90, not -89.97."""
     if not explanation.entries or explanation.fit.sigma is None:
-        return explanation
+        return replace(explanation, odd=len(explanation.entries))
     arm, start = explanation.fit.arm, explanation.chain[0]
     rows = arm.table.rows
     for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
@@ -214,10 +214,11 @@ def _snapped(explanation, data):
     if explanation.ends:
         found = Fit(snapped, float((data.residual(snapped.forward(data.q)) ** 2).sum()), explanation.fit.fitted)
     if found.chi2 > max(limit(data.count), explanation.fit.chi2 * 1.5 + 20):
-        return explanation
+        return replace(explanation, odd=len(explanation.entries))
+    odd = sum(rows[entry] == arm.table.rows[entry] for entry in explanation.entries)
     found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
     middle = [with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows)) for link in explanation.chain[1:-1]]
-    return replace(explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm))
+    return replace(explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm), odd=odd)
 
 
 def _take(link_rows, rows, entries, fitted):
@@ -229,17 +230,16 @@ def _take(link_rows, rows, entries, fitted):
 
 
 def _round(value, rows, entry, slack):
-    """The nearest number that a person would have meant, within the slack: a quarter turn, the old number's negative, its double, its neighbour's …"""
+    """The first number within the slack that a person would have meant: a quarter turn, the old number's negative, its neighbour's, its double …"""
     i, column = entry
     old = rows[i, column]
     if column in (D, A):
-        near = [0, -old, 2 * old, old / 2, 1000 * old, old / 1000, rows[i, D], rows[i, A]]
+        near = [0, -old, rows[i, D], rows[i, A], 2 * old, old / 2, 1000 * old, old / 1000]
     else:
         turn = 2 * np.pi * np.round((value - old) / (2 * np.pi))
         quarter = np.pi / 2 * np.round(value / (np.pi / 2))
-        near = [quarter, old + turn, -old + turn, 2 * old, old / 2, old * np.pi / 180, -old, old + np.pi, old - np.pi, old + np.pi / 2, old - np.pi / 2]
-    best = min(near, key=lambda v: abs(v - value))
-    value = best if abs(best - value) <= slack else value
+        near = [quarter, -old + turn, -old, old + np.pi, old - np.pi, old + np.pi / 2, old - np.pi / 2, 2 * old, old / 2, old * np.pi / 180]
+    value = next((v for v in near if v != old and abs(v - value) <= slack), value)
     return value if column in (D, A) or abs(value) <= np.pi + 1e-9 else (value + np.pi) % (2 * np.pi) - np.pi
 
 
