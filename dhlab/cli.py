@@ -11,6 +11,7 @@ import numpy as np
 import typer
 
 from . import __version__
+from .cli_doctor import doctor
 from .printing import grid_text, matrix_text, number
 from .robots import entry, load, robots
 from .transform import to_xyz_rpy
@@ -78,6 +79,9 @@ def fk(arm: Annotated[str, typer.Argument(metavar="ARM", help="A name of the lib
     outside = [str(i) for i, inside in enumerate(model.within_limits(values), 1) if not inside]
     if outside:
         print(f"Note: outside the stated limits: joint {', '.join(outside)}. The pose is right for these values all the same.")
+
+
+app.command()(doctor)
 
 
 @app.command()

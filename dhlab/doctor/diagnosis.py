@@ -1,6 +1,7 @@
 """``Diagnosis``: what the doctor says, for a terminal, a notebook and a program."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from html import escape
 
 import numpy as np
@@ -31,8 +32,8 @@ class Diagnosis:
         What else a reader should know: look-alikes, too few poses, how the noise was estimated.
     next_pose : array (n,) or None
         A configuration whose measurement would tell the remaining explanations apart; radians and metres.
-    picture : object or None
-        Predicted against measured, when there is something to draw.
+    compared : (Arm, q, measured) or None
+        What :attr:`picture` draws: the arm as given (its base and tool in place where they are free), q (m, n), poses (m, 4, 4) or positions (m, 3).
     """
 
     verdict: str
@@ -42,7 +43,15 @@ class Diagnosis:
     after: tuple | None = None
     notes: tuple = ()
     next_pose: np.ndarray | None = None
-    picture: object = None
+    compared: tuple | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def picture(self):
+        """The :class:`dhlab.view.Picture` of predicted against measured, drawn when first asked for; None where there is nothing to draw."""
+        if self.compared is None:
+            return None
+        from ..view import compared  # matplotlib takes longer to load than most diagnoses take
+        return compared(*self.compared)
 
     def __bool__(self):
         """True when nothing is wrong."""

@@ -69,8 +69,12 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
     """
     arm = Arm(arm) if isinstance(arm, DHTable) else arm
     data = _measured(arm, q, poses, noise, base, tool)
-    if noise is not None:
-        return _decide(arm, data, ())
+    answer = _decide(arm, data, ()) if noise is not None else _without_level(arm, data)
+    return replace(answer, compared=(misfit(arm, data).arm, data.q, np.asarray(poses, dtype=float)))
+
+
+def _without_level(arm, data):
+    """The verdict where the noise is not known: exact first, then as estimated."""
     answer = _decide(arm, data, ("The measurements are exact to a micrometre.",), two=False)
     if answer.verdict in (AGREES, EXPLAINED):
         return answer

@@ -3,8 +3,9 @@
 Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
 """
 
+from .compared import compared
 from .link import link
 from .picture import Picture
 from .pictures import arm, frames, poses
 
-__all__ = ["Picture", "arm", "frames", "link", "poses"]
+__all__ = ["Picture", "arm", "compared", "frames", "link", "poses"]

@@ -6,7 +6,7 @@ from ..arm import Arm
 from ..transform import pose_fault
 from .style import POSES
 
-__all__ = ["given_poses", "given_names", "given_arm_at", "given_arm_at_all", "all_frames", "spread"]
+__all__ = ["require_arm", "given_poses", "given_names", "given_arm_at", "given_arm_at_all", "all_frames", "spread"]
 
 
 def given_poses(poses):
@@ -38,14 +38,15 @@ def given_names(names, count, default):
     return [str(name) for name in listed]
 
 
-def _require_arm(arm, where):
+def require_arm(arm, where):
+    """A sentence when this is no Arm."""
     if not isinstance(arm, Arm):
         raise ValueError(f"{where}: expected an Arm first, found {type(arm).__name__}; make one with dhlab.Arm(table) or dhlab.load(name)")
 
 
 def given_arm_at(arm, q):
     """One configuration (n,) and the arm's frames at it (n + 1, 4, 4), or a sentence."""
-    _require_arm(arm, "view.arm")
+    require_arm(arm, "view.arm")
     q = np.zeros(len(arm)) if q is None else q
     chain = arm.frames(q)
     if chain.ndim != 3:
@@ -55,7 +56,7 @@ def given_arm_at(arm, q):
 
 def given_arm_at_all(arm, qs):
     """The arm's frames (k, n + 1, 4, 4) at every configuration, or a sentence."""
-    _require_arm(arm, "view.poses")
+    require_arm(arm, "view.poses")
     chains = arm.frames(qs)
     if chains.ndim != 4 or not 1 <= len(chains) <= len(POSES):
         raise ValueError(f"view.poses: expected 1 to {len(POSES)} configurations (k, {len(arm)}), found shape {np.shape(qs)}; give a list of them")
