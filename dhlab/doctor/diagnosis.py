@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from functools import cached_property
 from html import escape
+from textwrap import fill
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from .finding import Finding
 __all__ = ["Diagnosis", "AGREES", "CALIBRATED", "EXPLAINED", "UNEXPLAINED"]
 
 AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED = "agrees", "calibrated", "explained", "unexplained"
+WIDTH = 100  # characters of a line, in a terminal
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class Diagnosis:
             yield "Measure", "q = " + ", ".join(number(v, 4) for v in self.next_pose) + " (rad, m) would tell them apart"
 
     def __str__(self):
-        return "\n".join([self.headline, *(f"  {label + ':':8} {text}" for label, text in self._lines())])
+        return "\n".join([self.headline, *(fill(text, WIDTH, initial_indent=f"  {label + ':':8} ", subsequent_indent=" " * 11) for label, text in self._lines())])
 
     __repr__ = __str__
 

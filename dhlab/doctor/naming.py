@@ -35,6 +35,8 @@ def name_change(wrong, right, data, entries=(), ends=()):
         Its ``look_alikes`` are the other mistakes that give the same poses.
     """
     alike = _made_on(right, wrong, data, bool(entries))
+    if right.table.convention != wrong.table.convention:
+        alike += _made_on(right.to(wrong.table.convention), wrong, data, bool(entries))
     own = _by_value(wrong, right, entries, ends)
     names = [own] if own and not alike else alike + ([own] if own else [])
     if not names:

@@ -67,11 +67,9 @@ def test_known_wrong_values_fail_and_are_named(key, variant):
     assert seen >= 5 and named == seen
 
 
-@pytest.mark.parametrize("key", VALUES)
+@pytest.mark.parametrize("key", [key for key in VALUES if SCORED[key].given(0)])
 def test_values_of_other_variants_are_wrong(key):
     exercise = SCORED[key]
-    if not exercise.given(0):
-        pytest.skip("one value for all")
     other = exercise.answer(**exercise.given(3))
     assert exercise.judge(other, 0).status == "wrong"
 
@@ -122,7 +120,19 @@ def with_the_library(rows, q):
     return dh.Arm(dh.DHTable.standard(rows, angle="rad")).forward(q)
 
 
+def craig_closed(theta, d, a, alpha):
+    c, s, u, v = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return [[c, -s, 0, a], [s * u, c * u, -v, -v * d], [s * v, c * v, u, u * d], [0, 0, 0, 1]]
+
+
+def craig_by_blocks(theta, d, a, alpha):
+    from scipy.spatial.transform import Rotation
+    turned = Rotation.from_euler("x", alpha)
+    return np.vstack([np.column_stack([(turned * Rotation.from_euler("z", theta)).as_matrix(), turned.apply([0, 0, d]) + [a, 0, 0]]), [0, 0, 0, 1]])
+
+
 RIGHT_FUNCTIONS = {
+    "03.3": [craig_closed, craig_by_blocks, lambda th, d, a, al: np.linalg.inv(closed(-th, -d, -a, -al))],
     "01.4": [lambda A, B: A @ B, lambda A, B: np.dot(A, B).tolist(), lambda A, B: np.block([[A[:3, :3] @ B[:3, :3], A[:3, :3] @ B[:3, 3:] + A[:3, 3:]], [np.zeros((1, 3)), 1]])],
     "05.1": [lambda al: closed(0, 0, 0, al), lambda al: np.array(closed(0, 0, 0, al)), lambda al: by_blocks(0, 0, 0, al)],
     "05.4": [closed, by_blocks, as_complex], "05.6": [closed, by_blocks, as_complex], "05.7": [closed, by_blocks, as_complex],

@@ -1,10 +1,12 @@
 """The catalogue holds every mistake the project knows of, once, in whole sentences."""
 
+import ast
+import inspect
 import re
 
 import pytest
 
-from dhlab.doctor import catalogue
+from dhlab.doctor import catalogue, naming
 
 # the ids under which the mistakes were collected, with evidence, before the catalogue was written
 COLLECTED = """
@@ -25,6 +27,13 @@ COLLECTED = """
 def test_every_collected_mistake_is_in_the_catalogue():
     assert len(COLLECTED) == len(set(COLLECTED)) == 67
     assert [name for name in COLLECTED if name not in catalogue()] == []
+
+
+def test_every_name_that_a_change_can_get_is_in_the_catalogue():
+    returned = [node.value for node in ast.walk(ast.parse(inspect.getsource(naming))) if isinstance(node, ast.Return) and node.value]
+    words = {leaf.value for value in returned for leaf in ast.walk(value) if isinstance(leaf, ast.Constant) and isinstance(leaf.value, str)}
+    names = {word for word in words if re.fullmatch("[a-z0-9]+(-[a-z0-9]+)+", word)}
+    assert len(names) > 15 and [name for name in names if name not in catalogue()] == []
 
 
 def test_an_id_leads_to_one_entry():
