@@ -8,7 +8,7 @@ from .faults import A, ALPHA, D, NAMES, THETA, faults
 from .finding import Finding
 from .fitting import Measured, misfit
 
-__all__ = ["name_change", "name_data_fault"]
+__all__ = ["name_change", "name_data_fault", "name_entry"]
 
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical purposes
 SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (4, 16)) * np.random.default_rng(21).choice([-1, 1], (4, 16))
@@ -86,11 +86,13 @@ def _place(joint, parameter):
 
 
 def _by_value(wrong, right, entries, ends):
-    """The name of one fitted entry, by what stood there and what should."""
     if ends:
         return _by_end(wrong, right, ends[0])
-    if len(entries) != 1:
-        return None
+    return name_entry(wrong, right, entries) if len(entries) == 1 else None
+
+
+def name_entry(wrong, right, entries):
+    """(mistake, joint, parameter, place, detail) of the one entry that was fitted, by what stood there and what should."""
     (i, column), = entries
     was, should = wrong.table.rows[i, column], right.table.rows[i, column]
     name = _of_length(was, should, i, column, wrong) if column in (D, A) else _of_angle(was, should, column, wrong.table.joints[i])

@@ -1,0 +1,119 @@
+"""Among explanations that all fit: which is told first, under which name, what it cannot be told from, and which pose would decide."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .faults import A, D
+from .fitting import Fit, Measured, fit, limit, misfit, with_rows
+from .naming import name_change, name_data_fault, name_entry
+
+__all__ = ["ranked", "named", "with_twins", "rivals_of", "telling_pose"]
+
+MOST_TWINS = 4
+
+
+def ranked(arm, explanations, data):
+    """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that nobody would have guessed, then the smaller misfit."""
+    snapped = (_snapped(e, data) for e in explanations)
+    return sorted(snapped, key=lambda e: (e.changes, e.odd + 6 * len(e.ends), len(e.entries) > 2, round(e.fit.chi2, 3), _touched(arm, e.fit.arm)))
+
+
+def _touched(arm, repaired):
+    """How many numbers and senses a repair changes: of two that make the same arm, the one that changes less is read first."""
+    return int((np.abs(arm.table.rows - repaired.table.rows) > 1e-9).sum() + (arm.sign != repaired.sign).sum())
+
+
+def named(explanation, data):
+    """The findings of an explanation, one a mistake."""
+    if explanation.data_fault is not None:
+        return [name_data_fault(explanation.data_fault, explanation.fit.arm)]
+    chain, findings = explanation.chain, []
+    entries = list(explanation.entries)
+    for step, (wrong, right) in enumerate(zip(chain, chain[1:])):
+        last = step == len(chain) - 2
+        own = tuple(e for e in entries if abs(wrong.table.rows[e] - right.table.rows[e]) > 1e-12) if len(chain) > 2 else tuple(entries)
+        ends = explanation.ends if last and not own else ()
+        found = name_change(wrong, right, data, own, ends)
+        findings.append(replace(found, repair=chain[-1]))
+    return findings
+
+
+def with_twins(finding, best, others, data):
+    """The finding with the names of the other single entries whose change makes the same arm of it, and a note on them."""
+    twins = [e for e in others if e.changes == best.changes and len(e.entries) == 1 and not e.ends and not _differs(best.fit.arm, e.fit.arm, data)]
+    twins = [e for e in twins if not np.allclose(e.fit.arm.table.rows, best.fit.arm.table.rows, atol=5 * max(data.noise))]
+    named = [name_entry(e.chain[0], e.fit.arm, e.entries) for e in twins[:MOST_TWINS]]
+    names = dict.fromkeys([*finding.look_alikes, *(name for name, *_ in named)])
+    same = tuple(f"The same arm comes of this: {place} {detail}." for *_, place, detail in named)
+    return replace(finding, look_alikes=tuple(name for name in names if name != finding.mistake)), same
+
+
+def _snapped(explanation, data):
+    """Fitted numbers made round where a round one fits: -90, not -89.97."""
+    if not explanation.entries or explanation.fit.sigma is None:
+        return replace(explanation, odd=len(explanation.entries))
+    arm, start = explanation.fit.arm, explanation.chain[0]
+    rows = arm.table.rows
+    for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
+        rows[entry] = _round(rows[entry], start.table.rows, entry, max(4 * sigma, 1e-8))
+    snapped = with_rows(arm, rows)
+    found = fit(snapped, data, ()) if data.base_free or data.tool_free or explanation.ends else misfit(snapped, data)
+    if explanation.ends:
+        found = Fit(snapped, float((data.residual(snapped.forward(data.q)) ** 2).sum()), explanation.fit.fitted)
+    if found.chi2 > max(limit(data.count), explanation.fit.chi2 * 1.5 + 20):
+        return replace(explanation, odd=len(explanation.entries))
+    odd = sum(rows[entry] == arm.table.rows[entry] for entry in explanation.entries)
+    found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
+    middle = [with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows)) for link in explanation.chain[1:-1]]
+    return replace(explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm), odd=odd)
+
+
+def _take(link_rows, rows, entries, fitted):
+    """An arm on the way takes the round numbers for the entries it has already repaired."""
+    for entry in entries:
+        if link_rows[entry] == fitted[entry]:
+            link_rows[entry] = rows[entry]
+    return link_rows
+
+
+def _round(value, rows, entry, slack):
+    """The first number within the slack that a person would have meant: a quarter turn, the old number's negative, its neighbour's, its double …"""
+    i, column = entry
+    old = rows[i, column]
+    if column in (D, A):
+        near = [0, -old, rows[i, D], rows[i, A], 2 * old, old / 2, 1000 * old, old / 1000]
+    else:
+        turn = 2 * np.pi * np.round((value - old) / (2 * np.pi))
+        quarter = np.pi / 2 * np.round(value / (np.pi / 2))
+        near = [quarter, -old + turn, -old, old + np.pi, old - np.pi, old + np.pi / 2, old - np.pi / 2, 2 * old, old / 2, old * np.pi / 180]
+    value = next((v for v in near if v != old and abs(v - value) <= slack), value)
+    return value if column in (D, A) or abs(value) <= np.pi + 1e-9 else (value + np.pi) % (2 * np.pi) - np.pi
+
+
+def rivals_of(best, others, data):
+    """Explanations of as few mistakes whose repaired arm moves otherwise."""
+    rivals = []
+    for other in others:
+        if other.changes > best.changes or other.data_fault is not None or len(rivals) == 3:
+            continue
+        if all(_differs(other.fit.arm, arm, data) for arm in [best.fit.arm, *(r.fit.arm for r in rivals)]):
+            rivals.append(other)
+    return rivals
+
+
+def _differs(a, b, data):
+    q = np.random.default_rng(3).uniform(-2.5, 2.5, (6, len(a)))
+    T, U = a.forward(q), b.forward(q)
+    sample = Measured(q, U[:, :3, 3], None if data.R is None else U[:, :3, :3], tuple(5 * s for s in data.noise))
+    return (sample.residual(T) ** 2).max() > 1
+
+
+def telling_pose(best, others, data):
+    """Of 200 random configurations the one at which the explanations differ most."""
+    rng = np.random.default_rng(4)
+    bounds = [(-2.5, 2.5) if pair is None else pair for pair in best.limits or [None] * len(best)]
+    low, high = np.array(bounds).T
+    q = rng.uniform(low, high, (200, len(best)))
+    apart = [np.linalg.norm(best.forward(q)[:, :3, 3] - other.forward(q)[:, :3, 3], axis=1) for other in others]
+    return q[np.argmax(np.min(apart, axis=0))]
