@@ -11,10 +11,10 @@ from .table import DHTable
 from .urdf import read_urdf, to_urdf
 
 # what needs scipy's optimisers or the pictures is loaded when it is first asked for
-LATER = {"calibrate_offsets": "measure", "diagnose": "doctor", "diagnose_function": "doctor", "recognise_table": "doctor", "fit_circles": "measure", "read_poses": "posefile"}
+LATER = {"calibrate_offsets": "measure", "diagnose": "doctor", "diagnose_function": "doctor", "explore": "view.explorer", "recognise_table": "doctor", "fit_circles": "measure", "read_poses": "posefile"}
 
 __version__ = "0.1.0"
-__all__ = ["Arm", "DHTable", "NearlyParallelWarning", "assign_frames", "calibrate_offsets", "diagnose", "diagnose_function", "equivalent", "fit_circles", "load", "read_poses", "read_urdf", "recognise_table", "robots",
+__all__ = ["Arm", "DHTable", "NearlyParallelWarning", "assign_frames", "calibrate_offsets", "diagnose", "diagnose_function", "equivalent", "explore", "fit_circles", "load", "read_poses", "read_urdf", "recognise_table", "robots",
            "symbolic", "to_urdf"]
 
 

@@ -263,6 +263,10 @@ class Arm:
         from .printing import arm_html
         return arm_html(self)
 
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        from .view.explorer import arm_bundle
+        return arm_bundle(self)
+
 
 def _signs(sign, n):
     try:

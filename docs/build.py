@@ -22,6 +22,8 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from sphinx.cmd.build import main as sphinx
 
+from dhlab.view.explorer import without_widgets
+
 __all__ = ["build", "pages", "executed", "accessible"]
 
 DOCS = Path(__file__).resolve().parent
@@ -112,7 +114,7 @@ def executed(name, notebook, cache):
 def _key(notebook):
     """A fingerprint of all that the outputs depend on."""
     found = hashlib.sha256(nbformat.writes(notebook).encode())
-    for path in sorted(p for p in (ROOT / "dhlab").rglob("*") if p.suffix in (".py", ".yaml", ".js")):
+    for path in sorted(p for p in (ROOT / "dhlab").rglob("*") if p.suffix in (".py", ".yaml", ".js", ".urdf", ".csv") and "node_modules" not in p.parts):
         found.update(path.read_bytes())
     for package in ("numpy", "matplotlib", "ipython"):
         found.update(version(package).encode())
@@ -126,7 +128,7 @@ def _run(name, notebook):
                            resources={"metadata": {"path": empty}}).execute()
         except CellExecutionError as error:
             raise SystemExit(f"{name}: a cell failed, so no site was built\n{error}") from None
-    for cell in notebook.cells:
+    for cell in without_widgets(notebook).cells:
         cell.metadata.pop("execution", None)
         noise = [o for o in cell.get("outputs", []) if o.output_type == "stream" and o.name == "stderr"]
         for output in noise:

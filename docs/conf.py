@@ -38,9 +38,19 @@ copybutton_exclude = ".linenos, .gp, .go"
 html_theme = "furo"
 html_title = "dhlab"
 html_favicon = "_static/favicon.svg"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../dhlab/view/explorer/explorer.js"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_copyright = False
 html_domain_indices = False
+
+
+def setup(app):
+    """The explorer's module goes to the pages that show one."""
+    app.connect("html-page-context", with_explorer)
+
+
+def with_explorer(app, pagename, templatename, context, doctree):
+    if 'class="dhlab-explorer"' in context.get("body", ""):
+        app.add_js_file("explorer.js", type="module")

@@ -2,13 +2,15 @@
 
 import importlib
 import os
+import platform
 import shutil
 import sys
 
 import pytest
 
 # pybullet has wheels up to Python 3.11 only; the others are asked for on Linux
-WANTED = {"pinocchio": sys.platform == "linux", "roboticstoolbox": sys.platform == "linux", "pybullet": sys.platform == "linux" and sys.version_info < (3, 12)}
+WANTED = {"pinocchio": sys.platform == "linux", "roboticstoolbox": sys.platform == "linux", "pybullet": sys.platform == "linux" and sys.version_info < (3, 12),
+          "trac_ik": sys.platform == "linux" and platform.machine() == "x86_64"}
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Ask apt for what the tests need beyond Python: Chromium and bubblewrap. Where that cannot be done, say which tests will be skipped.
+"""Ask apt for what the tests need beyond Python: Chromium, bubblewrap and npm. Where that cannot be done, say which tests will be skipped.
 
 Called by ``make test-deps``. Exit status 1 only in CI, where nothing may be skipped.
 """
@@ -8,7 +8,8 @@ import shutil
 import subprocess
 import sys
 
-NEEDED = {"chromium": ("chromium", "pages and JupyterLab looked at in a browser"), "bwrap": ("bubblewrap", "programs run in a cage")}
+NEEDED = {"chromium": ("chromium", "pages and JupyterLab looked at in a browser"), "bwrap": ("bubblewrap", "programs run in a cage"),
+          "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe")}
 
 
 def found(program):

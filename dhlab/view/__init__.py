@@ -3,9 +3,14 @@
 Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
 """
 
+from .axes import axes
+from .circle import circle
 from .compared import compared
+from .condition import condition
+from .conventions import conventions
+from .explorer import Explorer, explore
 from .link import link
 from .picture import Picture
 from .pictures import arm, frames, poses
 
-__all__ = ["Picture", "arm", "compared", "frames", "link", "poses"]
+__all__ = ["Explorer", "Picture", "arm", "axes", "circle", "compared", "condition", "conventions", "explore", "frames", "link", "poses"]

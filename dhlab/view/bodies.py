@@ -6,7 +6,7 @@ from .scene import Face, Stroke
 from .style import INK, JOINT, JOINT_CAP, LINK, QUIET
 from .triads import coincident
 
-__all__ = ["dh_path", "joint_places", "add_arm", "add_tool"]
+__all__ = ["dh_path", "joint_places", "add_arm", "add_joint", "add_tool"]
 
 
 def dh_path(convention, chain):
@@ -52,8 +52,13 @@ def add_arm(scene, arm, chain, size):
     for group in coincident(centres):
         for rank, k in enumerate(group):  # joints at one place: ever longer and thinner, so that all are seen
             radius, length = 0.024 * size * 0.78**rank, 0.075 * size * 1.3**rank
-            add = _add_box if arm.table.joints[k] == "P" else _add_cylinder
-            add(scene, centres[k], axes[k], radius, length, f"joint:{k + 1}")
+            add_joint(scene, arm.table.joints[k], centres[k], axes[k], radius, length, f"joint:{k + 1}")
+
+
+def add_joint(scene, letter, centre, axis, radius, length, gid):
+    """Add one joint: a cylinder for "R", a box for "P"."""
+    add = _add_box if letter == "P" else _add_cylinder
+    add(scene, centre, axis, radius, length, gid)
 
 
 def add_tool(scene, start, end):

@@ -1,0 +1,44 @@
+"""Arms as plain numbers for the explorer's JavaScript; and numbers from it, checked."""
+
+import numpy as np
+from traitlets import TraitType
+
+__all__ = ["Numbers", "arm_data", "pose_data"]
+
+
+def arm_data(arm):
+    """An arm as JSON: radians and metres, matrices row by row."""
+    return {"name": arm.name, "convention": arm.table.convention, "joints": arm.table.joints, "rows": arm.table.rows.tolist(), "base": pose_data(arm.base),
+            "tool": pose_data(arm.tool), "sign": arm.sign.tolist(), "limits": None if arm.limits is None else [pair and list(pair) for pair in arm.limits]}
+
+
+def pose_data(T):
+    """A pose (4, 4) as 16 numbers, row by row."""
+    return np.asarray(T, dtype=float).ravel().tolist()
+
+
+class Numbers(TraitType):
+    """So many finite numbers: a read-only array here, a list on the way to JavaScript."""
+
+    def __init__(self, **keywords):
+        super().__init__(np.zeros(0), **keywords)
+        self.tag(sync=True, to_json=lambda value, widget: value.tolist(), from_json=lambda value, widget: value)
+
+    def validate(self, obj, value):
+        """The numbers as an array, or a sentence."""
+        count = obj.counts[self.name]
+        try:
+            array = np.array(value)
+        except ValueError:  # ragged
+            array = np.array(None)
+        if array.dtype.kind not in "iuf" or array.shape != (count,) or not np.isfinite(array).all():
+            raise ValueError(f"explorer.{self.name}: expected {count} finite numbers (radians, metres for lengths), found {value!r}")
+        array = array.astype(float)
+        array.flags.writeable = False
+        return array
+
+    def set(self, obj, value):
+        """Keep the array and tell nobody when nothing changes."""
+        new = self._validate(obj, value)
+        if not np.array_equal(new, obj._trait_values.get(self.name)):
+            super().set(obj, new)

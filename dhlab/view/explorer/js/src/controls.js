@@ -1,0 +1,61 @@
+// What hands take hold of: sliders with a field beside them, buttons that stay pressed, choices.
+
+import { h } from "./dom.js";
+import { DEGREE, below } from "./format.js";
+
+// A quantity in radians or metres, shown in degrees or millimetres. `changed` gets it back in radians or metres.
+export function slider({ symbol, name, turn, low, high, changed }) {
+  const factor = turn ? DEGREE : 1000, unit = turn ? "°" : "mm";
+  const step = turn ? 0.5 : 1; // limits are rounded inward to whole steps, so that a slider can stand at 0; the field goes all the way
+  const bounds = { min: Math.ceil((low * factor) / step - 1e-9) * step, max: Math.floor((high * factor) / step + 1e-9) * step, step };
+  const words = `${name}, ${turn ? "degrees" : "millimetres"}`;
+  const range = h("input", { type: "range", "aria-label": words, ...bounds, oninput: () => changed(Number(range.value) / factor) });
+  const field = h("input", { type: "number", "aria-label": `${words}, exactly`, step: "any", onchange: () => {
+    if (field.value !== "" && Number.isFinite(Number(field.value))) changed(Number(field.value) / factor);
+  } });
+  const mute = (kind, text) => h("span", { class: kind, "aria-hidden": "true" }, text);
+  const element = h("div", { class: "slider" }, mute("symbol", symbol), range, field, mute("unit", unit));
+  const set = (value) => {
+    const shown = String(round(value * factor, turn ? 2 : 1));
+    if (Math.abs(Number(range.value) - value * factor) > 1e-9) range.value = value * factor;
+    range.setAttribute("aria-valuetext", `${shown} ${turn ? "degrees" : "millimetres"}`);
+    if (field.value !== shown) field.value = shown;
+    element.classList.toggle("beyond", value < low - 1e-9 || value > high + 1e-9);
+  };
+  return { element, set };
+}
+
+const round = (value, digits) => Number(value.toFixed(digits)) + 0;
+
+export function toggle(text, pressed, changed) {
+  const button = h("button", { type: "button", "aria-pressed": String(pressed), onclick: () => {
+    const now = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", String(now));
+    changed(now);
+  } }, text);
+  return button;
+}
+
+export const button = (text, pressed, properties = {}) => h("button", { type: "button", onclick: pressed, ...properties }, text);
+
+// One of several, as radio buttons in a row: [[value, text], ...].
+export function choice(legend, name, options, value, changed) {
+  const inputs = options.map(([key]) => h("input", { type: "radio", name, value: key, checked: key === value, onchange: () => changed(key) }));
+  const labels = options.map(([, text], k) => h("label", {}, inputs[k], h("span", {}, text)));
+  const element = h("fieldset", { class: "choice" }, h("legend", {}, legend), ...labels);
+  return { element, set: (key) => inputs.forEach((input, k) => { input.checked = options[k][0] === key; }) };
+}
+
+// One slider per joint of an arm; a joint without limits gets a full turn, or the arm's size.
+export function jointSliders(arm, size, host) {
+  const sliders = [...arm.joints].map((letter, i) => {
+    const turn = letter !== "P", free = turn ? Math.PI : size;
+    const [low, high] = arm.limits?.[i] ?? [-free, free];
+    return slider({ symbol: `q${below(i + 1)}`, name: `Joint ${i + 1}`, turn, low, high, changed: (value) => {
+      host.set("q", host.get("q").map((old, k) => (k === i ? value : old)));
+    } });
+  });
+  const zero = button("All joints to 0", () => host.set("q", host.get("q").map(() => 0)));
+  const element = h("fieldset", { class: "sliders" }, h("legend", {}, "Joints"), ...sliders.map((one) => one.element), zero);
+  return { element, set: (q) => sliders.forEach((one, i) => one.set(q[i])) };
+}

@@ -1,0 +1,209 @@
+// Mode "place": bare joint axes. With a kernel the learner chooses among lines, points and directions, and Python judges each step;
+// on a page without one a worked placement is played step by step.
+
+import { button, slider } from "../controls.js";
+import { h, write } from "../dom.js";
+import { below, number, place, vector } from "../format.js";
+import { IDENTITY, along, axis, cross, origin, unit } from "../matrix.js";
+import { DHTable, FramesTable } from "../tables.js";
+
+const ASKS = { z: (i) => `Along which line, and which way, does z${below(i)} run?`, o: (i) => `Where does the origin of {${i}} stand?`,
+  x: (i) => `Which way does x${below(i)} point?` };
+const START = "Place every z, then origin and x, frame by frame. Turn the view to see which line is which.";
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+
+export function placeMode(host, redraw) {
+  const { axes, end, reach } = host.data, n = axes.length - 1;
+  const mode = { size: reach, build, said };
+  const frameTable = new FramesTable(Array.from({ length: n + 1 }, (_, i) => `{${i}}`)), tableHere = h("div");
+  let placed = new Map(), words = "", shownArm = null;
+  const ways = (host.live ? judged : worked)(host, mode, redraw);
+  mode.controls = ways.controls;
+  mode.below = [tableHere];
+  mode.frames = frameTable.element;
+  mode.changed = () => {
+    ({ placed, words } = ways.changed());
+    frameTable.set(Array.from({ length: n + 1 }, (_, i) => frameRow(placed, i)));
+    showTable(ways.arm());
+    redraw();
+  };
+  mode.changed();
+  return mode;
+
+  function said() {
+    return words;
+  }
+
+  function showTable(arm) {
+    if (arm === shownArm) return;
+    shownArm = arm;
+    tableHere.replaceChildren();
+    if (!arm) return;
+    const table = new DHTable(arm, "The finished table");
+    table.update(arm.sign.map(() => 0));
+    tableHere.append(table.element);
+  }
+
+  function build(scene) {
+    const base = { reach: 0.13 * reach, thick: 0.004 * reach };
+    scene.seeThrough(0.45, () => [IDENTITY, end].forEach((T) => [0, 1, 2].forEach((j) => scene.arrow(origin(T), axis(T, j), base.reach, base.thick, "xyz"[j]))));
+    scene.label("base", [0, 0, 0], { color: "quiet", far: true });
+    scene.label("end", origin(end), { color: "quiet", far: true });
+    axes.slice(0, n).forEach((one, k) => drawAxis(scene, one, k + 1, reach));
+    scene.onTop(() => {
+      for (let i = 0; i <= n; i++) drawFrame(scene, placed, i, reach);
+      ways.draw?.(scene);
+    });
+    scene.keep(origin(end), [0, 0, 0]);
+  }
+}
+
+function drawAxis(scene, { p, z, letter }, k, reach) {
+  const ends = [-0.26, 0.26].map((s) => along(p, z, s * reach));
+  scene.line([along(p, z, -0.38 * reach), along(p, z, 0.38 * reach)], { color: "quiet", pixels: 1.1, dash: [10, 3, 2, 3], under: true });
+  scene.joint(p, z, 0.024 * reach, 0.05 * reach, "joint", letter === "P");
+  scene.label(`joint ${k}`, ends[1], { toward: z, color: "quiet", size: 12, far: true, key: `joint${k}` });
+  scene.keep(...ends);
+}
+
+// What is placed of frame i: z as an arrow, the origin as a ball, x, and then y of itself.
+function drawFrame(scene, placed, i, reach) {
+  const [z, o, x] = ["z", "o", "x"].map((letter) => placed.get(letter + i));
+  const at = o ?? placed.get(`on${i}`);
+  if (!z || !at) return;
+  const far = 0.15 * reach, thick = 0.0055 * reach;
+  if (o) scene.ball(o, 2 * thick, "ink");
+  if (o) scene.label(`{${i}}`, o, { far: true, weight: 600, key: `title${i}` });
+  scene.label(`z${below(i)}`, scene.arrow(at, z, far, 1.3 * thick, "z"), { toward: z, color: "z" });
+  if (!x) return;
+  scene.label(`x${below(i)}`, scene.arrow(o, x, far, thick, "x"), { toward: x, color: "x" });
+  scene.label(`y${below(i)}`, scene.arrow(o, cross(z, x), far, thick, "y"), { toward: cross(z, x), color: "y" });
+}
+
+function frameRow(placed, i) {
+  const [z, o, x] = ["z", "o", "x"].map((letter) => placed.get(letter + i));
+  return [`{${i}}`, ...[0, 1, 2].map((k) => (o ? number(o[k] * 1000, 1) : "–")), x ? vector(x) : "–", x && z ? vector(cross(z, x)) : "–", z ? vector(z) : "–"];
+}
+
+// Steps as a map from "z1" to its value; "on1" is a point of z1's line, for as long as its origin is not placed.
+function mapOf(steps, data) {
+  const placed = new Map(steps.map(({ step, value }) => [step, value]));
+  for (let i = 0; i < data.axes.length; i++) {
+    const z = placed.get(`z${i}`), k = data.convention === "standard" ? i : i - 1, own = data.axes[k];
+    if (z && own) placed.set(`on${i}`, own.p);
+  }
+  return placed;
+}
+
+function worked(host, mode, redraw) {
+  const { data } = host, steps = data.worked, word = h("p", { class: "verdict" });
+  const list = h("ol", { class: "steps", tabindex: 0, "aria-label": "Steps" }, ...steps.map(({ step, message }) => h("li", {}, `${pretty(step)}: ${message}`)));
+  const to = (k) => host.set("step", Math.max(0, Math.min(steps.length, k)));
+  const bar = { start: button("To the start", () => to(0)), back: button("◀ Back", () => to(host.get("step") - 1)),
+    on: button("Forward ▶", () => to(host.get("step") + 1)), all: button("To the end", () => to(steps.length)) };
+  return {
+    controls: [h("p", {}, "A worked placement, step by step. With a kernel you place the frames yourself."),
+      h("div", { class: "transport", role: "group", "aria-label": "Play the steps" }, ...Object.values(bar)), word, list],
+    arm: () => (host.get("step") === steps.length ? data.finished : null),
+    changed() {
+      const k = host.get("step");
+      bar.back.disabled = bar.start.disabled = k === 0;
+      bar.on.disabled = bar.all.disabled = k === steps.length;
+      [...list.children].forEach((item, i) => { item.className = i === k - 1 ? "now" : ""; item.hidden = i >= k; });
+      list.scrollTop = list.scrollHeight;
+      const words = k ? `${pretty(steps[k - 1].step)}: ${steps[k - 1].message}` : `${steps.length} steps: every z, then origin and x, frame by frame.`;
+      write(word, words);
+      return { placed: mapOf(steps.slice(0, k), data), words };
+    },
+  };
+}
+
+function judged(host, mode, redraw) {
+  const { data } = host;
+  let answer, chosen = null;
+  const ask = h("legend"), offers = h("fieldset", { class: "choice offers" }, ask), what = h("p", { class: "hint" });
+  const verdict = h("p", { class: "verdict" }), progress = h("p", { class: "hint" });
+  const slide = slider({ symbol: "↔", name: "Along the line of z", turn: false, low: -1.2 * data.reach, high: 1.2 * data.reach,
+    changed: (value) => choose(free(value)) });
+  const submit = button("Place it", () => chosen && host.send({ step: answer.next, value: chosen.value, point: chosen.point }), { class: "submit" });
+  const again = button("Start over", () => host.send({ again: true }));
+  return {
+    controls: [verdict, offers, what, slide.element, h("div", { class: "transport" }, submit, again), progress],
+    arm: () => answer.arm,
+    changed() {
+      answer = host.get("_answer");
+      chosen = null;
+      show();
+      return { placed: mapOf(answer.placed, data), words: spoken() };
+    },
+    draw(scene) {
+      answer.offers.forEach((offer, k) => drawOffer(scene, offer, k));
+      if (chosen && !answer.offers.includes(chosen)) scene.ball(chosen.value, 0.02 * data.reach, "error");
+    },
+  };
+
+  function spoken() {
+    const { said, next } = answer, verdict = said ? `${said.right ? "Right" : "Not yet"}. ${pretty(said.step)}: ${said.message} ` : "";
+    return verdict + (next ? `Next: ${question()}` : "All frames are placed; the table is below.");
+  }
+
+  function question() {
+    return ASKS[answer.next[0]](answer.next.slice(1));
+  }
+
+  function show() {
+    const { said, next, left } = answer;
+    verdict.className = `verdict ${said ? (said.right ? "right" : "wrong") : ""}`;
+    verdict.replaceChildren(...(said ? [h("b", {}, said.right ? "✓ Right. " : "✗ Not yet. "), `${pretty(said.step)}: ${said.message}`] : [START]));
+    offers.hidden = what.hidden = submit.hidden = !next;
+    slide.element.hidden = !next || next[0] !== "o" || !line();
+    progress.textContent = next ? `${left} steps left` : "All frames are placed. Every valid choice gives a right table; yours is below.";
+    if (!next) return;
+    slide.set(0);
+    ask.textContent = question();
+    offers.replaceChildren(ask, ...answer.offers.map((offer, k) => {
+      const input = h("input", { type: "radio", name: "offer", checked: offer === chosen, "aria-label": `${LETTERS[k]}: ${describe(offer)}`, onchange: () => choose(offer) });
+      return h("label", {}, input, h("span", {}, LETTERS[k]));
+    }));
+    choose(chosen);
+  }
+
+  function choose(offer) {
+    chosen = offer;
+    submit.disabled = !offer;
+    write(what, offer ? describe(offer) : "Each letter stands in the view. Choose one, then place it.");
+    redraw();
+  }
+
+  // The line of the z whose origin is asked for, where an origin may be anywhere on it.
+  function line() {
+    const i = Number(answer.next.slice(1)), z = answer.placed.find((one) => one.step === `z${i}`)?.value, own = data.axes[data.convention === "standard" ? i : i - 1];
+    return z && own && own.letter === "R" ? [own.p, z] : null;
+  }
+
+  function free(value) {
+    slide.set(value);
+    for (const input of offers.querySelectorAll("input")) input.checked = false;
+    const [p, z] = line();
+    return { words: "", value: along(p, z, value), point: null };
+  }
+
+  function describe({ words, value }) {
+    return words || (answer.next[0] === "o" ? place(value) : `along ${vector(value)}`);
+  }
+
+  function drawOffer(scene, offer, k) {
+    const here = offer === chosen, color = here ? "error" : "trace", size = 13, weight = here ? 800 : 500, key = `offer${k}`;
+    if (answer.next[0] === "o") {
+      scene.ball(offer.value, (here ? 0.02 : 0.013) * data.reach, color);
+      scene.label(LETTERS[k], offer.value, { color, far: true, size, weight, key });
+      return;
+    }
+    const i = answer.next.slice(1), from = offer.point ?? answer.placed.find((one) => one.step === `o${i}`)?.value ?? [0, 0, 0];
+    const start = answer.next[0] === "z" ? along(from, offer.value, 0.06 * data.reach) : from;
+    const tip = scene.arrow(start, unit(offer.value), 0.22 * data.reach, (here ? 0.008 : 0.0045) * data.reach, color);
+    scene.label(LETTERS[k], tip, { toward: offer.value, color, size, weight, key });
+  }
+}
+
+const pretty = (step) => (step[0] === "o" ? `origin of {${step.slice(1)}}` : step[0] + below(step.slice(1)));

@@ -1,0 +1,38 @@
+// The tables under the view: the DH table as it is now, and the frames for those who read instead of look.
+
+import { Table } from "./dom.js";
+import { SYMBOLS, TITLES, degrees, millimetres, vector } from "./format.js";
+import { COLUMNS, isTurn, rowAt } from "./kinematics.js";
+import { axis, origin } from "./matrix.js";
+
+export function headingsOf(convention) {
+  return COLUMNS.map((kind) => {
+    const behind = convention === "craig" && (kind === "a" || kind === "alpha");
+    return `${SYMBOLS[kind]}${behind ? "ᵢ₋₁" : "ᵢ"}`;
+  });
+}
+
+export class DHTable extends Table {
+  constructor(arm, title = `Table now, ${TITLES[arm.convention]}`) {
+    super(title, ["i", ...headingsOf(arm.convention)], arm.rows.length);
+    this.arm = arm;
+    [...arm.joints].forEach((letter, i) => this.mark(i, letter === "P" ? 2 : 1, "variable"));
+  }
+
+  update(q) {
+    this.set(this.arm.rows.map((_, i) => [String(i + 1), ...rowTexts(rowAt(this.arm, q, i))]));
+  }
+}
+
+export const rowTexts = (row) => COLUMNS.map((kind, k) => (isTurn(kind) ? degrees(row[k]) : millimetres(row[k])));
+
+export class FramesTable extends Table {
+  constructor(titles, caption = "The frames, in the world") {
+    super(caption, ["frame", "x (mm)", "y (mm)", "z (mm)", "x axis", "y axis", "z axis"], titles.length);
+    this.titles = titles;
+  }
+
+  update(poses) {
+    this.set(poses.map((T, k) => [this.titles[k], ...origin(T).map((v) => millimetres(v).slice(0, -3)), ...[0, 1, 2].map((j) => vector(axis(T, j)))]));
+  }
+}

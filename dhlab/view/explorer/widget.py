@@ -1,0 +1,139 @@
+"""``Explorer``: what :func:`dhlab.explore` returns, a widget in a notebook and a picture that moves on a page."""
+
+from pathlib import Path
+
+import anywidget
+import numpy as np
+from traitlets import Dict, Enum, Int, observe, validate
+
+from ...table import CONVENTIONS, DHTable
+from .content import Numbers
+from .page import wrapped
+
+__all__ = ["Explorer"]
+
+MODULE = Path(__file__).with_name("explorer.js")
+
+
+class Explorer(anywidget.AnyWidget):
+    """A 3D view whose state can be read and set from Python; hands on its sliders change the same state.
+
+    Attributes
+    ----------
+    mode : str
+        "arm", "link", "conventions", "compare" or "place".
+    arm : Arm or None
+        The arm shown; in mode "place" the finished one, None until then.
+    q : array (n,)
+        Radians, metres for a prismatic joint. Set it and the view follows.
+    row : array (4,)
+        Mode "link": theta, d, a, alpha as shown, joint variable included; radians and metres.
+    convention : str
+        Mode "link": the order in which the four moves are made; else the arm's.
+    step : int
+        Which move is done (mode "link", 0 to 4), which pose is shown ("compare", from 1), how far a worked placement is ("place").
+
+    Notes
+    -----
+    ``explorer.observe(f, "q")`` calls ``f`` with ``change.new`` whenever q changes, from whichever side; "row", "convention" and "step" likewise.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> explorer = dh.explore(dh.load("article-6r"))
+    >>> explorer.q = [np.pi / 2, 0, 0, 0, 0, 0]
+    >>> float(explorer.table.theta[0])
+    1.5707963267948966
+    """
+
+    _esm = MODULE
+    _data = Dict().tag(sync=True)
+    q = Numbers()
+    row = Numbers()
+    convention = Enum(list(CONVENTIONS), "standard").tag(sync=True)
+    step = Int().tag(sync=True)
+    _answer = Dict().tag(sync=True)
+
+    def __init__(self, mode, arm, data, still, *, state, placing=None):
+        self.mode, self._arm, self._still, self.placing = mode, arm, still, placing
+        self.counts = {"q": len(state["q"]), "row": len(state["row"])}
+        super().__init__(_data=data, **state)
+        if placing is not None:
+            self._answer = placing.answer()
+        self.on_msg(lambda widget, message, buffers: self._heard(message))
+
+    @property
+    def arm(self):
+        """The arm shown; in mode "place" the finished one, None until then."""
+        if self.placing is None:
+            return self._arm
+        return self.placing.placement.arm if self.placing.placement.finished else None
+
+    @property
+    def table(self):
+        """The numbers as they are shown, joint variables included, as a DHTable; in mode "link" one row, in mode "place" None until it is finished."""
+        if self.mode == "link":
+            return DHTable(self.convention, *self.row[:, None], self._arm.table.joints[self._data["index"] - 1])
+        arm = self.arm
+        if arm is None or self.mode == "place":
+            return arm and arm.table
+        moved, table = arm.sign * self.q, arm.table
+        return DHTable(table.convention, table.theta + np.where(table.prismatic, 0, moved), table.d + np.where(table.prismatic, moved, 0), table.a,
+                       table.alpha, table.joints)
+
+    def place(self, step, value, point=None):
+        """Mode "place": make a step as hands would, and see it in the view.
+
+        Parameters
+        ----------
+        step : str
+            "z1", "o1", "x1", ...
+        value : array (3,)
+            A direction for z and x, a point in metres for an origin.
+        point : array (3,), optional
+            A point of the line of z.
+
+        Returns
+        -------
+        Judgement
+        """
+        if self.placing is None:
+            raise ValueError(f'explorer.place: expected mode "place", found {self.mode!r}; open one with dhlab.explore(arm, mode="place")')
+        judgement = self.placing.make(step, value, point)
+        self._answer = self.placing.answer(judgement)
+        return judgement
+
+    @validate("step")
+    def _checked_step(self, proposal):
+        low, high = self._data.get("steps", (0, 0))
+        if not low <= proposal.value <= high:
+            raise ValueError(f"explorer.step: expected a number from {low} to {high}, found {proposal.value}")
+        return proposal.value
+
+    @observe("step")
+    def _stepped(self, change):
+        """The pose that is shown decides where the arm stands."""
+        if "qs" in self._data:
+            self.q = self._data["qs"][change.new - 1]
+
+    def _heard(self, message):
+        """What the view asks for: the still picture, where it has no WebGL; a new start; a step that hands made."""
+        if message.get("still"):
+            self.send({"still": self._still()._repr_mimebundle_()["text/html"]})
+        elif message.get("again"):
+            self.placing.start_over()
+            self._answer = self.placing.answer()
+        else:
+            self.place(message["step"], message["value"], message.get("point"))
+
+    def state(self):
+        """What a page without a kernel starts from."""
+        return {"q": self.q.tolist(), "row": self.row.tolist(), "convention": self.convention, "step": self.step, "_answer": self._answer}
+
+    def __repr__(self):
+        return f"<Explorer, mode {self.mode}: {self._data['title']}>"
+
+    def _repr_mimebundle_(self, *, still=None, **keywords):
+        live, still = super()._repr_mimebundle_(**keywords), still or self._still()._repr_mimebundle_()
+        stored = {"text/html": wrapped(still["text/html"], self._data, self.state()), "text/plain": still["text/plain"]}
+        return ({**live[0], **stored}, live[1]) if isinstance(live, tuple) else {**live, **stored}

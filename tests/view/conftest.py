@@ -1,0 +1,112 @@
+"""Pages with explorers, opened in one Chromium; npm for the tests that build the module or listen as a screen reader would."""
+
+import os
+import shutil
+import subprocess
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+from dhlab.view.explorer.widget import MODULE
+
+SOURCE = Path(MODULE).parent / "js"
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><main><h1>Explorers</h1>{}</main><script type="module">{}
+window.dhlab = {{ forward, frames, widget }};</script>"""
+
+MODEL = """(state) => {
+    const heard = {};
+    const take = (all) => Object.entries(all).forEach(([name, value]) => {
+        const changed = JSON.stringify(state[name]) !== JSON.stringify(value);
+        state[name] = value;
+        if (changed) (heard[`change:${name}`] ?? []).forEach((call) => call());
+    });
+    const model = {
+        get: (name) => state[name], set(name, value) { take({ [name]: value }); window.toPython('set', name, value).then(take); }, save_changes() {},
+        send: (message) => window.toPython('message', '', message).then(take),
+        on: (name, call) => (heard[name] ??= []).push(call), off: (name, call) => { heard[name] = heard[name].filter((one) => one !== call); },
+    };
+    window.close = dhlab.widget.render({ model, el: document.querySelector('main') });
+}"""
+
+
+@pytest.fixture(scope="session")
+def packages(tmp_path_factory):
+    """A copy of the explorer's source with what its lock file names; skipped, saying so, where npm is not there or has no registry."""
+    if shutil.which("npm") is None:
+        _without("npm is not installed")
+    folder = tmp_path_factory.mktemp("npm") / "js"
+    shutil.copytree(SOURCE, folder, ignore=shutil.ignore_patterns("node_modules"))
+    done = subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        _without(f"npm ci failed: {done.stderr.strip().splitlines()[-1:]}")
+    return folder
+
+
+def _without(reason):
+    if os.environ.get("CI"):
+        pytest.fail(f"CI needs npm and a registry: {reason}")
+    pytest.skip(f"{reason}, so the explorer's module was not built again and no page was checked with axe")
+
+
+@pytest.fixture(scope="session")
+def chrome(chromium):
+    from playwright.sync_api import sync_playwright
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def opened(chrome):
+    """``opened(explorer, …)`` is a page without a kernel and without a network that shows them; whatever goes wrong on it fails the test."""
+    pages, faults = [], []
+
+    def get(*explorers, script="", stills=False, **settings):
+        context = chrome.new_context(offline=True, viewport={"width": 1280, "height": 900}, **settings)
+        context.add_init_script(script)
+        page = context.new_page()
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+        page.on("request", lambda request: None if request.url.startswith(("data:", "about:")) else faults.append(f"asked for {request.url}"))
+        module = MODULE.read_text(encoding="utf-8")
+        names = dict(pair.split(" as ")[::-1] for pair in module[module.rindex("export{") + 7:module.rindex("}")].split(","))
+        module += f"\nconst forward = {names['forward']}, frames = {names['frames']}, widget = {names['default']};"
+        page.set_content(PAGE.format("".join(as_html(explorer, stills) for explorer in explorers), module))
+        page.wait_for_function("window.dhlab && [...document.querySelectorAll('.dhlab-explorer')].every((e) => e.explorer)")
+        pages.append(context)
+        return page
+
+    yield get
+    for context in pages:
+        context.close()
+    assert faults == []
+
+
+@pytest.fixture
+def live(opened):
+    """``live(explorer)`` is a page that shows it as a notebook does: what hands do goes to Python, and what Python says comes back."""
+    def get(explorer, **settings):
+        page = opened(**settings)
+        page.expose_function("toPython", lambda kind, name, value: heard(explorer, kind, name, value))
+        page.evaluate(MODEL, explorer.get_state(["_data", "q", "row", "convention", "step", "_answer"]))
+        return page
+    return get
+
+
+def heard(explorer, kind, name, value):
+    """A message or a changed number from the view; returns the state as Python has it now."""
+    if kind == "message":
+        explorer._heard(value)
+    else:
+        explorer.set_state({name: value})
+    return explorer.get_state(["q", "row", "convention", "step", "_answer"])
+
+
+@lru_cache(None)
+def as_html(explorer, stills):
+    """What a notebook stores of an explorer; drawing the still picture takes a while, so that only those get it who look at it."""
+    bundle = explorer._repr_mimebundle_(**({} if stills else {"still": {"text/html": "", "text/plain": ""}}))
+    return (bundle[0] if isinstance(bundle, tuple) else bundle)["text/html"]
