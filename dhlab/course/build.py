@@ -1,6 +1,7 @@
 """Building the course: ``solutions/NN-name.md`` becomes an executed solution and the lesson that is handed out.
 
     python -m dhlab.course.build            # lint, then rebuild everything
+    python -m dhlab.course.build 04         # lint and rebuild one lesson
     python -m dhlab.course.build --check    # say what differs from what is committed, change nothing
 """
 
@@ -12,6 +13,7 @@ from pathlib import Path
 import nbformat
 
 from ..files import write_text
+from ..view.explorer.stored import without_widgets
 from .exercises import exercises
 
 __all__ = ["sources", "read_source", "lesson_notebook", "solution_notebook", "without_outputs", "build", "stale"]
@@ -22,9 +24,20 @@ REGION = re.compile(r"^([ \t]*)### BEGIN SOLUTION\n.*?### END SOLUTION[ \t]*$", 
 KERNEL = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}, "language_info": {"name": "python"}}
 
 
-def sources():
-    """The lessons' sources, in order."""
-    return sorted(SOLUTIONS.glob("[0-9][0-9]-*.md")) if SOLUTIONS.is_dir() else []
+def sources(only=()):
+    """The lessons' sources, in order: all of them, or those named by number.
+
+    Raises
+    ------
+    ValueError
+        A number without a lesson.
+    """
+    found = sorted(SOLUTIONS.glob("[0-9][0-9]-*.md")) if SOLUTIONS.is_dir() else []
+    numbers = [path.name[:2] for path in found]
+    for number in only:
+        if number not in numbers:
+            raise ValueError(f"expected the number of a lesson ({', '.join(numbers)}), found {number!r}; write it with two digits, such as 05")
+    return [path for path in found if not only or path.name[:2] in only]
 
 
 def read_source(path):
@@ -58,21 +71,18 @@ def lesson_notebook(source):
     notebook = nbformat.from_dict(source)
     for cell in notebook.cells:
         if cell.cell_type == "code":
-            cell.source = REGION.sub(_stub, cell.source)
+            given = REGION.sub("", cell.source)
+            todo = "# your answer here: replace the dots" if "..." in given else "# your answer here: change the lines above"
+            cell.source = REGION.sub(lambda region: f"{region[1]}...  # your code here" if region[1] else todo, cell.source)
     return notebook
-
-
-def _stub(match):
-    indent = match[1]
-    return f"{indent}...  # your code here" if indent else "# your answer here: replace the dots"
 
 
 def solution_notebook(source):
     """The notebook with its outputs, from one run from top to bottom."""
     from nbclient import NotebookClient
     notebook = nbformat.from_dict(source)
-    NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(ROOT)}}).execute()
-    for cell in notebook.cells:
+    NotebookClient(notebook, timeout=120, kernel_name="python3", coalesce_streams=True, resources={"metadata": {"path": str(ROOT)}}).execute()
+    for cell in without_widgets(notebook).cells:
         cell.metadata.pop("execution", None)
     notebook.metadata = nbformat.from_dict(source).metadata
     return notebook
@@ -87,16 +97,14 @@ def without_outputs(notebook):
     return bare
 
 
-def build(only=None):
-    """Rebuild lessons and solutions; refuses when the linter finds a broken contract line."""
+def build(only=()):
+    """Rebuild the lessons named by number, or all; refuses when the linter finds a broken contract line in them."""
     from .lint import report
-    table, failures = report()
+    _, failures = report(only)
     if failures:
         raise ValueError("the lessons break their contract, nothing was built:\n" + "\n".join(failures))
     LESSONS.mkdir(exist_ok=True)
-    for path in sources():
-        if only and path.name[:2] not in only:
-            continue
+    for path in sources(only):
         source = read_source(path)
         write_text(LESSONS / f"{path.stem}.ipynb", nbformat.writes(lesson_notebook(source)) + "\n", overwrite=True)
         write_text(SOLUTIONS / f"{path.stem}.ipynb", nbformat.writes(solution_notebook(source)) + "\n", overwrite=True)
@@ -105,10 +113,10 @@ def build(only=None):
     write_text(LESSONS / "glossary.md", glossary.read_text(encoding="utf-8"), overwrite=True)
 
 
-def stale():
+def stale(only=()):
     """Which committed notebooks a rebuild would change (outputs apart)."""
     differing = []
-    for path in sources():
+    for path in sources(only):
         source = read_source(path)
         for committed, wanted in ((LESSONS / f"{path.stem}.ipynb", lesson_notebook(source)), (SOLUTIONS / f"{path.stem}.ipynb", source)):
             found = nbformat.writes(without_outputs(nbformat.read(committed, as_version=4))) if committed.exists() else ""
@@ -126,11 +134,11 @@ def main():
     parser.add_argument("lessons", nargs="*", help="numbers such as 05; all when left out")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
-    if options.check:
-        differing = stale()
-        print("\n".join(f"{name}: not what its source gives; run make lessons" for name in differing) or "all notebooks are what their sources give")
-        sys.exit(bool(differing))
     try:
+        if options.check:
+            differing = stale(options.lessons)
+            print("\n".join(f"{name}: not what its source gives; run make lessons" for name in differing) or "all notebooks are what their sources give")
+            sys.exit(bool(differing))
         build(options.lessons)
     except ValueError as error:
         sys.exit(str(error))

@@ -8,12 +8,12 @@ import numpy as np
 
 from ..arm import Arm
 from ..doctor import catalogue, explain_function, explain_rows
-from ..doctor.calling import CallFault, call_all, is_stub
+from ..doctor.calling import Called, CallFault, call_all, is_stub
 from ..equivalence import equivalent
 from ..table import DHTable
 from .verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
 
-__all__ = ["Exercise", "Value", "Function", "Table", "Choice", "Order", "Prediction", "Option", "UNDECIDED"]
+__all__ = ["Exercise", "Value", "Function", "Table", "Choice", "Order", "PreTest", "Prediction", "Option", "UNDECIDED"]
 
 UNDECIDED = "?"  # "I don't know yet", in every choice
 CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
@@ -21,13 +21,17 @@ CASES = 24  # seeded inputs of a function exercise, and poses of a table exercis
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise:
-    """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right."""
+    """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right.
+
+    ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
+    """
 
     id: str
     title: str
     points: float = 1
     hints: tuple = ()
     praise: str = ""
+    mirrors: str = ""
 
     def rng(self, variant):
         """The generator of this exercise's numbers: the same for the same variant, everywhere."""
@@ -129,7 +133,9 @@ class Function(Exercise):
     """A function to be written, compared with the right one on seeded inputs.
 
     ``draw(rng)`` gives the arguments of one call; ``answer(*case)`` the right result; ``family`` names the wrong versions that
-    the doctor compares with; ``handed_out`` is the broken program of a "smallest fix", which is no attempt as long as it is unchanged.
+    the doctor compares with; ``handed_out`` is the broken program of a "smallest fix", which is no attempt as long as it is unchanged;
+    ``read(answer)`` is the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``: it may call dhlab's own
+    kinematics, which otherwise earns nothing when it is graded.
     """
 
     answer: Callable
@@ -138,6 +144,8 @@ class Function(Exercise):
     family: str
     handed_out: Callable = None
     shape: tuple = (4, 4)
+    read: Callable = np.asarray
+    library: bool = False
     tolerance: float = 1e-9
 
     def cases(self, variant):
@@ -154,11 +162,11 @@ class Function(Exercise):
             return super().judge(None, variant)
 
     def compare(self, answer, variant):
-        if not callable(answer):
+        if not callable(answer) and not isinstance(answer, Called):
             return self.wrong(headline=f"expected the function itself, found {type(answer).__name__}", next="Hand in its name without brackets.")
         cases = self.cases(variant)
         try:
-            answers = call_all(answer, cases, self.shape, self.names)
+            answers = [self.read(given) for given in call_all(answer, cases, self.shape, self.names)]
         except CallFault as fault:
             return self.wrong(fault.mistake, headline=fault.headline, place=fault.place, next=fault.next)
         if self.handed_out and all(np.allclose(a, self.handed_out(*case)) for a, case in zip(answers, cases)):
@@ -177,6 +185,8 @@ class Function(Exercise):
     def _parts(self, answers, expected):
         """Which block of the pose is wrong."""
         difference = np.abs(np.array(answers) - np.array(expected)).max(axis=0)
+        if len(self.shape) == 2 and self.shape != (4, 4):
+            return "wrong in column " + ", ".join(str(j + 1) for j in np.flatnonzero(difference.max(axis=0) > 1e-9))
         if self.shape != (4, 4):
             return "look at each entry"
         R, p = difference[:3, :3].max() > 1e-9, difference[:3, 3].max() > 1e-9
@@ -187,10 +197,11 @@ class Function(Exercise):
 class Table(Exercise):
     """A DH table to be written, in metres and degrees, judged by the arm it describes: every right table passes.
 
-    ``answer`` is the right Arm.
+    ``answer`` is the right Arm; ``mistakes()`` yields (mistake, place, wrong Arm) beyond those of the doctor's :func:`wrong_tables`.
     """
 
     answer: Arm
+    mistakes: Callable = tuple
 
     def poses_at(self, variant):
         """General configurations, (m, n)."""
@@ -217,6 +228,9 @@ class Table(Exercise):
         if difference.max() < 1e-6:
             choices = "; ".join(choice.message for choice in verdict.differences)
             return self.say(RIGHT, f"{self.praise} Yours is another right table than ours: {choices}." if choices else self.praise)
+        for mistake, place, wrong in self.mistakes():
+            if np.allclose(wrong.forward(q), arm.forward(q), rtol=0, atol=1e-6):
+                return self.wrong(mistake, place=place)
         finding = explain_rows(arm, self.answer, q)
         if finding:
             return self.wrong(finding.mistake, place=finding.place)
@@ -293,6 +307,30 @@ class Order(Exercise):
             return self.right()
         known = self.explain(letters)
         return self.wrong(known[0], place=known[1]) if known else self.wrong(headline="not in this order")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PreTest(Exercise):
+    """A question of the pre-test, never marked: every answer is noted and sent to the lesson that treats it.
+
+    ``options`` as in :class:`Choice`; ``lesson`` is the number of the lesson. Whether the answer was right is in the verdict's ``known``,
+    which is kept for the end of the course and not shown.
+    """
+
+    points: float = 0
+    options: Mapping
+    correct: str
+    lesson: str
+    hints: tuple = ("There is nothing to lose here: a guess is welcome, and so is \"?\".", "This is treated later on; the answer's verdict names the lesson.")
+
+    def compare(self, answer, variant):
+        letter = answer.strip().lower() if isinstance(answer, str) else ""
+        if letter not in self.options and letter != UNDECIDED:
+            return self.wrong(headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}', next='Write the letter in quotes, such as "a".')
+        if letter == UNDECIDED:
+            return self.say(RECORDED, "you do not know yet, and that is what the course is for.", next=f"Lesson {self.lesson} answers it.", known=False)
+        option = self.options[letter]
+        return self.say(RECORDED, option.answer, next=f"Lesson {self.lesson} looks into it.", mistake=option.mistake, known=letter == self.correct)
 
 
 @dataclass(frozen=True, kw_only=True)

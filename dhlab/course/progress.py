@@ -9,12 +9,12 @@ from html import escape
 from pathlib import Path
 
 from ..printing import grid_text
-from .verdict import MARKS, NOT_ATTEMPTED, RIGHT, WRONG
+from .verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
 
 __all__ = ["Log", "Progress", "course_folder", "MARKER"]
 
 MARKER = ".dhlab"
-RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RIGHT: 2}
+RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RECORDED: 2, RIGHT: 2}
 
 
 def course_folder():
@@ -33,6 +33,7 @@ class Log:
         """Note a verdict; a folder that cannot be written to costs the learner nothing but the note."""
         entry = {"time": datetime.now(timezone.utc).isoformat(timespec="seconds"), "exercise": verdict.exercise,
                  "status": verdict.status, "mistake": verdict.mistake, "points": verdict.points}
+        entry |= {} if verdict.known is None else {"known": verdict.known}
         self.session.append(entry)
         folder = course_folder()
         if folder is None or verdict.status == NOT_ATTEMPTED:
@@ -56,6 +57,14 @@ class Log:
             if RANK.get(status, -1) >= RANK.get(best.get(key, (None,))[0], -1) and status in RANK:
                 best[key] = (status, entry["points"])
         return best
+
+    def known_at_first(self):
+        """Of each question of the pre-test, whether its first answer was right: {id: bool}."""
+        first = {}
+        for entry in self.entries():
+            if isinstance(entry.get("known"), bool):
+                first.setdefault(entry["exercise"], entry["known"])
+        return first
 
 
 def _read(path):

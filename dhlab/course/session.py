@@ -1,13 +1,14 @@
-"""What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``."""
+"""What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``, ``then_and_now``."""
 
 from difflib import get_close_matches
 from html import escape
 
 from .exercises import exercises
+from .growth import Growth
 from .kinds import Prediction
 from .progress import Log, Progress
 
-__all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant"]
+__all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant", "then_and_now"]
 
 _log = Log()
 _guesses = {}
@@ -126,6 +127,22 @@ def progress(lesson=""):
     if not scored:
         raise ValueError(f'progress: expected the number of a lesson, such as "05", found {lesson!r}')
     return Progress(scored, _log.best())
+
+
+def then_and_now():
+    """The pre-test of lesson 00 beside the post-test of lesson 09, question by question.
+
+    Returns
+    -------
+    Growth
+        Shown as a table; ``.to_dict()`` for programs.
+
+    Examples
+    --------
+    >>> len(then_and_now().to_dict())
+    5
+    """
+    return Growth(exercises(), _log.known_at_first(), _log.best())
 
 
 class Note(str):

@@ -29,6 +29,8 @@ class Verdict:
         The id in the catalogue, when the mistake was recognised.
     points, of : float
         Earned, and possible.
+    known : bool or None
+        Of a pre-test: whether the answer was right, which is not shown.
 
     Examples
     --------
@@ -47,6 +49,7 @@ class Verdict:
     mistake: str | None = None
     points: float = 0
     of: float = 0
+    known: bool | None = None
 
     @property
     def lines(self):

@@ -7,10 +7,11 @@ import inspect
 import io
 import traceback
 import warnings
+from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["is_stub", "call_all", "CallFault"]
+__all__ = ["is_stub", "record", "call_all", "Called", "CallFault"]
 
 
 class CallFault(Exception):
@@ -19,6 +20,19 @@ class CallFault(Exception):
     def __init__(self, headline, place="", next="", mistake=None):
         super().__init__(headline)
         self.headline, self.place, self.next, self.mistake = headline, place, next, mistake
+
+
+@dataclass(frozen=True)
+class Called:
+    """What a function gave when it was called: the answer to every case and, again, to the first; or the fault that stopped it.
+
+    ``unwritten``: it raises NotImplementedError.
+    """
+
+    answers: tuple = ()
+    again: object = None
+    fault: CallFault | None = None
+    unwritten: bool = False
 
 
 def is_stub(f):
@@ -41,12 +55,44 @@ def is_stub(f):
     return steps[0].argval is None or steps[0].argval is Ellipsis
 
 
+def record(f, cases, names):
+    """Call a function on every case, and on the first once more; what goes wrong is noted, not raised.
+
+    Parameters
+    ----------
+    f : callable
+    cases : list of tuples
+    names : sequence of str
+        What the arguments are called, for the messages.
+
+    Returns
+    -------
+    Called
+        Its answers are as the function gave them, of any type and shape.
+
+    Examples
+    --------
+    >>> record(lambda x: x + 1, [(1,), (2,)], ["x"])
+    Called(answers=(2, 3), again=2, fault=None, unwritten=False)
+    """
+    try:
+        _fits(f, names)
+        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            return Called(tuple(_call(f, case, names) for case in cases), _call(f, cases[0], names))
+    except CallFault as fault:
+        return Called(fault=fault)
+    except NotImplementedError:
+        return Called(unwritten=True)
+
+
 def call_all(f, cases, shape, names):
     """The answers of ``f`` to every case, each of the given shape and finite.
 
     Parameters
     ----------
-    f : callable
+    f : callable or Called
+        Or what :func:`record` noted of one, with the same cases, somewhere else.
     cases : list of tuples
     shape : tuple
         What every answer must have.
@@ -62,13 +108,13 @@ def call_all(f, cases, shape, names):
     CallFault
         The function stops, returns nothing or something of another shape, changes its inputs, or answers differently the second time.
     """
-    _fits(f, names)
-    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        answers = [_call(f, case, names) for case in cases]
-        again = _call(f, cases[0], names)
-    arrays = [_as_array(answer, shape, case, names) for answer, case in zip(answers, cases)]
-    if not np.array_equal(arrays[0], _as_array(again, shape, cases[0], names)):
+    called = f if isinstance(f, Called) else record(f, cases, names)
+    if called.unwritten:
+        raise NotImplementedError
+    if called.fault:
+        raise called.fault
+    arrays = [_as_array(answer, shape, case, names) for answer, case in zip(called.answers, cases, strict=True)]
+    if not np.array_equal(arrays[0], _as_array(called.again, shape, cases[0], names)):
         raise CallFault("the second call with the same numbers gives another answer", _shown(cases[0], names),
                         "Start from np.eye(4) inside the function, and change nothing that lives outside it.", "state-between-calls")
     return arrays
@@ -127,8 +173,9 @@ def _as_array(answer, shape, case, names):
     if array.shape != shape:
         found = "×".join(map(str, array.shape)) or "a single number"
         mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
+        turned = "Rows and columns have changed places: return the transpose." if array.shape == shape[::-1] else "Print the shape of what you return."
         raise CallFault(f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}", _shown(case, names),
-                        "A pose needs its fourth row, 0 0 0 1." if mistake else "Print the shape of what you return.", mistake)
+                        "A pose needs its fourth row, 0 0 0 1." if mistake else turned, mistake)
     if not np.isfinite(array).all():
         raise CallFault("the answer holds NaN or infinity", _shown(case, names), "Look for a division by zero or a square root of a negative number.")
     return array

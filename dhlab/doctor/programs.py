@@ -8,12 +8,19 @@ from ..transform import inverse, pose_fault
 from .catalogue import catalogue
 from .finding import find
 from .slipsearch import search
+from .wrong_branches import WRONG_BRANCHES
+from .wrong_craig import WRONG_CRAIG
+from .wrong_jacobians import WRONG_ERRORS, WRONG_JACOBIANS
 from .wrong_links import WRONG_COMPOSE, WRONG_LINKS, WRONG_ROT_X
 from .wrong_products import WRONG_PRODUCTS
+from .wrong_solvers import WRONG_SOLVERS
 
 __all__ = ["explain_function", "explain_all", "WRONG_VERSIONS"]
 
-WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE}
+WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE,
+                  "craig_transform": WRONG_CRAIG}
+NUMBERS = {"jacobian": WRONG_JACOBIANS, "pose_error": WRONG_ERRORS, "inverse_kinematics": WRONG_SOLVERS, "branches": WRONG_BRANCHES}  # of no poses
+WRONG_VERSIONS |= NUMBERS
 PARAMETERS = ("theta", "d", "a", "alpha", "q")
 ROUNDED = 0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
 
@@ -59,6 +66,9 @@ def _named(finding):
 
 def explain_all(answers, expected, cases, kind, tolerance=1e-9):
     """All the mistakes that together explain the answers, a tuple of Findings; parameters as :func:`explain_function`."""
+    if kind in NUMBERS:
+        found = _wrong_version(answers, cases, kind)
+        return (found,) if found else ()
     if any(np.shape(answer) != (4, 4) for answer in answers):
         return (find("last-row-missing"),) if all(np.shape(answer) == (3, 4) for answer in answers) else ()
     answers, expected = np.array(answers), np.array(expected, dtype=float)

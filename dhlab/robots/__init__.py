@@ -12,8 +12,9 @@ from ..arm import Arm
 from ..plainyaml import fields, number, text
 from ..tablefile import read_arm
 from ..tableyaml import ARM_KEYS, arm_from_item, read_limits
+from .examples import example
 
-__all__ = ["load", "robots", "entry", "Entry", "CheckPose"]
+__all__ = ["load", "robots", "entry", "example", "Entry", "CheckPose"]
 
 FOLDER = Path(__file__).parent
 EXTRA_KEYS = {"note", "checks"}  # what a library table says beyond a table file

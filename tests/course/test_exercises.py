@@ -4,6 +4,7 @@ import inspect
 
 import numpy as np
 import pytest
+from right_ways_08 import RIGHT_WAYS
 
 import dhlab as dh
 from dhlab.course import check
@@ -136,7 +137,8 @@ RIGHT_FUNCTIONS = {
     "01.4": [lambda A, B: A @ B, lambda A, B: np.dot(A, B).tolist(), lambda A, B: np.block([[A[:3, :3] @ B[:3, :3], A[:3, :3] @ B[:3, 3:] + A[:3, 3:]], [np.zeros((1, 3)), 1]])],
     "05.1": [lambda al: closed(0, 0, 0, al), lambda al: np.array(closed(0, 0, 0, al)), lambda al: by_blocks(0, 0, 0, al)],
     "05.4": [closed, by_blocks, as_complex], "05.6": [closed, by_blocks, as_complex], "05.7": [closed, by_blocks, as_complex],
-    "06.2": [recursive, with_reduce, with_the_library], "06.7": [recursive, with_reduce, with_the_library],
+    "06.2": [recursive, with_reduce, with_the_library], "06.7": [recursive, with_reduce, with_the_library], "07.2": [recursive, with_reduce, with_the_library], "09.8": [recursive, with_reduce, with_the_library],
+    **RIGHT_WAYS,
 }
 
 

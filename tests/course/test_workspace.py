@@ -98,7 +98,7 @@ def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
 def test_a_wheel_holds_all_it_needs(tmp_path):
     subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(tmp_path), str(ROOT)], check=True, capture_output=True)
     names = zipfile.ZipFile(next(tmp_path.glob("dhlab-*.whl"))).namelist()
-    for wanted in ("dhlab/robots/ur5e.yaml", "dhlab/doctor/catalogue.yaml", "dhlab/lessons/01-frames.ipynb", "dhlab/lessons/glossary.md", "dhlab/course/exercises/lesson05.py"):
+    for wanted in ("dhlab/robots/ur5e.yaml", "dhlab/robots/files/ur5e.urdf", "dhlab/robots/files/README.md", "dhlab/doctor/catalogue.yaml", "dhlab/lessons/01-frames.ipynb", "dhlab/lessons/glossary.md", "dhlab/course/exercises/lesson05.py"):
         assert wanted in names, wanted
     assert not any(name.startswith(("tests/", "solutions/")) for name in names)
 

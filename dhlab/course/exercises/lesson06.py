@@ -67,6 +67,12 @@ def _explain_labels(letters):
     return "length-value", ", ".join(wrong)
 
 
+def _explain_structures(letters):
+    arms = ("the article's arm", "the UR5e", "the AR4", "the Piper")
+    wrong = [arm for arm, letter, wanted in zip(arms, letters, "cabb") if letter != wanted]
+    return ("structure-from-prose" if wrong[0] in arms[:2] else "standard-rows-in-craig-matrix"), ", ".join(wrong)
+
+
 EXERCISES = [
     Order(id="06.1", title="What each length is on the arm", length=5, items={
         "a": "the forearm", "b": "the height of the shoulder above the base", "c": "from the wrist's centre to the tool point",
@@ -119,7 +125,12 @@ EXERCISES = [
                "b": Option("an error: the pose cannot be reached", "No matrix of the product knows about end stops.", "limits-in-forward"),
                "c": Option("a pose, but a wrong one: so the table can be checked this way", "The pose is right for those angles. It says nothing about the table.", "limits-in-forward"),
            }),
-    Value(id="06.9", title="An arm you have not seen", points=3, draw=_draw_unseen, answer=_unseen_pose, mistakes=_wrong_unseen, tolerance=1e-6,
+    Order(id="06.9", title="Structures of four arms", length=4, items={
+        "a": "axes 2, 3, 4 are parallel", "b": "axes 4, 5, 6 meet in one point", "c": "both of these", "d": "neither of these"},
+        accepts=lambda letters: letters == ["c", "a", "b", "b"], explain=_explain_structures,
+        praise="Parallel axes come from α, meeting ones from lengths that are 0. The UR5e has a length where the others have none.",
+        hints=("Two rows decide the first question: α2 and α3. Are both 0?", "For the second look at a4, a5 and d5 of the standard rows. On which arm is one of them not 0?")),
+    Value(id="06.10", title="An arm you have not seen", points=3, draw=_draw_unseen, answer=_unseen_pose, mistakes=_wrong_unseen, tolerance=1e-6,
           praise="An ABB IRB 120, with two offsets in its table, by your own program.",
           hints=("Which columns of the rows are in degrees, and which unit has q?", "Both angle columns and q go through np.deg2rad; the offsets stay in the rows.")),
 ]

@@ -1,0 +1,220 @@
+"""Lesson 03, standard against Craig: where the frames sit, the order of the moves, telling published tables apart, converting."""
+
+from itertools import permutations
+
+import numpy as np
+
+from ...arm import Arm
+from ...doctor.wrong_craig import craig, in_order
+from ...doctor.wrong_links import standard
+from ...robots import load
+from ...table import DHTable
+from ..kinds import Choice, Function, Option, Order, Prediction, Value
+from .drawn_table import DrawnTable, numbers
+
+__all__ = ["EXERCISES"]
+
+MOVES = {"a": "Rz", "b": "Tz", "c": "Tx", "d": "Rx"}
+SIDES = ["c", "s", "c", "c", "s", "s"]      # 03.1
+PUBLISHED = ["c", "s", "s", "c", "s", "c"]  # 03.5
+REASONS = ["a", "b", "c", "d", "e"]         # 03.6
+UNSEEN = ("piper", "irb120")
+
+
+def _orders_of(matrix):
+    row = 0.3, 0.2, 0.4, 0.5
+    return [list(letters) for letters in permutations("abcd") if np.allclose(in_order([MOVES[k] for k in letters], *row), matrix(*row))]
+
+
+CRAIG_ORDERS, STANDARD_ORDERS = _orders_of(craig), _orders_of(standard)
+
+
+def _explain_sides(letters):
+    wrong = [str(k) for k, (letter, right) in enumerate(zip(letters, SIDES), 1) if letter != right]
+    return "frame-at-other-end", "all six: the two have changed places" if len(wrong) == 6 else f"statement {', '.join(wrong)}"
+
+
+def _explain_order(letters):
+    if letters in STANDARD_ORDERS:
+        return "craig-rows-in-standard-matrix", "this order gives the standard matrix"
+    if len(set(letters)) < 4:
+        return "order-taken-for-free", "each move stands there once"
+    return "order-taken-for-free", "a turn and a shift across its axis have changed places"
+
+
+def _explain_published(letters):
+    wrong = [str(k) for k, (letter, right) in enumerate(zip(letters, PUBLISHED), 1) if letter != right]
+    return "convention-guessed", "all six: the two have changed places" if len(wrong) == 6 else f"table {', '.join(wrong)}"
+
+
+def _explain_reasons(letters):
+    wrong = [str(k) for k, (letter, right) in enumerate(zip(letters, REASONS), 1) if letter != right]
+    return "tables-differ-otherwise", f"pair {', '.join(wrong)}"
+
+
+def _draw_row(rng):
+    """One row without zeros and right angles, radians and metres."""
+    return tuple(rng.uniform(0.2, 1.3, 4) * rng.choice([-1, 1], 4) * [1, 0.4, 0.4, 1])
+
+
+def _draw_rows(rng, n):
+    """n rows as somebody would publish them, degrees and metres; every a and alpha differs from its neighbours'."""
+    d, a = rng.permutation(np.arange(10, 45, 5))[:n] / 100, rng.permutation(np.arange(12, 47, 5))[:n] / 100
+    alpha = rng.permutation([90.0, -90.0, 60.0, -60.0, 30.0])[:n]
+    theta = rng.permutation([0.0, 90.0, -90.0, 180.0, 0.0])[:n]
+    return np.column_stack([theta, d, a * rng.choice([-1, 1], n), alpha])
+
+
+def _draw_standard(rng):
+    return {"rows": _draw_rows(rng, 3).tolist()}
+
+
+def _to_craig(rows):
+    return Arm(DHTable.standard(rows, angle="deg")).to("craig")
+
+
+def _half_to_craig(rows):
+    given, right = np.array(rows), np.array(numbers(_to_craig(rows).table))
+    yield "conversion-incomplete", "the rows are unchanged", given
+    yield "conversion-incomplete", "α moved, a did not", np.column_stack([given[:, :3], right[:, 3]])
+    yield "conversion-incomplete", "a moved, α did not", np.column_stack([right[:, :3], given[:, 3]])
+    yield "conversion-incomplete", "θ and d moved as well; they stay in their rows", np.vstack([np.zeros(4), given[:-1]])
+    yield "conversion-incomplete", "the pairs moved up; from standard to Craig they move down", _shifted(given, -1)
+    yield "conversion-incomplete", "the last pair came back in row 1; it belongs into the tool", np.column_stack([given[:, :2], np.roll(given[:, 2:], 1, axis=0)])
+    yield "conversion-incomplete", "θ and d moved, a and α did not", np.column_stack([np.roll(given[:, :2], 1, axis=0), given[:, 2:]])
+
+
+def _shifted(rows, step):
+    """a and alpha moved by one row, down (1) or up (-1), zeros in the row that is left empty."""
+    moved = np.roll(rows[:, 2:], step, axis=0)
+    moved[0 if step > 0 else -1] = 0
+    return np.column_stack([rows[:, :2], moved])
+
+
+def _draw_craig(rng):
+    rows = _draw_rows(rng, 4)
+    rows[0, 2:] = 0
+    return {"rows": rows.tolist()}
+
+
+def _to_standard(rows):
+    return Arm(DHTable.craig(rows, angle="deg")).to("standard")
+
+
+def _half_to_standard(rows):
+    given, right = np.array(rows), np.array(numbers(_to_standard(rows).table))
+    yield "conversion-incomplete", "the rows are unchanged", given
+    yield "conversion-incomplete", "α moved, a did not", np.column_stack([given[:, :3], right[:, 3]])
+    yield "conversion-incomplete", "a moved, α did not", np.column_stack([right[:, :3], given[:, 3]])
+    yield "conversion-incomplete", "the pairs moved down; from Craig to standard they move up", _shifted(given, 1)
+    yield "conversion-incomplete", "θ and d moved as well; they stay in their rows", np.vstack([given[1:], np.zeros(4)])
+    yield "conversion-incomplete", "the last row keeps a pair; nothing comes after it", np.vstack([right[:-1], given[-1]])
+
+
+def _draw_broken(rng):
+    """A standard table and its conversion in which a stayed where it was."""
+    rows = _draw_rows(rng, 4)
+    rows[-1, 2:] = 0
+    converted = np.array(numbers(_to_craig(rows).table))
+    return {"standard": rows.tolist(), "converted": np.column_stack([converted[:, :2], rows[:, 2], converted[:, 3]]).tolist()}
+
+
+def _repaired(standard, converted):
+    return _to_craig(standard)
+
+
+def _badly_repaired(standard, converted):
+    yield from _half_to_craig(standard)
+    yield "conversion-incomplete", "both columns moved, α for the second time", _shifted(np.array(converted), 1)
+
+
+def _draw_unseen(rng):
+    arm = load(str(rng.choice(UNSEEN)))
+    q_check, q = rng.integers(15, 75, (2, len(arm))) * rng.choice([-1, 1], (2, len(arm)))
+    return {"rows": numbers(arm.table), "q_check": q_check.tolist(), "p_check": arm.forward(np.deg2rad(q_check))[:3, 3].round(3).tolist(), "q": q.tolist()}
+
+
+def _read_as(convention, rows, angle="deg"):
+    return Arm(getattr(DHTable, convention)(rows, angle=angle))
+
+
+def _convention_of(rows, q_check, p_check):
+    return min(("standard", "craig"), key=lambda name: np.linalg.norm(_read_as(name, rows).forward(np.deg2rad(q_check))[:3, 3] - p_check))
+
+
+def _unseen_point(rows, q_check, p_check, q):
+    return _read_as(_convention_of(rows, q_check, p_check), rows).forward(np.deg2rad(q))[:3, 3]
+
+
+def _wrong_points(rows, q_check, p_check, q):
+    right = _convention_of(rows, q_check, p_check)
+    arm, angles = _read_as(right, rows), np.deg2rad(q)
+    mistake, other = ("craig-rows-in-standard-matrix", "standard") if right == "craig" else ("standard-rows-in-craig-matrix", "craig")
+    T = arm.forward(angles)
+    yield mistake, "the check pose does not fit this reading", _read_as(other, rows).forward(angles)[:3, 3]
+    yield "joint-values-unused", "this is the point at q = 0", arm.forward(0 * angles)[:3, 3]
+    yield "degrees-in-sin-cos", "q went in in degrees", arm.forward(np.array(q, dtype=float))[:3, 3]
+    yield "degrees-in-sin-cos", "the rows were read as radians", _read_as(right, rows, "rad").forward(angles)[:3, 3]
+    yield "offset-missing", "", _read_as(right, np.array(rows) * [0, 1, 1, 1]).forward(angles)[:3, 3]
+    yield "offset-subtracted", "all joints", arm.forward(-angles)[:3, 3]
+    yield "conversion-incomplete", "the rows were converted and then read in the convention they came from", _read_as(right, numbers(arm.to(other).table)).forward(angles)[:3, 3]
+    yield "conversion-incomplete", "the rows were converted, and base or tool forgotten", _read_as(other, numbers(arm.to(other).table)).forward(angles)[:3, 3]
+    yield "length-unit", "", 1000 * T[:3, 3]
+    yield "rotation-block-misread", "this is the end's z arrow", T[:3, 2]
+    yield "rotation-block-misread", "this is the last row of the rotation", T[2, :3]
+    yield "pose-inverted", "", -T[:3, :3].T @ T[:3, 3]
+
+
+EXERCISES = [
+    Prediction(id="03.P1", title="Joint 2 turns alone", options={
+        "a": "both origins {2} move", "b": "only the standard origin {2} moves", "c": "only Craig's origin {2} moves"}, correct="b",
+        outcome="Craig's {2} sits on the axis of joint 2, and what lies on the axis stays. The standard {2} sits at the far end of the link and swings."),
+    Order(id="03.1", title="Whose frame is it", length=6, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == SIDES, explain=_explain_sides,
+          praise="Far end for the standard convention, near end for Craig's; the rest follows.", hints=(
+              "Link i runs from the axis of joint i to the axis of joint i+1. Which convention bolts its plate to which end?",
+              "Craig's z carries the number of its own joint. With the far end, the next joint's axis is z.")),
+    Order(id="03.2", title="Craig's four moves in order", items={"a": "Rz(θ)", "b": "Tz(d)", "c": "Tx(a)", "d": "Rx(α)"}, accepts=lambda letters: letters in CRAIG_ORDERS,
+          explain=_explain_order, praise="Five of the 24 orders give Craig's matrix, and yours is one of them.", hints=(
+              "From near end to near end: first along the link before, then about the own joint. Which two moves belong to the link?",
+              "Both x moves come before Rz(θ).")),
+    Function(id="03.3", title="craig_transform", points=2, draw=_draw_row, answer=craig, names=("theta", "d", "a", "alpha"), family="craig_transform",
+             praise="The same four moves, the other way about.", hints=(
+                 "Multiply the four moves in the order of the last exercise, from left to right.", "Link first: the two x moves. Then the joint: the two z moves.")),
+    Prediction(id="03.P2", title="The same rows in Craig's matrix, at q = 0", options={
+        "a": "everything differs", "b": "the rotation is right, and one sign of the position differs", "c": "nothing differs"}, correct="b",
+        outcome="the rotation is right and the position is (0.75, -0.2, -0.1) where (0.75, -0.2, 0.1) belongs. Away from q = 0 nothing agrees any more."),
+    Choice(id="03.4", title="Why the same numbers are another arm", correct="a", hints=(
+        "Write the two link matrices side by side. Which moves come before the joint's turn?", "Row 1: does joint 1 tip over when α1 acts before its turn?"),
+        options={
+            "a": Option("in Craig's matrix a and α act before the joint turns, so they must be those of the link before", "So each joint got the wrong link in front of it: "
+                        "joint 1 was tipped by α1 = 90° and turned about a level axis."),
+            "b": Option("Craig counts angles clockwise", "Both count by the right hand.", "all-joints-left-handed"),
+            "c": Option("only the base frame is another: one constant base pose repairs it", "No constant base and tool repair it: the joints' axes themselves stand wrong.",
+                        "base-turned"),
+            "d": Option("the order of moves does not matter, the rows must have been mistyped", "The rows are letter by letter those of the maker. The order does matter.", "order-taken-for-free"),
+        }),
+    Order(id="03.5", title="Published tables to classify", points=2, length=6, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == PUBLISHED,
+          explain=_explain_published, praise="All six. A habit of tables, and a good first guess.", hints=(
+              "What comes before joint 1, and what after the last joint? Mostly nothing.",
+              "Craig's row 1 holds the link before joint 1, the standard last row the link after the last joint: there the zeros stand.")),
+    Order(id="03.6", title="Why two published tables differ", points=2, length=5, items={
+        "a": "another convention, the same arm", "b": "a hand is counted in", "c": "a slip of two digits", "d": "another zero pose",
+        "e": "a joint counted the other way", "f": "they describe different robots"}, accepts=lambda letters: letters == REASONS, explain=_explain_reasons,
+        praise="One of five was the convention. Ask what differs before you convert.", hints=(
+            "Let dh.equivalent speak: it names the first joint that differs, or what would make the two one arm.",
+            "Read each sentence to its end: a tool, 0.3 mm, a joint's zero, a joint's direction, or nothing but the convention.")),
+    DrawnTable(id="03.7", title="From standard to Craig", points=2, draw=_draw_standard, arm=_to_craig, slips=_half_to_craig,
+               praise="θ and d stayed, the pairs moved down, the last one is the tool's.", hints=(
+                   "θ and d belong to the joint and stay. a and α belong to the link: in which row does Craig write the link behind joint 1?",
+                   "Row 1 has no link before it: zeros. Row 2 holds the pair of link 1, row 3 that of link 2.")),
+    DrawnTable(id="03.8", title="From Craig to standard", points=2, draw=_draw_craig, arm=_to_standard, slips=_half_to_standard,
+               praise="The pairs moved up, and zeros stand in the last row.", hints=(
+                   "The other way round: which way do the pairs move now?", "Row i of the standard table takes a and α from row i+1. What comes after the last row?")),
+    DrawnTable(id="03.9", title="The smallest fix: a table half converted", draw=_draw_broken, arm=_repaired, slips=_badly_repaired,
+               handed_out=lambda standard, converted: converted, praise="One column. A half-converted table looks as tidy as a right one.", hints=(
+                   "Compare the two tables column by column. Which columns stayed, and which of them should have?",
+                   "α has moved down one row. Its partner has not.")),
+    Value(id="03.10", title="A table with no name on it", points=3, draw=_draw_unseen, answer=_unseen_point, mistakes=_wrong_points, entries=("x", "y", "z"),
+          praise="One check pose settled what no looking at the rows could.", hints=(
+              "Make the arm twice, once in each convention, and see which of them meets p_check at q_check.", "Both the rows and q are in degrees; forward takes radians.")),
+]

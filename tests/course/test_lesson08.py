@@ -1,0 +1,247 @@
+"""Lesson 08: its right answers against independent judges, what its wrong answers are told, and the other libraries."""
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+from oracles import elementary_pose, pose_errors
+from right_ways_08 import RIGHT_WAYS, frames_of
+from scipy.linalg import expm
+
+import dhlab as dh
+from dhlab.course import othersolvers
+from dhlab.course.exercises import exercises
+from dhlab.course.othersolvers import LIBRARIES, STORED, STORED_FROM, STORED_TO, other_solvers
+from dhlab.doctor import catalogue
+from dhlab.doctor.programs import WRONG_VERSIONS
+from dhlab.doctor.wrong_branches import branches, in_order
+from dhlab.doctor.wrong_jacobians import geometric_jacobian, pose_error
+from dhlab.doctor.wrong_solvers import damped_step, inverse_kinematics, wrapped
+
+LESSON = {key: e for key, e in exercises().items() if key.startswith("08.")}
+ARM = dh.load("article-6r")
+FUNCTIONS = ["08.2", "08.4", "08.6", "08.8"]
+
+
+def by_differences(pose, q, h=1e-6):
+    """v above ω, from nothing but poses."""
+    columns = []
+    for k in range(len(q)):
+        step = h * np.eye(len(q))[k]
+        rate = (pose(q + step) - pose(q - step)) / (2 * h)
+        spin = rate[:3, :3] @ pose(q)[:3, :3].T
+        columns.append([*rate[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
+    return np.array(columns).T
+
+
+# ---- what the exercises hold to be right
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_jacobian_is_the_derivative_of_the_pose(seed):
+    rng = np.random.default_rng(seed)
+    n = int(rng.integers(3, 8))
+    table = dh.DHTable.standard(rng.uniform(-1, 1, (n, 4)), angle="rad", joints=rng.choice(["R", "P"], n).tolist())
+    base, tool = (dh.transform.from_xyz_rpy(*rng.uniform(-1, 1, (2, 3))) for _ in range(2))
+    arm, q = dh.Arm(table, base=base, tool=tool), rng.uniform(-1, 1, n)
+    J = geometric_jacobian(arm.frames(q), arm.forward(q), table.prismatic)
+    assert np.allclose(J, by_differences(lambda x: base @ elementary_pose(table, x) @ tool, q), atol=1e-8)
+
+
+def test_the_pose_error_carries_the_pose_to_the_goal():
+    for T, T_goal in LESSON["08.4"].cases(0):
+        e = pose_error(T, T_goal)
+        W = np.array([[0, -e[5], e[4]], [e[5], 0, -e[3]], [-e[4], e[3], 0]])
+        assert np.allclose(expm(W) @ T[:3, :3], T_goal[:3, :3]) and np.allclose(T[:3, 3] + e[:3], T_goal[:3, 3])
+
+
+def test_the_damped_step_keeps_its_bargain():
+    rng = np.random.default_rng(1)
+    for _ in range(5):
+        J, e, damping = rng.normal(size=(6, 7)), rng.normal(size=6), rng.uniform(0.05, 0.5)
+        best = np.linalg.lstsq(np.vstack([J, damping * np.eye(7)]), np.hstack([e, np.zeros(7)]), rcond=None)[0]
+        assert np.allclose(damped_step(J, e, damping), best)
+
+
+@pytest.mark.parametrize("name", ["article-6r", "ur5e", "irb120"])
+def test_the_solver_arrives(name):
+    arm, rng = dh.load(name), np.random.default_rng(2)
+    for _ in range(4):
+        q = rng.uniform(0.3, 1.0, 6) * rng.choice([-1, 1], 6)
+        T_goal = elementary_pose(arm.table, q)
+        found = inverse_kinematics(arm.table.rows, T_goal, q + rng.uniform(-0.3, 0.3, 6), 0.03, 60)
+        assert max(pose_errors(elementary_pose(arm.table, found), T_goal)) < 1e-6
+
+
+def test_all_eight_branches_reach_the_pose_and_there_are_no_others():
+    rng = np.random.default_rng(3)
+    (T,) = LESSON["08.8"].cases(0)[0]
+    eight = branches(T)
+    assert all(max(pose_errors(elementary_pose(ARM.table, q), T)) < 1e-9 for q in eight)
+    apart = np.abs(wrapped(eight[:, None] - eight[None])).max(axis=-1) + 9 * np.eye(8)
+    assert apart.min() > 0.05
+    found = [inverse_kinematics(ARM.table.rows, T, rng.uniform(-3, 3, 6), 0.1, 150) for _ in range(30)]
+    arrived = [q for q in found if max(pose_errors(elementary_pose(ARM.table, q), T)) < 1e-6]
+    nearest = [int(np.abs(wrapped(eight - q)).max(axis=1).argmin()) for q in arrived]
+    assert len(arrived) >= 15 and len(set(nearest)) >= 6
+    assert all(np.abs(wrapped(eight[k] - q)).max() < 1e-4 for k, q in zip(nearest, arrived))
+
+
+def test_the_numbers_in_the_text_are_true():
+    assert [np.linalg.matrix_rank(by_differences(lambda x: elementary_pose(ARM.table, x), np.deg2rad(q)), tol=1e-6)
+            for q in ([0] * 6, [0, 40, -60, 50, 0, 0], [0, 40, -60, 50, 40, 0])] == [4, 5, 6]
+    cup, low = np.deg2rad([30, 60, -80, -30, 40, 0]), np.deg2rad([30, -13.599, 80, -116.401, 40, 0])
+    T = elementary_pose(ARM.table, cup)
+    assert np.allclose(elementary_pose(ARM.table, low), T, atol=5e-5)
+    cut = elementary_pose(ARM.table, low * [1, 0, 1, 1, 1, 1])
+    assert np.linalg.norm(cut[:3, 3] - T[:3, 3]) == pytest.approx(0.13, abs=0.005)
+    wrist = np.array(frames_of(ARM.table.rows, np.deg2rad([0, 40, -60, 50, 0, 0])))[3][:3, 3] - [0, 0, 0.1]
+    assert 0.75 - np.linalg.norm(wrist) == pytest.approx(0.10, abs=0.005)
+    assert 10 / np.sin(np.deg2rad(1)) == pytest.approx(572, abs=1.5)
+
+
+# ---- right answers pass, wrong ones are named
+
+def test_values_by_another_way_pass():
+    for variant in range(6):
+        q = np.deg2rad(LESSON["08.1"].given(variant)["q"])
+        column = by_differences(lambda x: elementary_pose(ARM.table, x), q)[:, 2]
+        assert all(LESSON["08.1"].judge(answer, variant).status == "right" for answer in (column, column.tolist(), tuple(column.round(5))))
+        given, arm = LESSON["08.9"].given(variant), dh.load("stanford")
+        q = np.where(arm.table.prismatic, given["q"], np.deg2rad(given["q"]))
+        J = by_differences(lambda x: elementary_pose(arm.table, x), q)
+        speeds = np.linalg.lstsq(J, [*given["v"], 0, 0, 0], rcond=None)[0]
+        assert all(LESSON["08.9"].judge(answer, variant).status == "right" for answer in (speeds, speeds.tolist(), tuple(speeds.round(5))))
+
+
+@pytest.mark.parametrize("key", ["08.1", "08.9"])
+def test_ten_wrong_values_and_more_are_named(key):
+    exercise = LESSON[key]
+    for variant in range(6):
+        given = exercise.given(variant)
+        right = exercise.answer(**given)
+        wrong = [value for _, _, value in exercise.mistakes(**given) if not np.allclose(value, right, rtol=2e-3, atol=2e-3)]
+        verdicts = [exercise.judge(value, variant) for value in wrong]
+        assert len(wrong) >= 20 and all(v.status == "wrong" and v.mistake for v in verdicts)
+        assert len({v.mistake for v in verdicts}) >= 10
+
+
+@pytest.mark.parametrize("key", FUNCTIONS)
+def test_each_function_knows_ten_mistakes_and_three_right_ways(key):
+    versions = WRONG_VERSIONS[LESSON[key].family]
+    assert len({mistake for mistake, _, _ in versions}) >= 10 and len(RIGHT_WAYS[key]) >= 3
+    assert {mistake for mistake, _, _ in versions} <= catalogue().keys()
+
+
+def _noise(key):
+    """Answers of the right shape that no known mistake gives."""
+    shape = LESSON[key].shape
+    return lambda *case: np.sin(np.arange(1, 1 + np.prod(shape))).reshape(shape) * np.sum(np.asarray(case[0])) / 7
+
+
+@pytest.mark.parametrize("key", FUNCTIONS)
+def test_what_is_not_known_is_wrong_without_a_name(key):
+    verdict = LESSON[key].judge(_noise(key))
+    assert verdict.status == "wrong" and verdict.mistake is None and verdict.place
+
+
+def test_a_jacobian_on_its_side_is_told_to_turn():
+    verdict = LESSON["08.2"].judge(lambda *case: np.transpose(geometric_jacobian(*case)))
+    assert verdict.status == "wrong" and "5×6" in verdict.headline and "transpose" in verdict.next
+
+
+def test_a_solver_that_changes_its_start_is_told_so():
+    def spoils(rows, T_goal, q, damping, steps):
+        q += 0.1
+        return q
+    assert LESSON["08.6"].judge(spoils).mistake == "inputs-changed"
+
+
+def test_the_handed_out_pose_error_is_no_attempt_and_its_fix_is_small():
+    from scipy.spatial.transform import Rotation
+
+    def handed_out(T, T_goal):
+        turn = T[:3, :3].T @ T_goal[:3, :3]
+        return np.hstack([T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(turn).as_rotvec()])
+    assert LESSON["08.4"].judge(handed_out).status == "not attempted"
+
+
+def test_orders_of_the_loop():
+    exercise, right, named, all_wrong = LESSON["08.5"], [], 0, 0
+    for letters in permutations("abcdefgh", 5):
+        verdict = exercise.judge(list(letters))
+        if verdict.status == "right":
+            right.append("".join(letters))
+        else:
+            all_wrong, named = all_wrong + 1, named + (verdict.mistake is not None)
+    assert right == ["bdfhc", "bfdhc"] and named == all_wrong == 6718
+    assert exercise.judge("b, d, f, h, c").status == "right" and exercise.judge("bbdfh").status == "wrong"
+
+
+def test_orders_are_named_for_what_they_do():
+    exercise = LESSON["08.5"]
+    for answer, mistake in (("bdfhe", "step-not-accumulated"), ("bdfac", "damping-missing"), ("bgfhc", "error-sign"), ("dbfhc", "jacobian-not-renewed"),
+                            ("bdfch", "step-not-accumulated"), ("bdhfc", "jacobian-not-renewed")):
+        assert exercise.judge(answer).mistake == mistake, answer
+
+
+def test_branches_in_any_order_are_read_alike():
+    (T,) = LESSON["08.8"].cases(1)[0]
+    eight, rng = branches(T), np.random.default_rng(4)
+    for _ in range(5):
+        assert np.allclose(in_order(rng.permutation(eight) + 2 * np.pi * rng.integers(-2, 3, eight.shape)), eight)
+
+
+# ---- the other libraries
+
+@pytest.fixture
+def none_installed(tmp_path, monkeypatch):
+    """A machine without the [oracles] extra."""
+    for name in ("roboticstoolbox", "pybullet", "trac_ik"):
+        (tmp_path / f"{name}.py").write_text(f"raise ImportError('no {name} here')\n")
+    monkeypatch.syspath_prepend(tmp_path)
+
+
+TASK = ARM, elementary_pose(ARM.table, np.deg2rad(STORED_TO)), np.deg2rad(STORED_FROM)
+
+
+def _without_last_column(text):
+    return [line.replace("computed here", "").replace("stored: not installed here", "").rstrip() for line in text.splitlines()]
+
+
+def test_stored_answers_reach_the_goal():
+    for name in LIBRARIES:
+        T = elementary_pose(ARM.table, np.deg2rad(STORED[name]))
+        position, angle = pose_errors(T, TASK[1])
+        assert position < 1e-4 and np.rad2deg(angle) < 0.1
+
+
+def test_without_the_libraries_the_same_numbers_are_shown_and_the_column_says_so(none_installed):
+    shown = other_solvers(*TASK)
+    assert shown.count("stored: not installed here") == 3 and "computed" not in shown
+    assert all(" 30 60 -80 -30 40 0 " in line for line in shown.splitlines()[1:])
+
+
+@pytest.mark.parametrize("module, name", [("roboticstoolbox", "Robotics Toolbox"), ("pybullet", "PyBullet"), ("trac_ik", "TRAC-IK")])
+def test_where_a_library_is_installed_its_answer_is_the_stored_one(judge, module, name):
+    judge(module)
+    line, = (line for line in other_solvers(*TASK).splitlines() if line.startswith(f" {name}"))
+    assert "computed here" in line and " 30 60 -80 -30 40 0 " in line and line.count("under 0.1") == 2
+
+
+def test_another_task_without_libraries_has_no_answer(none_installed):
+    arm = dh.load("ur5e")
+    shown = other_solvers(arm, arm.forward([0.5] * 6), np.zeros(6))
+    assert shown.count("not installed here") == 3 and "stored" not in shown
+
+
+def test_where_no_process_can_be_had_the_stored_answers_stand(monkeypatch):
+    def refused(*args, **kwargs):
+        raise PermissionError("no processes here")
+    monkeypatch.setattr(othersolvers.subprocess, "run", refused)
+    assert other_solvers(*TASK).count("stored") == 3
+
+
+def test_sliding_joints_are_refused():
+    arm = dh.load("stanford")
+    with pytest.raises(ValueError, match="turning joints only"):
+        other_solvers(arm, arm.forward([0.3] * 6), np.zeros(6))
