@@ -12,6 +12,8 @@ import typer
 
 from . import __version__
 from .cli_doctor import doctor
+from .cli_grade import grade
+from .cli_grading import export, release
 from .printing import grid_text, matrix_text, number
 from .robots import entry, load, robots
 from .transform import to_xyz_rpy
@@ -82,6 +84,9 @@ def fk(arm: Annotated[str, typer.Argument(metavar="ARM", help="A name of the lib
 
 
 app.command()(doctor)
+app.command()(grade)
+app.command()(release)
+app.add_typer(export, name="export")
 
 
 @app.command()

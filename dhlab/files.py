@@ -50,13 +50,13 @@ def read_text(path, what):
         raise ValueError(f"{path}: expected {what} in UTF-8, found other bytes; save it as plain text, encoding UTF-8") from None
 
 
-def write_text(path, text, *, overwrite=False):
+def write_text(path, text, *, overwrite=False, private=False):
     """Write a text as UTF-8; see :func:`write_bytes`."""
-    write_bytes(path, text.encode("utf-8"), overwrite=overwrite)
+    write_bytes(path, text.encode("utf-8"), overwrite=overwrite, private=private)
 
 
-def write_bytes(path, data, *, overwrite=False):
-    """Write a whole file or nothing: a temporary file beside it is renamed into place.
+def write_bytes(path, data, *, overwrite=False, private=False):
+    """Write a whole file or nothing: a temporary file beside it is renamed into place; ``private``: for its owner's eyes only.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def write_bytes(path, data, *, overwrite=False):
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(temporary, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        os.chmod(temporary, 0o600 if private else path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
         _into_place(temporary, path, overwrite)
     except FileExistsError:
         raise ValueError(f"{path}: expected a new file, found one that exists; choose another name or say overwrite=True") from None

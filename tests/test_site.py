@@ -23,9 +23,10 @@ import dhlab.view
 
 ROOT = Path(__file__).parents[1]
 LESSONS = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
-PAGES = ["index", "conventions", "table-files", "reference", "lessons/glossary", "search", "genindex", *(f"lessons/{name}" for name in LESSONS)]
+PAGES = ["index", "doctor", "explorer", "teaching", "add-an-exercise", "conventions", "cheat-sheet", "table-files", "reference", "lessons/glossary", "search", "genindex", *(f"lessons/{name}" for name in LESSONS)]
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync"]
+DRAWS = r"^(view\.|dh\.explore\()"  # what ends a cell in a picture
 BLOCK = re.compile(r"```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)```(?:\n\n```\{code-block\} text\n:class: error\n(.*?)```)?", re.DOTALL)
 
 
@@ -114,7 +115,11 @@ def test_lesson_is_whole(opened, lesson):
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     headings = [heading.inner_text().rstrip("¶#").strip() for heading in page.locator("#furo-main-content :is(h1, h2)").all()]
     assert headings == re.findall(r"^##? (.+)$", prose, re.MULTILINE)
-    assert page.locator("figure.dhlab-picture img").count() == len(re.findall(r"^view\.", code, re.MULTILINE)) > 0
+    cells = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
+    shown = page.locator("div.cell").all()
+    assert len(shown) == len(cells) and any(re.search(DRAWS, source, re.MULTILINE) for source in cells)
+    for source, cell in zip(cells, shown):
+        assert not re.search(DRAWS, source, re.MULTILINE) or cell.locator("figure.dhlab-picture img").count() == 1, source
     assert page.locator("[role=status]", has_text="Not attempted yet").count() >= len(re.findall(r"^check\(", code, re.MULTILINE))
     assert page.locator("div.cell_input button.copybtn").count() == sum(cell.cell_type == "code" for cell in notebook.cells)
     assert page.locator(".traceback, .stderr").count() == 0 and "Traceback" not in page.content()

@@ -1,0 +1,209 @@
+"""Grading against nbgrader and otter-grader: the same 20 submissions of lesson 05 in one run; seconds each, peak memory, the marks that come out.
+
+    python benchmarks/grading.py                 # ours, nbgrader, otter (which is installed into a temporary environment)
+    python benchmarks/grading.py --many 1000     # ours alone, on that many submissions with two jobs
+
+"Each" is the time of 20 less the time of 1 (the best of three), divided by 19: what one more submission costs once everything runs; "whole" is all 20.
+Memory is the largest sum of what the grader's processes hold for themselves (PSS), sampled twenty times a second.
+"""
+
+import argparse
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import venv
+from pathlib import Path
+
+import numpy as np
+import psutil
+
+ROOT = Path(__file__).parents[1]
+sys.path[:0] = [str(ROOT / "tests" / "doctor"), str(ROOT / "tests" / "grading")]
+import corpus  # noqa: E402
+from wrong_programs import WRONG  # noqa: E402
+
+from dhlab.course.exercises import exercises  # noqa: E402
+from dhlab.grading.exports.nbgrader import export_nbgrader  # noqa: E402
+from dhlab.grading.questions import handed_out_checks  # noqa: E402
+from dhlab.grading.roster import Student  # noqa: E402
+from dhlab.grading.settings import Lesson, Settings  # noqa: E402
+
+LESSON = "05-link-matrix"
+OTTER = "otter-grader==7.0.0"
+TEST = '''from otter.test_files import test_case
+OK_FORMAT = False
+name, points = "{name}", {points}
+
+@test_case(points={points})
+def judged(env):
+    from dhlab.course.exercises import exercises
+    assert exercises()["{key}"].judge(eval("{expression}", dict(env))).points == {points}
+'''
+
+
+def submissions(count):
+    """Notebooks of lesson 05: every other one right, the others with one wrong program each."""
+    wrong = [text for family, _, text in WRONG if family == "dh_transform"]
+    found = {}
+    for number in range(count):
+        notebook = corpus.solved()
+        if number % 2:
+            corpus.answer("05.6", wrong[number // 2 % len(wrong)].replace("dh_transform", "dh_closed"))(notebook, {})
+        found[f"s{number:04d}"] = json.dumps(notebook)
+    return found
+
+
+class Watched:
+    """Runs commands, and remembers the largest sum of memory that their processes held."""
+
+    def __init__(self):
+        self.peak = 0
+
+    def run(self, command, cwd=None, env=None):
+        process = psutil.Popen([str(word) for word in command], cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        over = threading.Event()
+        watcher = threading.Thread(target=self._watch, args=(process, over))
+        watcher.start()
+        out, _ = process.communicate()
+        over.set()
+        watcher.join()
+        if process.returncode:
+            raise SystemExit(f"{command[:4]}: exit {process.returncode}\n{out[-2000:]}")
+
+    def _watch(self, process, over):
+        while not over.wait(0.05):
+            total = 0
+            for one in [process, *_children(process)]:
+                try:
+                    total += one.memory_full_info().pss
+                except psutil.Error:
+                    continue
+            self.peak = max(self.peak, total)
+
+
+def _children(process):
+    try:
+        return process.children(recursive=True)
+    except psutil.Error:
+        return []
+
+
+def timed(grader, many, one):
+    """(seconds each, seconds in all, MB, marks) of a grader on many submissions and on one."""
+    watched, singles = Watched(), []
+    for _ in range(3):  # the first is slow for reasons of its own: files not yet in memory, modules not yet compiled
+        begun = time.perf_counter()
+        grader(one, Watched())
+        singles.append(time.perf_counter() - begun)
+    single = min(singles)
+    begun = time.perf_counter()
+    marks = grader(many, watched)
+    whole = time.perf_counter() - begun
+    return (whole - single) / (len(many) - 1), whole, watched.peak / 1e6, marks
+
+
+def ours(handed_in, watched, jobs=1):
+    """``dhlab grade``, with feedback and class report."""
+    with tempfile.TemporaryDirectory() as top:
+        for student, text in handed_in.items():
+            (Path(top) / "in" / student).mkdir(parents=True)
+            (Path(top) / "in" / student / f"{LESSON}.ipynb").write_text(text, encoding="utf-8")
+        watched.run([sys.executable, "-m", "dhlab", "grade", f"{top}/in", "--out", f"{top}/out", "--jobs", jobs])
+        with open(f"{top}/out/grades.csv", encoding="utf-8") as file:
+            return {row["student"]: float(row["points"]) for row in csv.DictReader(file)}
+
+
+def nbgrader(handed_in, watched):
+    """``nbgrader autograde`` and ``export``, on the course that ``dhlab export nbgrader`` writes."""
+    with tempfile.TemporaryDirectory() as top:
+        course, env = Path(top) / "course", os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+        export_nbgrader(course, [Student(student) for student in handed_in], Settings({"05": Lesson()}))
+        command = [sys.executable, "-m", "nbgrader"]
+        for words in (["db", "student", "import", "students.csv"], ["db", "assignment", "import", "assignments.csv"], ["generate_assignment", LESSON]):
+            Watched().run([*command, *words], course, env)
+        release = json.loads((course / "release" / LESSON / f"{LESSON}.ipynb").read_text(encoding="utf-8"))
+        for student, text in handed_in.items():
+            folder = course / "submitted" / student / LESSON
+            folder.mkdir(parents=True)
+            (folder / f"{LESSON}.ipynb").write_text(json.dumps(_answered(release, text)), encoding="utf-8")
+        watched.run([*command, "autograde", LESSON], course, env)
+        watched.run([*command, "export"], course, env)
+        with open(course / "grades.csv", encoding="utf-8") as file:
+            return {row["student_id"]: float(row["raw_score"]) for row in csv.DictReader(file)}
+
+
+def _answered(release, text):
+    """nbgrader's own release with the answers of a submission in it."""
+    answers = {cell["id"]: cell["source"] for cell in json.loads(text)["cells"] if "exercise" in cell["metadata"]}
+    return release | {"cells": [cell | {"source": answers.get(cell["id"], cell["source"])} for cell in release["cells"]]}
+
+
+def otter_environment(folder):
+    """A temporary environment with otter-grader, which sees this environment's packages behind its own."""
+    venv.create(folder, with_pip=True)
+    python = Path(folder) / "bin" / "python"
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", OTTER], check=True)
+    own = next(Path(folder).glob("lib/python*/site-packages"))
+    (own / "dhlab_bench.pth").write_text(f"import site; site.addsitedir({str(Path(np.__file__).parents[1])!r})\n", encoding="utf-8")
+    return python
+
+
+def otter(python):
+    """``otter run``, submission by submission, with one test an exercise that asks the exercise itself."""
+    def grade(handed_in, watched):
+        with tempfile.TemporaryDirectory() as top:
+            tests = Path(top) / "tests"
+            tests.mkdir()
+            for key, (expression, _) in handed_out_checks()["05"].items():
+                name = "q" + key.replace(".", "_")
+                (tests / f"{name}.py").write_text(TEST.format(name=name, points=exercises()[key].points, key=key, expression=expression), encoding="utf-8")
+            env = os.environ | {"PATH": f"{python.parent}:{os.environ['PATH']}"}
+            subprocess.run([python, "-m", "otter", "generate", "-t", tests, "-o", f"{top}/autograder.zip", "--no-environment"], check=True, cwd=top, env=env, capture_output=True)
+            marks = {}
+            for student, text in handed_in.items():
+                folder = Path(top) / student
+                folder.mkdir()
+                (folder / "lesson.ipynb").write_text(text, encoding="utf-8")
+                watched.run([python, "-m", "otter", "run", "-a", f"{top}/autograder.zip", "-o", folder, folder / "lesson.ipynb"], cwd=folder, env=env)
+                scores = json.loads((folder / "results.json").read_text(encoding="utf-8"))["tests"]
+                marks[student] = sum(test.get("score", 0) for test in scores)
+            return marks
+    return grade
+
+
+def table(rows, marks):
+    """The table in Markdown, and in how many submissions each agrees with ours."""
+    print("| grader | seconds each | whole (20) | times ours, whole | peak MB | same marks as ours |\n|---|---|---|---|---|---|")
+    for name, (each, whole, peak, own) in rows.items():
+        same = sum(abs(own[student] - points) < 1e-9 for student, points in marks.items())
+        print(f"| {name} | {each:.3f} | {whole:.1f} | {whole / rows['dhlab grade'][1]:.0f} | {peak:.0f} | {same} of {len(marks)} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--many", type=int, default=0)
+    options = parser.parse_args()
+    if options.many:
+        begun, watched = time.perf_counter(), Watched()
+        marks = ours(submissions(options.many), watched, jobs=2)
+        seconds = time.perf_counter() - begun
+        print(f"{len(marks)} submissions, 2 jobs: {seconds:.1f} s in all with feedback and report, {seconds / len(marks):.3f} s each; {watched.peak / 1e6:.0f} MB at most")
+        return
+    many, one = submissions(20), submissions(1)
+    rows = {"dhlab grade": timed(ours, many, one), "nbgrader 0.9": timed(nbgrader, many, one)}
+    folder = tempfile.mkdtemp()
+    try:
+        rows["otter-grader 7.0"] = timed(otter(otter_environment(folder)), many, one)
+    finally:
+        shutil.rmtree(folder)
+    table(rows, rows["dhlab grade"][3])
+
+
+if __name__ == "__main__":
+    main()

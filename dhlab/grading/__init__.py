@@ -1,0 +1,1 @@
+"""Handing out, grading and understanding a class."""

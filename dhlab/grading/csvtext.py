@@ -1,0 +1,34 @@
+"""CSV that is safe to open in a spreadsheet: a text that would run as a formula is shown as the text it is."""
+
+import csv
+import io
+
+__all__ = ["csv_text"]
+
+FORMULA = tuple("=+-@\t\r\n＝＋－＠")  # what makes a spreadsheet compute; the wide forms in some of them too
+
+
+def csv_text(rows):
+    """Rows as CSV; an apostrophe stands before a text that a spreadsheet would take for a formula.
+
+    Parameters
+    ----------
+    rows : iterable of iterables
+        Texts, numbers (written as they are) and None (an empty cell).
+
+    Examples
+    --------
+    >>> print(csv_text([["student", "points"], ["=1+1", -0.5]]), end="")
+    student,points
+    '=1+1,-0.5
+    """
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([_cell(value) for value in row] for row in rows)
+    return out.getvalue()
+
+
+def _cell(value):
+    if not isinstance(value, str):
+        return value
+    text = value.replace("\r\n", "\n").replace("\r", "\n")  # a bare carriage return would end the row
+    return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text

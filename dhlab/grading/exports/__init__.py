@@ -1,0 +1,1 @@
+"""The course for other graders, and the grades for other gradebooks."""

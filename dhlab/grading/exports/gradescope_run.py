@@ -1,0 +1,74 @@
+"""Run by ``run_autograder`` on Gradescope: one submission through the cage, and ``results/results.json`` as Gradescope wants it."""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from ...course.exercises import exercises
+from ...course.workspace import handed_out
+from ...files import write_text
+from ..marks import RIGHT
+from ..pages import words
+from ..questions import Course
+from ..settings import Settings, read_settings
+from ..submissions import submissions
+from ..work import Handed, Task, work
+
+__all__ = ["results"]
+
+
+def results(root):
+    """What Gradescope shows, for the submission in ``root/submission``.
+
+    Parameters
+    ----------
+    root : path
+        ``/autograder`` on Gradescope.
+
+    Returns
+    -------
+    dict
+        ``results.json``: an output, and a test for each exercise.
+    """
+    source = root / "source"
+    settings = read_settings(source / "course.yaml") if (source / "course.yaml").exists() else Settings()
+    lessons = tuple(settings.lessons) or tuple(sorted(path.name[:2] for path in handed_out().glob("[0-9][0-9]-*.ipynb")))
+    student, variant = _student(root)
+    handed_in = submissions(root / "submission").values()
+    found = [notebook for one in handed_in for notebook in one.notebooks]
+    notes = tuple(note for one in handed_in for note in one.notes)
+    task = Task(student, tuple(Handed(name, read(), when) for name, read, when in found), notes)
+    return _shown(work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})))
+
+
+def _student(root):
+    """(address, variant) of who handed in; of a group, the first whose numbers are known."""
+    known = json.loads((root / "source" / "variants.json").read_text(encoding="utf-8"))
+    metadata = json.loads((root / "submission_metadata.json").read_text(encoding="utf-8"))
+    emails = [user.get("email", "").casefold() for user in metadata.get("users", [])] or ["unknown"]
+    email = next((email for email in emails if email in known), emails[0])
+    return email, known.get(email, 0)
+
+
+def _shown(graded):
+    said = words("en")
+    ran = f"Run in: {graded.cage}." if graded.cage else ""
+    return {"output": " ".join(filter(None, (said[f"status {graded.status}"], ran))), "stdout_visibility": "hidden", "execution_time": round(graded.seconds),
+            "tests": [_test(mark, said) for mark in graded.marks]}
+
+
+def _test(mark, said):
+    lines = [mark.headline, *(f"{said[label]}: {text}" for label, text in (("why", mark.why), ("next", mark.next)) if text)]
+    return {"number": mark.exercise, "name": exercises()[mark.exercise].title, "score": mark.points, "max_score": mark.of,
+            "status": "passed" if mark.status == RIGHT else "failed", "output": "\n".join([said[mark.status], *filter(None, lines)])}
+
+
+def main():
+    """Write the results of the submission under the folder that is given."""
+    root = Path(sys.argv[1])
+    write_text(root / "results" / "results.json", json.dumps(results(root), ensure_ascii=False, indent=1) + "\n", overwrite=True)
+
+
+if __name__ == "__main__":
+    main()

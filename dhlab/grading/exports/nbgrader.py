@@ -1,0 +1,106 @@
+"""A course that nbgrader generates, grades and exports: sources with hidden tests, settings, students, due dates."""
+
+import re
+from pathlib import Path
+
+import nbformat
+
+from ...course.build import read_source, sources
+from ...files import write_text
+from ..csvtext import csv_text
+from ..questions import scored
+from ..release import make_folder
+from ..settings import Settings
+
+__all__ = ["export_nbgrader", "source_notebook"]
+
+STUB = "...  # your code here"
+REGION = "### BEGIN SOLUTION"
+CHECK = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
+CONFIG = '''"""The settings of this course for nbgrader."""
+
+c = get_config()  # noqa: F821  (nbgrader gives it)
+c.CourseDirectory.course_id = "dhlab"
+c.ClearSolutions.code_stub = {{"python": "{stub}"}}  # the default raises, and an untouched cell is no error here
+c.Execute.timeout = {timeout}
+c.OverwriteCells.add_missing_cells = True  # a deleted check costs nobody a mark
+c.AssignLatePenalties.plugin_class = "dhlab.grading.exports.nbgrader_late.Lateness"
+c.Lateness.percent_per_day = {percent_per_day}
+c.Lateness.floor = {floor}
+c.Lateness.grace_hours = {grace_hours}
+'''
+
+
+def export_nbgrader(out, roster=(), settings=None):
+    """Write a course folder for nbgrader; nothing that exists is overwritten.
+
+    Parameters
+    ----------
+    out : str or path
+    roster : sequence of Student
+        For ``students.csv``, which ``nbgrader db student import`` reads.
+    settings : Settings, optional
+        Lessons, points, due dates and lateness; every lesson when it names none.
+
+    Returns
+    -------
+    list of str
+        The assignments, such as ``["05-link-matrix"]``.
+
+    Raises
+    ------
+    ValueError
+        The lessons' sources are not there (they are in the repository, not in an installed package), or a file exists.
+    """
+    out, settings = Path(out), settings or Settings()
+    chosen = {path.stem: path for path in sources() if not settings.lessons or path.name[:2] in settings.lessons}
+    if not chosen:
+        raise ValueError("export nbgrader: expected the lessons' sources in solutions/, found none; run it in a clone of the repository")
+    late = {name: getattr(settings, name) for name in ("percent_per_day", "floor", "grace_hours")}
+    texts = {"nbgrader_config.py": CONFIG.format(stub=STUB, timeout=round(settings.limits.cell_seconds), **late),
+             "students.csv": csv_text([("id", "first_name", "last_name", "email"), *(_person(student) for student in roster)]),
+             "assignments.csv": csv_text([("name", "duedate"), *((name, lesson.due.isoformat()) for name in chosen if (lesson := settings.lessons.get(name[:2])) and lesson.due)])}
+    texts |= {f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n" for name, path in chosen.items()}
+    there = [name for name in texts if (out / name).exists()]
+    if there:
+        raise ValueError(f"{out}: expected a new course folder, found one that exists with {there[0]} in it; choose another --out")
+    for name, text in texts.items():
+        make_folder((out / name).parent)
+        write_text(out / name, text)
+    return list(chosen)
+
+
+def source_notebook(path, settings):
+    """A lesson as nbgrader's instructor version: every answer a solution cell, every check a graded one that hands back points."""
+    notebook, marked = read_source(path), {exercise.id: exercise for exercise in scored((path.name[:2],))}
+    for cell in notebook.cells:
+        if cell.cell_type != "code":
+            continue
+        cell.metadata.pop("nbgrader", None)
+        checked = CHECK.search(cell.source)
+        if REGION in cell.source:
+            name = cell.metadata.get("exercise", cell["id"]).replace(".", "-")
+            cell.metadata["nbgrader"] = _role(f"answer-{name}", solution=True)
+        elif checked and checked[1] in marked:
+            exercise = marked[checked[1]]
+            points = settings.points(exercise)
+            cell.source = _graded(cell.source, points, settings)
+            cell.metadata["nbgrader"] = _role(f"check-{exercise.id.replace('.', '-')}", points=points)
+    return notebook
+
+
+def _role(grade_id, *, solution=False, points=None):
+    graded = {} if points is None else {"points": points}
+    return {"grade": points is not None, "grade_id": grade_id, "locked": not solution, "schema_version": 3, "solution": solution, "task": False} | graded
+
+
+def _graded(source, points, settings):
+    """The learner's line stays as it is; what is hidden before it puts another ``check`` in the place of the course's own."""
+    shares = f"points={points!r}, partial={settings.partial!r}, own_kinematics={settings.own_kinematics!r}"
+    return "\n".join(["### BEGIN HIDDEN TESTS", "from dhlab.grading.exports.nbgrader_cell import graded_check", f"check = graded_check({shares})",
+                      "### END HIDDEN TESTS", source])
+
+
+def _person(student):
+    first, _, last = student.name.rpartition(" ")
+    return student.student, first, last, student.email

@@ -1,0 +1,1 @@
+"""What runs inside the cage. Nothing here, and nothing these modules import, knows a right answer."""

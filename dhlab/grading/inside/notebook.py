@@ -1,0 +1,132 @@
+"""Reads a notebook of any age into its cells of code, and finds where each exercise is answered."""
+
+import json
+import re
+from collections import Counter
+from dataclasses import dataclass, field
+
+__all__ = ["Cell", "Cells", "read"]
+
+CHECK = re.compile(r"""\bcheck\(\s*["']([0-9A-Za-z.]+)["']""")
+GRADE_ID = re.compile(r"(?:stub|check)-(.+)")
+
+
+@dataclass
+class Cell:
+    """A cell of code: its source, the exercises it has to do with, and those that are answered once it has run."""
+
+    source: str
+    ids: list
+    answers: list = field(default_factory=list)
+
+
+@dataclass
+class Cells:
+    """A notebook's code; which lesson it is; the handed-out checks' expressions, and the exercises for which no place was found."""
+
+    code: list
+    lesson: str | None
+    expressions: dict
+    unplaced: list
+
+    def last_for(self, only):
+        """The number of the last cell that has to do with these exercises; None when it is not known."""
+        if not only:
+            return None
+        found = [number for number, cell in enumerate(self.code) if set(cell.ids) & set(only)]
+        return found[-1] if found and not set(only) & set(self.unplaced) else None
+
+
+def read(raw, checks):
+    """The Cells of a file.
+
+    Parameters
+    ----------
+    raw : bytes
+    checks : dict
+        For each lesson, for each exercise: ``[expression, id of the stub's cell]``, as handed out.
+
+    Raises
+    ------
+    ValueError
+        It is no notebook.
+    """
+    notebook = _json(raw)
+    found = [cell for cell in _listed(notebook) if isinstance(cell, dict)]
+    code = [Cell(_source(cell), _ids(cell)) for cell in found if cell.get("cell_type") == "code"]
+    names = [_text(cell.get("id")) for cell in found if cell.get("cell_type") == "code"]
+    lesson = _lesson(notebook, code, names, checks)
+    wanted = checks.get(lesson, {})
+    unplaced = [key for key, (_, stub) in wanted.items() if not _place(key, stub, code, names)]
+    return Cells(code, lesson, {key: expression for key, (expression, _) in wanted.items()}, unplaced)
+
+
+def _json(raw):
+    try:
+        text = raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
+    except UnicodeDecodeError:
+        text = raw.decode("latin-1")
+    if not text.strip():
+        raise ValueError("the file is empty")
+    try:
+        notebook = json.loads(text)
+    except (json.JSONDecodeError, RecursionError):
+        raise ValueError("this is no notebook: its JSON cannot be read") from None
+    if not isinstance(notebook, dict):
+        raise ValueError("this is no notebook: it has no cells")
+    return notebook
+
+
+def _listed(notebook):
+    """The cells; in version 3 and before they stood in worksheets."""
+    if isinstance(notebook.get("cells"), list):
+        return notebook["cells"]
+    sheets = notebook.get("worksheets")
+    if not isinstance(sheets, list):
+        raise ValueError("this is no notebook: it has no cells")
+    return [cell for sheet in sheets if isinstance(sheet, dict) and isinstance(sheet.get("cells"), list) for cell in sheet["cells"]]
+
+
+def _source(cell):
+    source = cell.get("source", cell.get("input", ""))
+    return "".join(part for part in source if isinstance(part, str)) if isinstance(source, list) else _text(source)
+
+
+def _text(value):
+    return value if isinstance(value, str) else ""
+
+
+def _ids(cell):
+    """The exercises a cell has to do with: by its metadata, and by the checks in it."""
+    metadata = cell.get("metadata") if isinstance(cell.get("metadata"), dict) else {}
+    nbgrader = metadata.get("nbgrader") if isinstance(metadata.get("nbgrader"), dict) else {}
+    graded = GRADE_ID.fullmatch(_text(nbgrader.get("grade_id")))
+    named = [_text(metadata.get("exercise")), graded[1] if graded else "", *CHECK.findall(_source(cell))]
+    return list(dict.fromkeys(name[:20] for name in named if name))
+
+
+def _lesson(notebook, code, names, checks):
+    """Which lesson this is: the one most of whose exercises it has; then what its metadata says; then whose cells it has."""
+    of = {key: lesson for lesson, exercises in checks.items() for key in exercises}
+    seen = Counter(of[key] for cell in code for key in cell.ids if key in of)
+    if seen:
+        return seen.most_common(1)[0][0]
+    metadata = notebook.get("metadata") if isinstance(notebook.get("metadata"), dict) else {}
+    said = metadata.get("dhlab") if isinstance(metadata.get("dhlab"), dict) else {}
+    if said.get("lesson") in checks:
+        return said["lesson"]
+    stubs = Counter(lesson for lesson, exercises in checks.items() for _, stub in exercises.values() if stub in names)
+    return stubs.most_common(1)[0][0] if stubs else None
+
+
+def _place(key, stub, code, names):
+    """Note, for an exercise, after which cell its answer is there: its check, or its stub where there is no check."""
+    checked = [cell for cell in code if key in CHECK.findall(cell.source)]
+    for cell in checked:
+        cell.answers.append(key)
+    if checked:
+        return True
+    own = [number for number, cell in enumerate(code) if key in cell.ids] or [number for number, name in enumerate(names) if name == stub]
+    if own:
+        code[own[-1]].answers.append(key)
+    return bool(own)

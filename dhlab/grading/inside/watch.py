@@ -1,0 +1,54 @@
+"""Notices calls to the library's own kinematics, by any name and from any thread, while a learner's function is being called."""
+
+import os
+import sys
+import threading
+from contextlib import contextmanager
+
+import dhlab
+
+__all__ = ["library"]
+
+ROOT = os.path.dirname(dhlab.__file__) + os.sep
+CLOSED = ("kinematics.py", "symbolic.py", "symbolicproduct.py", "exact.py", "conversion.py", "freedoms.py", "frames.py", "placing.py", "placement.py")
+CLOSED_ROOM = "doctor"  # it knows the right programs
+BLINDING = (sys.setprofile, threading.setprofile.__code__)  # a function that calls these wants to be unseen
+
+
+@contextmanager
+def library(own):
+    """A set that fills with the names of the library's programs that are called within.
+
+    Parameters
+    ----------
+    own : sequence of str or None
+        Names that the exercise asks to write and that therefore count wherever they stand; None: the exercise leaves the library free.
+    """
+    used = set()
+
+    def see(frame, event, argument):
+        if event == "call":
+            file, name = frame.f_code.co_filename, frame.f_code.co_name
+            if file.startswith(ROOT) and (_closed(file[len(ROOT):]) or name in own):
+                used.add(name)
+        called = frame.f_code if event == "call" else argument if event == "c_call" else None
+        if any(called is one for one in BLINDING) and frame.f_code is not library.__wrapped__.__code__:
+            used.add("setprofile")
+
+    if own is None:
+        yield used
+        return
+    threading.setprofile(see)
+    sys.setprofile(see)
+    try:
+        yield used
+    finally:
+        unseen = sys.getprofile() is not see
+        sys.setprofile(None)
+        threading.setprofile(None)  # unseen itself, now
+        if unseen:
+            used.add("setprofile")
+
+
+def _closed(path):
+    return path in CLOSED or path.split(os.sep)[0] == CLOSED_ROOM

@@ -1,0 +1,152 @@
+"""What goes between the grader and the cage: JSON, one value a line. Numbers, text, lists, arrays, tables and arms; never a pickle.
+
+``encode`` runs inside the cage, on whatever a stranger made; ``decode`` runs outside and trusts nothing.
+"""
+
+import re
+
+import numpy as np
+from numpy import array, asarray, float64, generic, ndarray
+
+__all__ = ["encode", "decode", "Opaque"]
+
+DEEPEST = 6  # lists in lists
+LONGEST = 100_000  # numbers of an array
+TEXT = 400  # characters
+DTYPES = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"}
+WHOLE = 2**63  # a larger number is sent as a float
+
+
+class Opaque:
+    """An answer that is no number, text, list or table; only the name of its type came out of the cage."""
+
+
+def encode(value, depth=0):
+    """A value as something that JSON can hold.
+
+    Examples
+    --------
+    >>> encode([1, 2.5, ..., np.eye(2)])
+    [1, 2.5, {'...': 1}, {'array': ['f8', [2, 2], [1.0, 0.0, 0.0, 1.0]]}]
+    """
+    try:
+        return _encoded(value, depth)
+    except Exception:
+        return {"other": _type_name(value)}
+
+
+def _encoded(value, depth):
+    kind = type(value)
+    if value is None or kind is bool or kind is float:
+        return value
+    if value is Ellipsis:
+        return {"...": 1}
+    if kind is int:
+        return value if -WHOLE < value < WHOLE else float(value)
+    if kind is str:
+        return value[:TEXT]
+    if depth < DEEPEST and kind in (list, tuple) and len(value) <= LONGEST:
+        return [_encoded(entry, depth + 1) for entry in value]
+    if depth < DEEPEST and kind is dict and len(value) <= LONGEST:
+        return {"dict": [[_encoded(key, depth + 1), _encoded(entry, depth + 1)] for key, entry in value.items()]}
+    return _table(value) or _array(value)
+
+
+def _table(value):
+    from dhlab.arm import Arm
+    from dhlab.frames import PlacedArm
+    from dhlab.table import DHTable
+    if type(value) is DHTable:
+        return {"table": [value.convention, _array(value.rows), str(value.joints)]}
+    if type(value) in (Arm, PlacedArm):
+        return {"arm": [_table(value.table), _array(value.base), _array(value.tool), _array(value.sign)]}
+    return None
+
+
+def _array(value):
+    """An array, a numpy number, or anything that numpy takes for numbers; otherwise only the type's name."""
+    if isinstance(value, (str, bytes)):
+        return {"other": _type_name(value)}
+    numbers = array(value) if isinstance(value, (ndarray, generic)) else asarray(value)
+    numbers = numbers.view(ndarray)
+    if numbers.dtype.kind == "O":
+        numbers = numbers.astype(float64)
+    dtype = numbers.dtype.str[1:]
+    if dtype not in DTYPES:
+        return {"other": _type_name(value) if numbers.dtype.kind != "c" else "complex"}
+    if numbers.size > LONGEST:
+        return {"other": "an array too large to send"}
+    return {"array": [dtype, list(numbers.shape), numbers.ravel().tolist()]}
+
+
+def _type_name(value):
+    return re.sub(r"\W", "", type(value).__name__)[:40] or "object"
+
+
+def decode(sent):
+    """The value of something that came out of the cage.
+
+    Raises
+    ------
+    ValueError
+        It is not what :func:`encode` makes.
+
+    Examples
+    --------
+    >>> decode({"array": ["f8", [1, 2], [1.0, 2.0]]})
+    array([[1., 2.]])
+    """
+    if sent is None or isinstance(sent, (bool, float)):
+        return sent
+    if isinstance(sent, int):
+        return sent if -WHOLE < sent < WHOLE else float("inf")
+    if isinstance(sent, str):
+        return sent[:TEXT]
+    if isinstance(sent, list):
+        return [decode(entry) for entry in sent]
+    if not isinstance(sent, dict) or len(sent) != 1:
+        raise ValueError("expected a value of the wire, found something else")
+    (kind, content), = sent.items()
+    if kind not in _DECODERS:
+        raise ValueError("expected a kind of the wire, found another")
+    return _DECODERS[kind](content)
+
+
+def _decode_array(content):
+    dtype, shape, data = content
+    if dtype not in DTYPES or not isinstance(shape, list) or not isinstance(data, list) or len(shape) > DEEPEST or len(data) > LONGEST:
+        raise ValueError("expected an array of the wire, found something else")
+    if not all(type(n) is int and n >= 0 for n in shape) or not all(type(entry) in (int, float, bool) for entry in data):
+        raise ValueError("expected an array of numbers, found something else")
+    with np.errstate(all="ignore"):
+        try:
+            return np.array(data, dtype=dtype).reshape(shape)
+        except (OverflowError, TypeError) as error:
+            raise ValueError(str(error)) from None
+
+
+def _decode_dict(content):
+    return {key if isinstance(key := decode(k), (str, int, float, bool)) else str(key): decode(entry) for k, entry in content}
+
+
+def _decode_table(content):
+    from ...table import DHTable
+    convention, rows, joints = content
+    make = {"standard": DHTable.standard, "craig": DHTable.craig}.get(convention)
+    if make is None:
+        raise ValueError("expected a convention, found something else")
+    return make(decode(rows), angle="rad", joints=joints)
+
+
+def _decode_arm(content):
+    from ...arm import Arm
+    table, base, tool, sign = content
+    return Arm(_decode_table(table["table"]), base=decode(base), tool=decode(tool), sign=decode(sign))
+
+
+def _decode_other(content):
+    name = re.sub(r"[^A-Za-z0-9_ ]", "", str(content))[:40] or "object"
+    return type(name, (Opaque,), {})()
+
+
+_DECODERS = {"...": lambda content: Ellipsis, "array": _decode_array, "dict": _decode_dict, "table": _decode_table, "arm": _decode_arm, "other": _decode_other}

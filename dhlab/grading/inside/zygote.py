@@ -1,0 +1,150 @@
+"""The warm parent inside the cage: it loads what the lessons need, once, and is copied for every submission. It never reads a submission.
+
+Started as ``python zygote.py`` with one line of JSON as its argument; speaks with the grader through a socket: two open files arrive for
+each submission (what to run, where to write), one byte says that it is over, one line answers how it ended.
+"""
+
+import contextlib
+import gc
+import importlib
+import json
+import os
+import shutil
+import signal
+import socket
+import sys
+import time
+
+from dhlab.grading.inside import confine
+
+
+def main():
+    """Confine this process, load, then copy it once for each request until the grader hangs up."""
+    config = json.loads(sys.argv[1])
+    control = socket.socket(fileno=config["control"])
+    problem = _confine(config)
+    if not problem:
+        _warm(config["warm"])
+    control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
+    while not problem:
+        message, files, _, _ = socket.recv_fds(control, 16, 2)
+        if not message or len(files) != 2:
+            return
+        child = os.fork()
+        if child == 0:
+            control.close()
+            _submission(config, *files)
+        for file in files:
+            os.close(file)
+        if not control.recv(1):
+            return
+        status = _end(child, config)
+        control.sendall(json.dumps({"status": status, "clean": _clean(config["work"])}).encode())
+
+
+def _confine(config):
+    """What cannot be done on this machine, as text; empty when everything could."""
+    try:
+        os.umask(0o077)
+        if config["user"] is not None:
+            os.chown(config["work"], config["user"], config["user"]) if config["level"] != "bubblewrap" else None
+            confine.drop_to(config["user"])
+        elif hasattr(os, "geteuid") and os.geteuid() == 0:
+            confine.drop_capabilities()
+        confine.no_new_privileges()
+        confine.libc and confine.libc.prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
+        if config["level"] == "landlock":
+            if not confine.libseccomp() or not confine.landlock_version():
+                return "no Landlock or no libseccomp"
+            confine.restrict_files(config["readable"], [config["work"], "/dev/null"])
+        os.chdir(config["work"])
+    except OSError as error:
+        return str(error)
+    return ""
+
+
+def _warm(modules):
+    """Load what submissions will ask for; what this machine does not have is passed over."""
+    from dhlab.grading.inside import runner  # noqa: F401
+    for name in modules:
+        with contextlib.suppress(Exception):
+            importlib.import_module(name)
+    gc.collect()
+    gc.freeze()
+
+
+def _submission(config, request, answers):
+    """In the copy: the last limits, then the stranger's program; this never returns."""
+    try:
+        os.setsid()
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        confine.no_new_privileges()
+        library = confine.libseccomp()
+        confine.restrict_resources(config["limits"])
+        if library and config["level"] != "rlimits":
+            confine.restrict_calls(library)
+        from dhlab.grading.inside import runner
+        runner.run(request, answers)
+    finally:
+        os._exit(0)
+
+
+def _end(child, config):
+    """Kill what is left of a submission, all of it, and return how its first process ended: an exit status, or minus a signal."""
+    status = None
+    for _ in range(500):
+        if config["own_processes"]:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(-1, signal.SIGKILL)  # everything in this namespace but this process and the first
+        else:
+            for process in {child, *_descendants()} if status is None else _descendants():
+                with contextlib.suppress(ProcessLookupError, PermissionError):
+                    os.kill(process, signal.SIGKILL)
+        try:
+            process, ended = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            break
+        if process == child:
+            status = os.waitstatus_to_exitcode(ended)
+        if process == 0:
+            time.sleep(0.001)
+    return status
+
+
+def _descendants():
+    """Every process below this one, from /proc; those that lost their parents have been given to this one.
+
+    Behind Landlock /proc cannot be read, and need not be: seccomp lets nobody start a process.
+    """
+    parents = {}
+    try:
+        names = os.listdir("/proc")
+    except OSError:
+        return set()
+    for name in names:
+        if name.isdigit():
+            with contextlib.suppress(OSError, IndexError, ValueError), open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file:
+                parents[int(name)] = int(file.read().rpartition(")")[2].split()[1])
+    found = {os.getpid()}
+    while more := {process for process, parent in parents.items() if parent in found and process not in found}:
+        found |= more
+    return found - {os.getpid()}
+
+
+def _clean(work):
+    """Empty the folder that submissions may write to; False when something stays, and the whole cage has to go."""
+    for name in os.listdir(work):
+        path = os.path.join(work, name)
+        if os.path.isdir(path) and not os.path.islink(path):
+            for folder, _, _ in os.walk(path):
+                with contextlib.suppress(OSError):
+                    os.chmod(folder, 0o700)
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            with contextlib.suppress(OSError):
+                os.unlink(path)
+    return not os.listdir(work)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,107 @@
+"""Whose submission is it? Names of files and folders as learning platforms write them, matched with the roster."""
+
+import re
+import unicodedata
+
+__all__ = ["student_of", "Names"]
+
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
+CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE)
+COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
+ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
+
+
+class Names:
+    """The roster's students by everything a platform may call them."""
+
+    def __init__(self, roster, lessons):
+        self.lessons = [re.escape(name) for name in lessons]
+        self.known = {}
+        for student in roster:
+            for called in (student.student, student.email, student.email.partition("@")[0], _words(student.name)):
+                if called:
+                    self.known.setdefault(_plain(called), set()).add(student.student)
+        self.ids = {_plain(student.student): student.student for student in roster}
+
+    def find(self, called):
+        """The one student of this name, or None."""
+        found = self.known.get(_plain(called)) or self.known.get(_plain(_words(called))) or self._run_together(called) or set()
+        return next(iter(found)) if len(found) == 1 else None
+
+    def _run_together(self, called):
+        """Canvas writes "Lovelace, Ada" as lovelaceada."""
+        letters = _letters(called)
+        return {student for name, students in self.known.items() if " " in name for student in students
+                if letters and letters in (_letters(name), _letters(" ".join(reversed(name.split()))))}
+
+    def within(self, text):
+        """The one student whose id stands in a longer name, set off by signs."""
+        plain = _plain(text)
+        found = {student for key, student in self.ids.items() if re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", plain.replace("_", " "))
+                 or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)}
+        longest = {student for student in found if not any(student != other and _plain(student) in _plain(other) for other in found)}
+        return longest.pop() if len(longest) == 1 else None
+
+
+def student_of(parts, names, folder):
+    """(student, whether the roster knows the student) of a file.
+
+    Parameters
+    ----------
+    parts : sequence of str
+        The path within what is graded, outermost first.
+    names : Names
+    folder : str
+        What the graded folder is called, for a folder that is one student's.
+
+    Returns
+    -------
+    str, bool
+    """
+    for part in parts:
+        known = _known(part, names)
+        if known:
+            return known, True
+    called = _called(parts[0], names, is_file=len(parts) == 1)
+    return _safe(called or folder), False
+
+
+def _known(part, names):
+    stem = ENDINGS.sub("", part)
+    moodle, canvas = MOODLE.match(part), CANVAS.match(part)
+    for called in ([moodle["name"]] if moodle else []) + ([canvas["user"], canvas["name"]] if canvas else []) + [stem, _called(part, names, True)]:
+        if called and (found := names.find(called)):
+            return found
+    return names.within(stem)
+
+
+def _called(part, names, is_file):
+    """What is left of a name when everything that says lesson, platform and copy is taken away."""
+    moodle, canvas = MOODLE.match(part), CANVAS.match(part)
+    if moodle or canvas:
+        return (moodle or canvas)["name"]
+    if not is_file:
+        return part
+    stem = COPY.sub("", ENDINGS.sub("", part))
+    for lesson in names.lessons:
+        stem = re.sub(rf"(^|[ _.-]+){lesson}([ _.-]+|$)", " ", stem, flags=re.IGNORECASE).strip()
+    return stem.strip(" _.-")
+
+
+def _plain(text):
+    return unicodedata.normalize("NFC", text).casefold().strip()
+
+
+def _words(name):
+    """A name's words in one order, so that "Lovelace, Ada" is "Ada Lovelace"."""
+    return " ".join(sorted(re.findall(r"[^\s,_]+", _plain(name)))) if re.search(r"[\s,_]", name.strip()) else name
+
+
+def _letters(text):
+    return re.sub(r"[\W\d_]", "", unicodedata.normalize("NFKD", _plain(text)))
+
+
+def _safe(called):
+    """A name that can name a file on every system."""
+    text = unicodedata.normalize("NFC", called.encode("utf-8", "replace").decode("utf-8"))
+    return re.sub(r"[^\w.@+ -]", "_", text).strip(" .")[:100] or "unnamed"

@@ -1,0 +1,147 @@
+"""``Mark`` and ``Graded``: what the grader says of one exercise, and of one student's submission; as dataclasses and as JSON."""
+
+from dataclasses import asdict, dataclass, fields
+
+__all__ = ["Mark", "Graded", "RIGHT", "WRONG", "NOT_ATTEMPTED", "ERROR", "TIMED_OUT", "NOT_ALLOWED", "GRADED", "UNREADABLE", "MISSING"]
+
+RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = "right", "wrong", "not attempted", "error", "timed out", "not allowed"
+GRADED, UNREADABLE, MISSING = "graded", "unreadable", "missing"
+OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED)
+OF_STUDENT = (GRADED, NOT_ATTEMPTED, UNREADABLE, TIMED_OUT, MISSING)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What is said of one exercise of one submission.
+
+    Parameters
+    ----------
+    exercise : str
+        Its id, such as "05.2".
+    status : str
+        "right", "wrong", "not attempted", "error", "timed out" or "not allowed" (it calls what it was to write).
+    points, of : float
+        Earned, and possible.
+    mistake : str or None
+        The id in the catalogue, when the mistake was recognised.
+    headline, place, why, next : str
+        The words of the course; the student may read them.
+    note : str
+        What only the teacher needs: a limit that was reached, an error that was met.
+
+    Examples
+    --------
+    >>> mark = Mark("05.1", "right", 1, 1)
+    >>> Mark.from_dict(mark.to_dict()) == mark
+    True
+    """
+
+    exercise: str
+    status: str
+    points: float
+    of: float
+    mistake: str | None = None
+    headline: str = ""
+    place: str = ""
+    why: str = ""
+    next: str = ""
+    note: str = ""
+
+    def __post_init__(self):
+        if self.status not in OF_MARK:
+            raise ValueError(f"Mark: expected a status of {', '.join(OF_MARK)}, found {self.status!r}; use one of these words")
+
+    def to_dict(self):
+        """A dict of text and numbers."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, given):
+        """The Mark of such a dict."""
+        return cls(**_known(cls, given))
+
+
+@dataclass(frozen=True)
+class Graded:
+    """What is said of one student's submission.
+
+    Parameters
+    ----------
+    student : str
+        The id of the roster, or the one read off the file's name.
+    file : str
+        Where the submission was found, in words relative to the folder that was graded; empty when there is none.
+    status : str
+        "graded", "not attempted", "unreadable", "timed out" or "missing".
+    marks : tuple of Mark
+        One for every exercise asked for, also where the status is not "graded".
+    variant : int
+        Whose numbers the answers were compared with.
+    late_days, penalty : float
+        Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
+    cage : str
+        The level the submission ran at.
+    seconds : float
+        How long it took; the only field in which two runs of the grader may differ.
+    notes : tuple of str
+        Sentences for the teacher.
+    guess_of : str or None
+        Another student for whose variant the answers are right.
+    fingerprint : str
+        Of what was handed in and how it was to be graded: a later run grades again when it has changed.
+
+    Examples
+    --------
+    >>> graded = Graded("ada", "ada.ipynb", "graded", (Mark("05.1", "right", 2, 2), Mark("05.2", "wrong", 0, 2)), penalty=0.25)
+    >>> graded.points, graded.of, graded.total
+    (2, 4, 1.5)
+    >>> Graded.from_dict(graded.to_dict()) == graded
+    True
+    """
+
+    student: str
+    file: str
+    status: str
+    marks: tuple
+    variant: int = 0
+    late_days: float = 0.0
+    penalty: float = 0.0
+    cage: str = ""
+    seconds: float = 0.0
+    notes: tuple = ()
+    guess_of: str | None = None
+    fingerprint: str = ""
+
+    def __post_init__(self):
+        if self.status not in OF_STUDENT:
+            raise ValueError(f"Graded: expected a status of {', '.join(OF_STUDENT)}, found {self.status!r}; use one of these words")
+
+    @property
+    def points(self):
+        """The sum earned, before a late penalty."""
+        return sum(mark.points for mark in self.marks)
+
+    @property
+    def of(self):
+        """The sum possible."""
+        return sum(mark.of for mark in self.marks)
+
+    @property
+    def total(self):
+        """The points after the late penalty, to two decimals."""
+        return round(self.points * (1 - self.penalty), 2)
+
+    def to_dict(self):
+        """A dict of text, numbers and lists, with ``points``, ``of`` and ``total`` for whoever reads the file."""
+        return asdict(self) | {"marks": [mark.to_dict() for mark in self.marks], "notes": list(self.notes),
+                               "points": self.points, "of": self.of, "total": self.total}
+
+    @classmethod
+    def from_dict(cls, given):
+        """The Graded of such a dict."""
+        known = _known(cls, given)
+        return cls(**known | {"marks": tuple(map(Mark.from_dict, known["marks"])), "notes": tuple(known.get("notes", ()))})
+
+
+def _known(cls, given):
+    return {field.name: given[field.name] for field in fields(cls) if field.name in given}
