@@ -5,6 +5,7 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
+SPREAD := --numprocesses logical --dist loadfile  # a file at a time to every core
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
 .PHONY: lab test test-deps site lessons bench
@@ -17,9 +18,9 @@ test: .venv/test
 	@$(MAKE) --no-print-directory test-deps
 	$(BIN)/python -m dhlab.course.lint
 	$(BIN)/python -m dhlab.course.build --check
-	$(BIN)/python -m pytest
-	$(BIN)/python -m pytest -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
-	$(BIN)/python -m pytest -q -o addopts= --nbval-lax lessons
+	$(BIN)/python -m pytest $(SPREAD)
+	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
+	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval-lax lessons
 
 # Chromium and bubblewrap come from apt where this user may install; otherwise the tests that need them are skipped by name.
 test-deps:

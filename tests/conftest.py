@@ -8,6 +8,7 @@ import sys
 
 import pytest
 
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
 # pybullet has wheels up to Python 3.11 only; the others are asked for on Linux
 WANTED = {"pinocchio": sys.platform == "linux", "roboticstoolbox": sys.platform == "linux", "pybullet": sys.platform == "linux" and sys.version_info < (3, 12),
           "trac_ik": sys.platform == "linux" and platform.machine() == "x86_64"}
@@ -35,3 +36,13 @@ def chromium():
             pytest.fail("CI needs Chromium: apt-get install chromium")
         pytest.skip("no Chromium here, so no page was looked at")
     return path
+
+
+@pytest.fixture(scope="module")
+def browser(chromium):
+    """A Chromium for one file of tests; Playwright cannot be started twice in a process, and its loop must not outlive them."""
+    from playwright.sync_api import sync_playwright
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield browser
+        browser.close()

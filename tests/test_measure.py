@@ -241,7 +241,7 @@ def test_what_offsets_do_not_explain_is_said():
     (lambda a, q, T: fit_circles(q, T, "ur5e"), "expected an Arm or nothing"),
     (lambda a, q, T: fit_circles("q", T), "q: expected one row"),
     (lambda a, q, T: fit_circles(q, T, noise="small"), "noise"),
-], ids=str)
+])
 def test_what_is_refused_and_how(call, words):
     arm, q = article(), rng.uniform(-1, 1, (9, 6))
     with pytest.raises(ValueError, match=words) as error:

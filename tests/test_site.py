@@ -24,8 +24,6 @@ import dhlab.view
 ROOT = Path(__file__).parents[1]
 LESSONS = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
 PAGES = ["index", "doctor", "explorer", "teaching", "add-an-exercise", "conventions", "cheat-sheet", "table-files", "reference", "lessons/glossary", "search", "genindex", *(f"lessons/{name}" for name in LESSONS)]
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-         "--disable-component-update", "--disable-sync"]
 DRAWS = r"^(view\.|dh\.explore\()"  # what ends a cell in a picture
 BLOCK = re.compile(r"```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)```(?:\n\n```\{code-block\} text\n:class: error\n(.*?)```)?", re.DOTALL)
 
@@ -53,16 +51,7 @@ def address(site):
         server.shutdown()
 
 
-@pytest.fixture(scope="session")
-def browser(chromium):
-    from playwright.sync_api import sync_playwright
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield browser
-        browser.close()
-
-
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def opened(browser, address):
     """Every page after loading: {name: (page, what went wrong while it loaded)}."""
     seen = {}

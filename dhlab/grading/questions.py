@@ -60,8 +60,9 @@ def handed_out_checks():
 
     Examples
     --------
-    >>> handed_out_checks()["05"]["05.1"]
-    ['rot_x', '05-007']
+    >>> expression, cell = handed_out_checks()["05"]["05.1"]
+    >>> expression
+    'rot_x'
     """
     lessons = {}
     for path in sorted(handed_out().glob("[0-9][0-9]*.ipynb")):

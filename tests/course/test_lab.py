@@ -13,8 +13,6 @@ import pytest
 
 from dhlab.course import workspace
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
-
 
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory):
@@ -44,21 +42,19 @@ def lab(tmp_path_factory):
         process.wait(20)
 
 
-def test_lesson_06_runs_in_the_browser(lab, chromium):
-    from playwright.sync_api import expect, sync_playwright
+def test_lesson_06_runs_in_the_browser(lab, browser):
+    from playwright.sync_api import expect
     address, folder = lab
     outside = []
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1280, "height": 900})
-        page.on("request", lambda request: outside.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
-        page.goto(f"{address}/lab/tree/06-forward-kinematics.ipynb")
-        page.get_by_role("heading", name="06 Six axes").wait_for(timeout=60_000)
-        page.get_by_role("menuitem", name="Run", exact=True).click()
-        page.get_by_text("Run All Cells", exact=True).click()
-        expect(page.get_by_text(re.compile(r"^0 of \d+ points$")).first).to_be_attached(timeout=90_000)
-        page.screenshot(path=folder.parent / "lesson-06.png")
-        browser.close()
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.on("request", lambda request: outside.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
+    page.goto(f"{address}/lab/tree/06-forward-kinematics.ipynb")
+    page.get_by_role("heading", name="06 Six axes").wait_for(timeout=60_000)
+    page.get_by_role("menuitem", name="Run", exact=True).click()
+    page.get_by_text("Run All Cells", exact=True).click()
+    expect(page.get_by_text(re.compile(r"^0 of \d+ points$")).first).to_be_attached(timeout=90_000)
+    page.screenshot(path=folder.parent / "lesson-06.png")
+    page.close()
     assert outside == []
     assert not (folder / ".dhlab" / "progress.jsonl").exists(), "an untouched lesson leaves nothing in the log"
     assert json.loads((folder / "06-forward-kinematics.ipynb").read_text())["cells"]
@@ -83,47 +79,45 @@ def run(page, cell):
     return cells.nth(cell)
 
 
-def test_explorer_is_moved_by_mouse_keyboard_and_python(lab, chromium):
-    from playwright.sync_api import expect, sync_playwright
+def test_explorer_is_moved_by_mouse_keyboard_and_python(lab, browser):
+    from playwright.sync_api import expect
     address, folder = lab
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in CELLS])
     notebook.metadata["kernelspec"] = {"display_name": "Python 3", "language": "python", "name": "python3"}
     nbformat.write(notebook, folder / "explorer.ipynb")
     faults = []
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1280, "height": 1400})
-        page.on("request", lambda request: faults.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
-        page.on("pageerror", lambda error: faults.append(str(error)) if "dhlab" in str(error) else None)
-        page.goto(f"{address}/lab/workspaces/explorer/tree/explorer.ipynb?reset")
-        page.locator(".jp-CodeCell").first.wait_for(timeout=60_000)
-        page.get_by_text("| Idle").wait_for(timeout=60_000)
-        run(page, 0)
-        first, second = (page.get_by_role("slider", name=f"Joint {k}, degrees") for k in (1, 2))
-        box = first.bounding_box()
-        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        page.mouse.down()
-        page.mouse.move(box["x"] + 0.75 * box["width"], box["y"] + box["height"] / 2, steps=5)
-        page.mouse.up()
-        second.focus()
-        for _ in range(4):
-            page.keyboard.press("ArrowRight")
-        shown = [float(slider.evaluate("s => s.value")) for slider in (first, second)]
-        assert shown[0] > 30 and shown[1] == 2.0
-        q = [round(1e4 * np.deg2rad(value)) for value in shown] + [0] * 4
-        expect(run(page, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
-        run(page, 2)
-        expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
-        expect(page.get_by_role("slider", name="Joint 6, degrees")).to_have_attribute("aria-valuetext", "-14.32 degrees")
-        assert page.locator(".jp-CodeCell").count() == len(CELLS), "keys in the view are no commands of the notebook"
-        run(page, 3)
-        page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
-        page.get_by_role("button", name="Place it").click()
-        expect(page.get_by_text("Along the axis of joint 1.")).to_be_visible()
-        page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
-        page.get_by_role("button", name="Place it").click()
-        expect(page.get_by_text("This is the axis of joint 1; in the standard convention z1 is the axis of joint 2.")).to_be_visible()
-        expect(run(page, 4)).to_contain_text("placed [0] None")
-        page.screenshot(path=folder.parent / "explorer.png")
-        browser.close()
+    page = browser.new_page(viewport={"width": 1280, "height": 1400})
+    page.on("request", lambda request: faults.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
+    page.on("pageerror", lambda error: faults.append(str(error)) if "dhlab" in str(error) else None)
+    page.goto(f"{address}/lab/workspaces/explorer/tree/explorer.ipynb?reset")
+    page.locator(".jp-CodeCell").first.wait_for(timeout=60_000)
+    page.get_by_text("| Idle").wait_for(timeout=60_000)
+    run(page, 0)
+    first, second = (page.get_by_role("slider", name=f"Joint {k}, degrees") for k in (1, 2))
+    box = first.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.75 * box["width"], box["y"] + box["height"] / 2, steps=5)
+    page.mouse.up()
+    second.focus()
+    for _ in range(4):
+        page.keyboard.press("ArrowRight")
+    shown = [float(slider.evaluate("s => s.value")) for slider in (first, second)]
+    assert shown[0] > 30 and shown[1] == 2.0
+    q = [round(1e4 * np.deg2rad(value)) for value in shown] + [0] * 4
+    expect(run(page, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
+    run(page, 2)
+    expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
+    expect(page.get_by_role("slider", name="Joint 6, degrees")).to_have_attribute("aria-valuetext", "-14.32 degrees")
+    assert page.locator(".jp-CodeCell").count() == len(CELLS), "keys in the view are no commands of the notebook"
+    run(page, 3)
+    page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
+    page.get_by_role("button", name="Place it").click()
+    expect(page.get_by_text("Along the axis of joint 1.")).to_be_visible()
+    page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
+    page.get_by_role("button", name="Place it").click()
+    expect(page.get_by_text("This is the axis of joint 1; in the standard convention z1 is the axis of joint 2.")).to_be_visible()
+    expect(run(page, 4)).to_contain_text("placed [0] None")
+    page.screenshot(path=folder.parent / "explorer.png")
+    page.close()
     assert faults == []

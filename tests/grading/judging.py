@@ -4,6 +4,8 @@ import contextlib
 import io
 import warnings
 
+import numpy as np
+
 from dhlab.course.exercises import exercises
 from dhlab.grading.marks import Graded, Mark
 
@@ -14,7 +16,7 @@ def marks_of(notebook, variant=0):
     verdicts = {}
     space = {"hint": print, "given": lambda key: exercises()[key].given(variant),
              "check": lambda key, answer: verdicts.__setitem__(key, exercises()[key].judge(answer, variant))}
-    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.printoptions():
         warnings.simplefilter("ignore")
         for cell in notebook.cells:
             if cell.cell_type == "code":

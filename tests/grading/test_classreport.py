@@ -105,22 +105,18 @@ def test_it_is_readable_without_seeing_the_bars(text):
     assert "bubblewrap" in text or "Landlock" in text or "limits only" in text, "the cage that was used is said"
 
 
-def test_it_looks_as_it_should(simulated, chromium):
+def test_it_looks_as_it_should(simulated, browser):
     """In Chromium: nothing asked from elsewhere, nothing wider than the window, bars as long as their numbers say."""
-    from playwright.sync_api import sync_playwright
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        for width in (1280, 390):
-            page = browser.new_page(viewport={"width": width, "height": 900})
-            asked = []
-            page.on("request", lambda request: asked.append(request.url))
-            page.goto(simulated[2].as_uri())
-            assert len(asked) == 1 and page.evaluate("document.documentElement.scrollWidth") <= width
-            rows = page.locator("section.item table tbody tr").evaluate_all(
-                "rows => rows.filter(r => !r.closest('details') && r.querySelector('svg')).map(r => [Number(r.cells[1].innerText), r.querySelector('rect').getBoundingClientRect().width])")
-            counts, widths = np.array(rows).T
-            assert len(rows) > 15 and np.allclose(widths / counts, widths[0] / counts[0], rtol=0.05)
-        browser.close()
+    for width in (1280, 390):
+        page = browser.new_page(viewport={"width": width, "height": 900})
+        asked = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(simulated[2].as_uri())
+        assert len(asked) == 1 and page.evaluate("document.documentElement.scrollWidth") <= width
+        rows = page.locator("section.item table tbody tr").evaluate_all(
+            "rows => rows.filter(r => !r.closest('details') && r.querySelector('svg')).map(r => [Number(r.cells[1].innerText), r.querySelector('rect').getBoundingClientRect().width])")
+        counts, widths = np.array(rows).T
+        assert len(rows) > 15 and np.allclose(widths / counts, widths[0] / counts[0], rtol=0.05)
 
 
 def test_item_analysis_against_numbers_worked_by_hand():

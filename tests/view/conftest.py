@@ -11,7 +11,6 @@ import pytest
 from dhlab.view.explorer.widget import MODULE
 
 SOURCE = Path(MODULE).parent / "js"
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><main><h1>Explorers</h1>{}</main><script type="module">{}
 window.dhlab = {{ forward, frames, widget }};</script>"""
 
@@ -50,22 +49,13 @@ def _without(reason):
     pytest.skip(f"{reason}, so the explorer's module was not built again and no page was checked with axe")
 
 
-@pytest.fixture(scope="session")
-def chrome(chromium):
-    from playwright.sync_api import sync_playwright
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield browser
-        browser.close()
-
-
 @pytest.fixture
-def opened(chrome):
+def opened(browser):
     """``opened(explorer, …)`` is a page without a kernel and without a network that shows them; whatever goes wrong on it fails the test."""
     pages, faults = [], []
 
     def get(*explorers, script="", stills=False, **settings):
-        context = chrome.new_context(offline=True, viewport={"width": 1280, "height": 900}, **settings)
+        context = browser.new_context(offline=True, viewport={"width": 1280, "height": 900}, **settings)
         context.add_init_script(script)
         page = context.new_page()
         page.on("pageerror", lambda error: faults.append(str(error)))
