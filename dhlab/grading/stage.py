@@ -94,13 +94,16 @@ def bubblewrap_command(program, folder, command, limits, proc):
     root = os.geteuid() == 0
     lock = [program, "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try", "--die-with-parent", "--new-session", "--clearenv", "--cap-drop", "ALL"]
     lock += ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"] if root else ["--unshare-user", "--disable-userns", "--uid", "65534", "--gid", "65534"]
+    lock += ["--perms", "1777", "--size", str(limits.files_mb << 20), "--tmpfs", "/tmp"]
+    below = {str(Path(*Path(path).parts[:3])) for path in readable() if path.startswith("/tmp/")}  # Python itself may stand there: nothing else may be put beside it
+    lock += [word for path in sorted(below) for word in ("--perms", "0755", "--tmpfs", path)]
     parents = {str(parent) for path in readable() for parent in list(Path(path).parents)[:-1]}
     lock += [word for parent in sorted(parents) for word in ("--perms", "0755", "--dir", parent)]
     lock += [word for path in readable() for word in _bind(path)]
     lock += [word for path in hidden() for word in ("--tmpfs", path)]
     lock += ["--proc", "/proc"] if proc else []
-    lock += ["--ro-bind", folder, INSIDE, "--dev", "/dev", "--perms", "1777", "--size", str(limits.files_mb << 20), "--tmpfs", "/tmp"]
-    lock += [word for path in ("/dev", "/") for word in ("--remount-ro", path)]
+    lock += ["--ro-bind", folder, INSIDE, "--dev", "/dev"]
+    lock += [word for path in ("/dev", *sorted(below), "/") for word in ("--remount-ro", path)]
     lock += [word for name, value in environment("/tmp").items() for word in ("--setenv", name, value)]
     return [*lock, "--chdir", "/tmp", "--", *command]
 

@@ -23,6 +23,7 @@ def main():
     config = json.loads(sys.argv[1])
     control = socket.socket(fileno=config["control"])
     problem = _confine(config)
+    kept = set(os.listdir(config["work"]))  # where Python itself stands below it, which nobody here can write to
     if not problem:
         _warm(config["warm"])
     control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
@@ -39,7 +40,7 @@ def main():
         if not control.recv(1):
             return
         status = _end(child, config)
-        control.sendall(json.dumps({"status": status, "clean": _clean(config["work"])}).encode())
+        control.sendall(json.dumps({"status": status, "clean": _clean(config["work"], kept)}).encode())
 
 
 def _confine(config):
@@ -131,9 +132,9 @@ def _descendants():
     return found - {os.getpid()}
 
 
-def _clean(work):
+def _clean(work, kept):
     """Empty the folder that submissions may write to; False when something stays, and the whole cage has to go."""
-    for name in os.listdir(work):
+    for name in set(os.listdir(work)) - kept:
         path = os.path.join(work, name)
         if os.path.isdir(path) and not os.path.islink(path):
             for folder, _, _ in os.walk(path):
@@ -143,7 +144,7 @@ def _clean(work):
         else:
             with contextlib.suppress(OSError):
                 os.unlink(path)
-    return not os.listdir(work)
+    return set(os.listdir(work)) <= kept
 
 
 if __name__ == "__main__":
