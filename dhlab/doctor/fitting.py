@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from scipy.stats import chi2 as chi2_law
+from scipy.special import chdtri
 
 from ..arm import Arm
 from ..table import DHTable
@@ -56,7 +56,7 @@ class Fit:
 
 def limit(freedom):
     """The χ² that noise alone passes once in ten million draws."""
-    return chi2_law.isf(FALSE_ALARM, max(freedom, 1))
+    return chdtri(max(freedom, 1), FALSE_ALARM)
 
 
 def rotation_vectors(R):

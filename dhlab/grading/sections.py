@@ -1,10 +1,9 @@
 """Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons and the teacher's sheets."""
 
+import json
 import re
 from functools import cache
 from pathlib import Path
-
-import nbformat
 
 from ..course.kinds import Choice
 from ..course.workspace import handed_out
@@ -19,20 +18,21 @@ CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
 @cache
 def _lessons():
     """(title, {exercise: section}, {mistake: section}) of each lesson, by number."""
-    return {path.name[:2]: _read(nbformat.read(path, as_version=4)) for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))}
+    return {path.name[:2]: _read(json.loads(path.read_text(encoding="utf-8"))) for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))}
 
 
 def _read(notebook):
     title = section = ""
     exercises, mistakes = {}, {}
-    for cell in notebook.cells:
-        if cell.cell_type == "markdown":
-            heading = re.search(r"^(##?) (.+)$", cell.source, re.MULTILINE)
+    for cell in notebook["cells"]:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            heading = re.search(r"^(##?) (.+)$", source, re.MULTILINE)
             title, section = (title or heading[2], heading[2]) if heading else (title, section)
-            if "mistake" in cell.metadata:
-                mistakes[cell.metadata["mistake"]] = section
+            if "mistake" in cell["metadata"]:
+                mistakes[cell["metadata"]["mistake"]] = section
         else:
-            exercises |= {number: section for number in CALL.findall(cell.source)}
+            exercises |= {number: section for number in CALL.findall(source)}
     return title, exercises, mistakes
 
 
