@@ -42,7 +42,7 @@ def drawn_faults(arm, rng):
     yield "base-height-missing-or-twice", replace(arm, base=trans([0, 0, rng.uniform(0.05, 0.5)]) @ arm.base)
 
 
-ALIKE = {"offset-value": "offset-missing", "alpha-value": "alpha-sign"}
+ALIKE = {"offset-value": "offset-missing", "alpha-value": "alpha-sign"}  # the same entry and the same repair: whether the number has a reason decides the word
 
 
 def measure(arm, rng, m, noise, positions=False, free=False):

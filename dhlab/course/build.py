@@ -81,7 +81,7 @@ def solution_notebook(source):
     """The notebook with its outputs, from one run from top to bottom."""
     from nbclient import NotebookClient
     notebook = nbformat.from_dict(source)
-    NotebookClient(notebook, timeout=120, kernel_name="python3", coalesce_streams=True, resources={"metadata": {"path": str(ROOT)}}).execute()
+    NotebookClient(notebook, timeout=120, kernel_name="python3", coalesce_streams=True, extra_arguments=["--IPKernelApp.log_level=40"], resources={"metadata": {"path": str(ROOT)}}).execute()
     for cell in without_widgets(notebook).cells:
         cell.metadata.pop("execution", None)
     notebook.metadata = nbformat.from_dict(source).metadata

@@ -13,7 +13,8 @@ from .progress import MARKER
 __all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]
 
 PACKAGE = Path(__file__).parents[1]
-SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False}}
+SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
+            "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}  # the explorer is still there when the notebook is opened again
 
 
 def handed_out():
@@ -96,7 +97,7 @@ def _fingerprint(text):
 
 
 def write_settings(folder):
-    """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of the outside."""
+    """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of the outside; what stood on the page stays in the notebook."""
     settings = Path(folder) / MARKER / "lab"
     settings.mkdir(parents=True, exist_ok=True)
     write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)

@@ -79,7 +79,7 @@ def run(page, cell):
     return cells.nth(cell)
 
 
-def test_explorer_is_moved_by_mouse_keyboard_and_python(lab, browser):
+def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(lab, browser):
     from playwright.sync_api import expect
     address, folder = lab
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in CELLS])
@@ -119,5 +119,21 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python(lab, browser):
     expect(page.get_by_text("This is the axis of joint 1; in the standard convention z1 is the axis of joint 2.")).to_be_visible()
     expect(run(page, 4)).to_contain_text("placed [0] None")
     page.screenshot(path=folder.parent / "explorer.png")
+    page.keyboard.press("Control+s")
+    page.wait_for_function("() => !document.querySelector('.lm-TabBar-tab.lm-mod-current.jp-mod-dirty')")
+    page.get_by_role("menuitem", name="Kernel", exact=True).click()
+    page.get_by_text("Shut Down Kernel", exact=True).click()
+    page.get_by_text("No Kernel").first.wait_for(timeout=20_000)
+    page.close()
+    page = browser.new_page(viewport={"width": 1280, "height": 1400})
+    page.goto(f"{address}/lab/workspaces/again/tree/explorer.ipynb?reset")
+    page.get_by_text("| Idle").wait_for(timeout=60_000)
+    first = page.get_by_role("slider", name="Joint 1, degrees")
+    expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
+    first.press("ArrowRight")
+    expect(first).to_have_attribute("aria-valuetext", "29 degrees")
+    page.get_by_role("button", name="Start over").click()
+    expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible(timeout=10_000)
+    page.screenshot(path=folder.parent / "explorer-again.png")
     page.close()
     assert faults == []

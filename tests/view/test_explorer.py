@@ -167,6 +167,27 @@ def test_a_step_from_python_is_seen_in_the_view(arm):
         dh.explore(arm).place("z1", [0, 0, 1])
 
 
+def test_steps_are_taken_back_one_by_one(arm):
+    placing, answers = Placing(*axes_of(arm), "standard"), []
+    while placing.placement.missing:
+        answers.append(placing.answer())
+        offer = next(offer for offer in answers[-1]["offers"] if placing.make(answers[-1]["next"], offer["value"], offer["point"]))
+        placing.make("z0", [1, 1, 1])  # a wrong one after it is nothing to take back
+    for before in reversed(answers):
+        placing.back()
+        assert placing.answer() | {"turn": 0} == before | {"turn": 0}, offer
+    placing.back()
+    assert placing.answer() | {"turn": 0} == answers[0] | {"turn": 0}
+
+
+def test_a_wrong_step_made_twice_is_answered_twice(arm):
+    explorer, answers = dh.explore(arm, mode="place"), []
+    explorer.observe(lambda change: answers.append(change.new["said"]["rule"]), "_answer")
+    for _ in range(2):
+        explorer._heard({"step": "z0", "value": [1, 0, 0]})
+    assert len(answers) == 2 and answers[0] == answers[1]
+
+
 def luminance(hexadecimal):
     """Relative luminance as WCAG 2.1 defines it."""
     rgb = np.array([int(hexadecimal[k:k + 2], 16) for k in (1, 3, 5)]) / 255

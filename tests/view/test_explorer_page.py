@@ -332,8 +332,12 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
     np.testing.assert_allclose(explorer.arm.forward(q), arm.forward(q), atol=1e-9)
     rows = text_table(page, "The finished table")
     np.testing.assert_allclose([numbers(row[3])[0] for row in rows], 1000 * explorer.arm.table.a, atol=0.051)
+    page.get_by_role("button", name="Undo").click()
+    page.get_by_text("1 step left").wait_for()
+    assert explorer.arm is None and explorer.placing.placement.missing == ("x4",)
     page.get_by_role("button", name="Start over").click()
     page.get_by_text("15 steps left").wait_for()
+    assert page.get_by_role("button", name="Undo").is_disabled()
 
 
 def test_python_and_hands_move_the_same_numbers(live):

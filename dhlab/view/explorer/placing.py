@@ -22,24 +22,36 @@ def axes_of(arm):
 
 
 class Placing:
-    """A placement in the view: ``placement`` is what is placed so far."""
+    """A placement in the view: ``placement`` is what is placed so far, ``turn`` how often something was asked."""
 
     def __init__(self, axes, end, convention):
-        self.given = axes, end, convention
+        self.given, self.turn = (axes, end, convention), 0
         self.start_over()
 
-    def start_over(self):
-        """Put all frames away."""
-        self.placement = Placement(*self.given)
+    def start_over(self, keep=()):
+        """Put all frames away, but for the steps to keep."""
+        self.turn += 1
+        self.placement, self.made = Placement(*self.given), []
+        for step in keep:
+            self.make(*step)
+
+    def back(self):
+        """Take back the last right step."""
+        self.start_over(self.made[:-1])
 
     def make(self, step, value, point=None):
         """Make a step such as "z1"; returns the Judgement."""
+        self.turn += 1
         letter, i = step[:1], step[1:]
         if letter not in ("z", "o", "x") or not i.isdigit():
             raise ValueError(f'explorer.place: expected a step such as "z1", "o1" or "x1", found {step!r}')
-        if letter == "z":
-            return self.placement.set_z(int(i), value, point)
-        return (self.placement.set_origin if letter == "o" else self.placement.set_x)(int(i), value)
+        judgement = self._setter(letter)(int(i), value, *([point] if letter == "z" else []))
+        if judgement:
+            self.made.append((step, value, point))
+        return judgement
+
+    def _setter(self, letter):
+        return {"z": self.placement.set_z, "o": self.placement.set_origin, "x": self.placement.set_x}[letter]
 
     def data(self):
         """What does not change: axes, base, end, and a worked placement."""
@@ -68,7 +80,7 @@ class Placing:
         kept = {"z": placement.z, "o": placement.o, "x": placement.x}
         placed = [{"step": f"{letter}{i}", "value": _plain(value)} for letter, by_frame in kept.items() for i, value in by_frame.items()]
         following = None if placement.finished else placement.missing[0]
-        return {"said": said, "placed": placed, "next": following, "left": len(placement.missing), "offers": self._offers(following) if following else [],
+        return {"turn": self.turn, "said": said, "placed": placed, "next": following, "left": len(placement.missing), "offers": self._offers(following) if following else [],
                 "arm": arm_data(placement.arm) if placement.finished else None}
 
     def _offers(self, step):

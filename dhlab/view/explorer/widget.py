@@ -117,11 +117,11 @@ class Explorer(anywidget.AnyWidget):
             self.q = self._data["qs"][change.new - 1]
 
     def _heard(self, message):
-        """What the view asks for: the still picture, where it has no WebGL; a new start; a step that hands made."""
+        """What the view asks for: the still picture, where it has no WebGL; a new start; a step taken back; a step that hands made."""
         if message.get("still"):
             self.send({"still": self._still()._repr_mimebundle_()["text/html"]})
-        elif message.get("again"):
-            self.placing.start_over()
+        elif message.get("again") or message.get("back"):
+            self.placing.start_over() if message.get("again") else self.placing.back()
             self._answer = self.placing.answer()
         else:
             self.place(message["step"], message["value"], message.get("point"))

@@ -10,6 +10,8 @@ import { DHTable, FramesTable } from "../tables.js";
 const ASKS = { z: (i) => `Along which line, and which way, does z${below(i)} run?`, o: (i) => `Where does the origin of {${i}} stand?`,
   x: (i) => `Which way does x${below(i)} point?` };
 const START = "Place every z, then origin and x, frame by frame. Turn the view to see which line is which.";
+const NOBODY = "Python has not answered. Run the cell above again, or wait until it is done with other cells.";
+const PATIENCE = 4000; // milliseconds
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
 export function placeMode(host, redraw) {
@@ -19,6 +21,7 @@ export function placeMode(host, redraw) {
   let placed = new Map(), words = "", shownArm = null;
   const ways = (host.live ? judged : worked)(host, mode, redraw);
   mode.controls = ways.controls;
+  mode.close = ways.close;
   mode.below = [tableHere];
   mode.frames = frameTable.element;
   mode.changed = () => {
@@ -125,12 +128,15 @@ function judged(host, mode, redraw) {
   const verdict = h("p", { class: "verdict" }), progress = h("p", { class: "hint" });
   const slide = slider({ symbol: "↔", name: "Along the line of z", turn: false, low: -1.2 * data.reach, high: 1.2 * data.reach,
     changed: (value) => choose(free(value)) });
-  const submit = button("Place it", () => chosen && host.send({ step: answer.next, value: chosen.value, point: chosen.point }), { class: "submit" });
-  const again = button("Start over", () => host.send({ again: true }));
+  const submit = button("Place it", () => chosen && tell({ step: answer.next, value: chosen.value, point: chosen.point }), { class: "submit" });
+  const back = button("Undo", () => tell({ back: true })), again = button("Start over", () => tell({ again: true }));
+  let waiting = 0;
   return {
-    controls: [verdict, offers, what, slide.element, h("div", { class: "transport" }, submit, again), progress],
+    controls: [verdict, offers, what, slide.element, h("div", { class: "transport" }, submit, back, again), progress],
     arm: () => answer.arm,
+    close: () => clearTimeout(waiting),
     changed() {
+      clearTimeout(waiting);
       answer = host.get("_answer");
       chosen = null;
       show();
@@ -141,6 +147,16 @@ function judged(host, mode, redraw) {
       if (chosen && !answer.offers.includes(chosen)) scene.ball(chosen.value, 0.02 * data.reach, "error");
     },
   };
+
+  // A notebook that was opened again shows this view before its cell has run: then nobody is there to judge.
+  function tell(message) {
+    clearTimeout(waiting);
+    waiting = setTimeout(() => {
+      verdict.className = "verdict wrong";
+      verdict.textContent = NOBODY;
+    }, PATIENCE);
+    host.send(message);
+  }
 
   function spoken() {
     const { said, next } = answer, verdict = said ? `${said.right ? "Right" : "Not yet"}. ${pretty(said.step)}: ${said.message} ` : "";
@@ -156,8 +172,9 @@ function judged(host, mode, redraw) {
     verdict.className = `verdict ${said ? (said.right ? "right" : "wrong") : ""}`;
     verdict.replaceChildren(...(said ? [h("b", {}, said.right ? "✓ Right. " : "✗ Not yet. "), `${pretty(said.step)}: ${said.message}`] : [START]));
     offers.hidden = what.hidden = submit.hidden = !next;
+    back.disabled = again.disabled = !answer.placed.length;
     slide.element.hidden = !next || next[0] !== "o" || !line();
-    progress.textContent = next ? `${left} steps left` : "All frames are placed. Every valid choice gives a right table; yours is below.";
+    progress.textContent = next ? `${left} ${left === 1 ? "step" : "steps"} left` : "All frames are placed. Every valid choice gives a right table; yours is below.";
     if (!next) return;
     slide.set(0);
     ask.textContent = question();
