@@ -17,6 +17,7 @@ __all__ = ["diagnose"]
 EXACT = (1e-6, 1e-6)         # what counts as no noise at all (m, rad): a micrometre, and digits lost in printing
 LARGEST_NOISE = (0.01, 0.05)  # beyond this nothing is explained any more
 COARSE = (2e-3, 4e-3)        # supposed where the noise cannot be estimated: a ruler, a phone
+FINE = 2e-3                  # noise that all numbers together, fitted, do not leave by chance (m)
 SMALL = (0.012, 0.02)        # a misfit that a calibration might make (m, rad, root mean square)
 CALIBRATION = (1e-3, 2e-3)   # how far it moves a number, standard deviation (m, rad): the arms of dh_facts are 1 to 5 mm off at the end
 DOUBT = 10                   # a mistake must explain noisy data this much better than a calibration does (χ²)
@@ -73,16 +74,17 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
 
 
 def _without_level(arm, data):
-    """The verdict where the noise is not known: exact first, then as estimated."""
+    """The verdict where the noise is not known: one mistake in exact data, one in data with little noise, then two, then more noise."""
     answer = _decide(arm, data, ("The measurements are exact to a micrometre.",), two=False)
     if answer.verdict in (AGREES, EXPLAINED):
         return answer
     estimated, enough = _estimate(arm, data)
     few = () if enough else (f"With {len(data.q)} poses the noise cannot be told from a mistake; 8 to 12 general ones would do.",)
-    levels = [EXACT, estimated] if estimated[0] < LARGEST_NOISE[0] else [EXACT, COARSE]
-    for level in levels if answer.verdict == UNEXPLAINED else [estimated]:
+    small = [(estimated, False)] if enough and estimated[0] < FINE else []  # two mistakes in exact data would leave more
+    rounds = [*small, (EXACT, True), (estimated if estimated[0] < LARGEST_NOISE[0] else COARSE, True)]
+    for level, two in rounds if answer.verdict == UNEXPLAINED else [(estimated, True)]:
         said = f"The noise was estimated from the data: {level[0] * 1e3:.2g} mm" + ("" if data.R is None else f", {np.rad2deg(level[1]):.2g}°") + "."
-        answer = _decide(arm, replace(data, noise=level), (said, *few))
+        answer = _decide(arm, replace(data, noise=level), (said, *few), two=two)
         if answer.verdict != UNEXPLAINED:
             break
     return answer
