@@ -122,19 +122,20 @@ def grade(place, out, *, roster=(), key=None, settings=Settings(), jobs=1, sched
     Raises
     ------
     ValueError
-        One sentence: what was expected, what was found. Marks written so far stay.
+        One sentence: what was expected, what was found; another grader at work in ``out``, for one. Marks written so far stay.
     """
     book = Gradebook(out)
     planned = plan(place, roster, key, settings, exercise)
-    todo, kept = _todo(planned, book, key)
-    done = len(kept)
-    progress(done, len(planned.found))
-    for graded in _worked(todo, planned.course, jobs, scheduler):
-        book.write(_merged(graded, book, exercise))
-        done += 1
+    with book.alone():
+        todo, kept = _todo(planned, book, key)
+        done = len(kept)
         progress(done, len(planned.found))
-    results = [book.read(student) for student in planned.found]
-    book.write_grades(results, roster)
+        for graded in _worked(todo, planned.course, jobs, scheduler):
+            book.write(_merged(graded, book, exercise))
+            done += 1
+            progress(done, len(planned.found))
+        results = [book.read(student) for student in planned.found]
+        book.write_grades(results, roster)
     return results, planned
 
 

@@ -1,6 +1,8 @@
 """What the grader keeps on disk: a file of marks per student, written whole or not at all, and ``grades.csv`` made from them."""
 
 import json
+import os
+from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote
 
@@ -31,6 +33,27 @@ class Gradebook:
             (self.folder / "marks").mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise ValueError(f"grade: {folder}: expected a folder for the marks, found that it cannot be made ({error.strerror}); choose another") from None
+
+    @contextmanager
+    def alone(self):
+        """While one grader writes here, no other does. The lock ends with the process, however that ends; where the file system knows no locks there is none."""
+        try:
+            from fcntl import LOCK_EX, LOCK_NB, flock
+        except ImportError:  # not on Windows
+            yield
+            return
+        marks = os.open(self.folder / "marks", os.O_RDONLY)
+        try:
+            flock(marks, LOCK_EX | LOCK_NB)
+        except BlockingIOError:
+            os.close(marks)
+            raise ValueError(f"grade: {self.folder}: expected a folder that nobody else writes to, found that another grader is at work in it; wait for it, or choose another") from None
+        except OSError:
+            pass
+        try:
+            yield
+        finally:
+            os.close(marks)
 
     def path(self, student):
         """Where a student's marks stand."""

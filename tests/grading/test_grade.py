@@ -17,6 +17,7 @@ import corpus  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.grading.grade import grade, plan  # noqa: E402
+from dhlab.grading.gradebook import Gradebook  # noqa: E402
 from dhlab.grading.roster import Student  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 from dhlab.grading.variants import variant  # noqa: E402
@@ -99,6 +100,15 @@ def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(refere
     assert len(on_disk(one)) == 7
     assert on_disk(one) == on_disk(tmp_path / "two") == on_disk(tmp_path / "three")
     assert (one / "grades.csv").read_bytes() == (tmp_path / "two" / "grades.csv").read_bytes() == (tmp_path / "three" / "grades.csv").read_bytes()
+
+
+def test_two_graders_do_not_share_a_folder(reference, tmp_path):
+    folder, _, _ = reference
+    with Gradebook(tmp_path / "out").alone():
+        second = subprocess.run(command(folder, "--out", tmp_path / "out"), capture_output=True, text=True, timeout=300)
+    assert second.returncode != 0 and "another grader is at work in it" in " ".join(second.stderr.replace("│", " ").split()) and on_disk(tmp_path / "out") == {}
+    with Gradebook(tmp_path / "out").alone():
+        pass
 
 
 def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
