@@ -8,7 +8,7 @@ import numpy as np
 from ..arm import Arm
 from .datafaults import data_repairs
 from .faults import A, ALPHA, D, THETA
-from .fitting import Fit, fit, limit, misfit, place_ends, with_rows
+from .fitting import Fit, carried, fit, limit, misfit, place_ends, with_rows
 from .repairs import discrete_repairs
 
 __all__ = ["Explanation", "singles", "pairs", "calibrated"]
@@ -63,7 +63,7 @@ def singles(arm, data):
     for found in _rounded_angles(placed, data):
         yield Explanation(found, (arm, found.arm))
     for end in ("base", "tool"):
-        if not getattr(data, f"{end}_free") and not (data.R is None and end == "tool"):
+        if not getattr(data, f"{end}_free"):
             found = misfit(arm, replace(data, **{f"{end}_free": True}))
             yield Explanation(found, (arm, found.arm), ends=(end,))
     for fault, changed in data_repairs(data):
@@ -90,34 +90,46 @@ def _entry_fits(placed, data, i, column):
 
 
 def _signs_of_twists(arm, data):
-    """Arms with other signs of several alphas (their lengths' signs open), the two whose rotations fit best."""
+    """Arms with other signs of several alphas (their lengths' signs open), the two that fit best: by rotation, with a free base by position."""
     twisted = np.flatnonzero(np.abs(np.sin(arm.table.alpha)) > 1e-9)
-    if data.R is None or data.base_free or data.tool_free or not 2 <= len(twisted) <= 7:
+    by_position = data.R is None or data.base_free
+    if data.tool_free or not 2 <= len(twisted) <= 7 or by_position and (arm.table.rows[:, 1:] < 0).any():  # lost signs leave no negative number
         return []
     trials = []
     for pattern in range(1, 2 ** len(twisted)):
         rows = arm.table.rows
         rows[twisted[[(pattern >> k) & 1 == 1 for k in range(len(twisted))]], ALPHA] *= -1
         trial = with_rows(arm, rows)
-        R = trial.frames(data.q[:3])[:, -1, :3, :3] @ arm.tool[:3, :3]
-        trials.append((-np.einsum("kij,kij->", R, data.R[:3]), pattern, trial))
+        trials.append((min(_length_signs(trial, data)[2], default=np.inf) if by_position else _rotation_apart(trial, data), pattern, trial))
     return [trial for _, _, trial in sorted(trials, key=lambda item: item[:2])[:2]]
 
 
+def _rotation_apart(arm, data):
+    R = arm.frames(data.q[:3])[:, -1, :3, :3] @ arm.tool[:3, :3]
+    return -np.einsum("kij,kij->", R, data.R[:3])
+
+
 def _signs_of_lengths(arm, data):
-    """All lengths with other signs: positions are linear in them, so every pattern is one matrix product."""
-    entries = [e for e in _entries(arm, (D, A)) if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")]
-    if data.base_free or data.tool_free or not 2 <= len(entries) <= 12:
-        return
-    columns, off = _length_columns(arm, data, entries)
-    lengths = np.array([arm.table.rows[e] for e in entries])
-    patterns = 1 - 2 * ((np.arange(2 ** len(entries))[:, None] >> np.arange(len(entries))) & 1)
-    misfits = ((off[:, None] + columns @ ((patterns - 1) * lengths).T) ** 2).sum(0)
+    """All lengths with other signs, the two patterns that fit best."""
+    entries, patterns, misfits = _length_signs(arm, data)
     for k in np.argsort(misfits)[:2]:
         rows = arm.table.rows
         for e, sign in zip(entries, patterns[k]):
             rows[e] *= sign
         yield misfit(with_rows(arm, rows), data)
+
+
+def _length_signs(arm, data):
+    """The lengths, every pattern of their signs and its misfit: positions are linear in lengths, so every pattern is one matrix product."""
+    entries = [e for e in _entries(arm, (D, A)) if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")]
+    if data.tool_free or not 2 <= len(entries) <= 12:
+        return [], [], []
+    columns, off = _length_columns(arm, data, entries)
+    lengths = np.array([arm.table.rows[e] for e in entries])
+    patterns = 1 - 2 * ((np.arange(2 ** len(entries))[:, None] >> np.arange(len(entries))) & 1)
+    offs = off + (patterns - 1) * lengths @ columns.T
+    targets = data.p / data.noise[0]
+    return entries, patterns, carried(offs.reshape(len(offs), -1, 3) + targets, targets) if data.base_free else (offs**2).sum(1)
 
 
 def _length_columns(arm, data, entries):

@@ -10,9 +10,10 @@ from ..arm import Arm
 from ..table import DHTable
 from ..transform import inverse
 
-__all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "with_parts", "place_ends", "limit", "rotation_vectors"]
+__all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "with_parts", "place_ends", "carried", "limit", "rotation_vectors"]
 
 FALSE_ALARM = 1e-7  # how often right data may look wrong
+HOPELESS = 100      # times the χ² of noise: no better base or tool helps
 
 
 @dataclass(frozen=True)
@@ -84,14 +85,23 @@ def with_parts(arm, **parts):
 
 
 def misfit(arm, data):
-    """The Fit of an arm as it is; base and tool put in place where they are free."""
-    if data.base_free or data.tool_free:
-        return fit(place_ends(arm, data), data, ())
-    return Fit(arm, float((data.residual(arm.forward(data.q)) ** 2).sum()))
+    """The Fit of an arm as it is; base and tool put in place where they are free.
+
+    A base is placed in closed form, finally where only positions were measured; where poses were, one end comes near enough to see that a fit is hopeless.
+    """
+    placed = place_ends(arm, data)
+    chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
+    free = 6 * (data.base_free + data.tool_free)
+    done = not data.tool_free if data.R is None else free == 6 and chi2 > HOPELESS * limit(data.count) + 1e6
+    if free == 0 or done:
+        return Fit(placed, chi2, free)
+    return fit(placed, data, ())
 
 
 def place_ends(arm, data):
     """The arm with the free base and tool that bring it near the measured poses."""
+    if not (data.base_free or data.tool_free):
+        return arm
     T = arm.forward(data.q)
     if data.R is None:
         return with_parts(arm, base=_kabsch(T[:, :3, 3], data.p) @ arm.base) if data.base_free else arm
@@ -116,6 +126,14 @@ def _kabsch(points, targets):
     T[:3, :3] = U @ np.diag([1, 1, np.linalg.det(U @ Vt)]) @ Vt
     T[:3, 3] = targets.mean(0) - T[:3, :3] @ points.mean(0)
     return T
+
+
+def carried(points, targets):
+    """The squares left when each set of points (k, m, 3) is carried to the targets (m, 3) as well as a pose can (Kabsch 1976)."""
+    a, b = points - points.mean(1, keepdims=True), targets - targets.mean(0)
+    U, s, Vt = np.linalg.svd(b.T @ a)
+    s[:, 2] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))
+    return (a**2).sum((1, 2)) + (b**2).sum() - 2 * s.sum(1)
 
 
 def _aligned(T, U):

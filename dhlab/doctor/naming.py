@@ -8,10 +8,10 @@ from .faults import A, ALPHA, D, NAMES, THETA, faults
 from .finding import Finding
 from .fitting import Measured, misfit
 
-__all__ = ["name_change", "name_data_fault", "name_entry"]
+__all__ = ["name_change", "name_data_fault", "difference_text"]
 
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical purposes
-SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (4, 16)) * np.random.default_rng(21).choice([-1, 1], (4, 16))
+SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (8, 16)) * np.random.default_rng(21).choice([-1, 1], (8, 16))
 TOLERANCE = 1e-6
 ORDER = ("standard-rows-in-craig-matrix", "craig-rows-in-standard-matrix", "alpha-sign", "length-sign", "joint-reversed", "offset-missing", "offset-sign",
          "a-d-exchanged", "length-unit", "tool-missing", "base-turned")
@@ -43,7 +43,7 @@ def name_change(wrong, right, data, entries=(), ends=()):
         names = _by_difference(wrong, right)
     mistake, joint, parameter, place, detail = names[0]
     others = tuple(dict.fromkeys(name for name in [n[0] for n in names[1:]] + _twins(wrong, entries) if name != mistake))
-    return Finding(mistake, joint, parameter, place, detail or _difference_text(wrong, right), right, others)
+    return Finding(mistake, joint, parameter, place, detail or difference_text(wrong, right), right, others)
 
 
 def name_data_fault(fault, arm):
@@ -67,11 +67,11 @@ def _twins(arm, entries):
 
 
 def _made_on(right, wrong, data, fitted):
-    """Every mistake of the catalogue that, made on the right arm, gives the wrong one: (mistake, joint, parameter, place, detail), simplest first."""
+    """Every mistake of the catalogue that, made on the right arm, gives the wrong one as far as was measured: (mistake, joint, parameter, place, detail), simplest first."""
     q = SAMPLES[:, :len(right)]
     T = wrong.forward(q)
     slack = max(TOLERANCE, 3 * data.noise[0] if fitted and data.noise[0] > 1e-5 else 0), max(TOLERANCE, 3 * data.noise[1] if fitted and data.noise[1] > 1e-5 else 0)
-    sample = Measured(q, T[:, :3, 3], T[:, :3, :3], slack, data.base_free, data.tool_free)
+    sample = Measured(q, T[:, :3, 3], None if data.R is None else T[:, :3, :3], slack, data.base_free, data.tool_free)
     found = [(fault.mistake, fault.joint, fault.parameter, _place(fault.joint, fault.parameter), "") for fault in faults(right)
              if misfit(fault.arm, sample).chi2 < sample.count]
     rank = {name: k for k, name in enumerate(ORDER)}
@@ -88,10 +88,10 @@ def _place(joint, parameter):
 def _by_value(wrong, right, entries, ends):
     if ends:
         return _by_end(wrong, right, ends[0])
-    return name_entry(wrong, right, entries) if len(entries) == 1 else None
+    return _name_entry(wrong, right, entries) if len(entries) == 1 else None
 
 
-def name_entry(wrong, right, entries):
+def _name_entry(wrong, right, entries):
     """(mistake, joint, parameter, place, detail) of the one entry that was fitted, by what stood there and what should."""
     (i, column), = entries
     was, should = wrong.table.rows[i, column], right.table.rows[i, column]
@@ -159,7 +159,7 @@ def _by_difference(wrong, right):
     return [_by_end(wrong, right, end)]
 
 
-def _difference_text(wrong, right):
+def difference_text(wrong, right):
     """What stood there and what should, for up to three entries."""
     if wrong.table.convention != right.table.convention:
         return f"the rows are {right.table.convention}"

@@ -6,7 +6,7 @@ import numpy as np
 
 from .faults import A, D
 from .fitting import Fit, Measured, fit, limit, misfit, with_rows
-from .naming import name_change, name_data_fault, name_entry
+from .naming import difference_text, name_change, name_data_fault
 
 __all__ = ["ranked", "named", "with_twins", "rivals_of", "telling_pose"]
 
@@ -16,12 +16,17 @@ MOST_TWINS = 4
 def ranked(arm, explanations, data):
     """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that nobody would have guessed, then the smaller misfit."""
     snapped = (_snapped(e, data) for e in explanations)
-    return sorted(snapped, key=lambda e: (e.changes, e.odd + 6 * len(e.ends), len(e.entries) > 2, round(e.fit.chi2, 3), _touched(arm, e.fit.arm)))
+    return sorted(snapped, key=lambda e: (e.changes, e.odd + 6 * len(e.ends), len(e.entries) > 2, round(e.fit.chi2, 3), _touched(arm, e.fit.arm), _not_signs(arm, e.fit.arm)))
 
 
 def _touched(arm, repaired):
     """How many numbers and senses a repair changes: of two that make the same arm, the one that changes less is read first."""
     return int((np.abs(arm.table.rows - repaired.table.rows) > 1e-9).sum() + (arm.sign != repaired.sign).sum())
+
+
+def _not_signs(arm, repaired):
+    """How many of the changed numbers are not the old number's negative: of two repairs of the same size, the wrong sign is read first."""
+    return int((np.abs(np.abs(arm.table.rows) - np.abs(repaired.table.rows)) > 1e-9).sum())
 
 
 def named(explanation, data):
@@ -40,13 +45,20 @@ def named(explanation, data):
 
 
 def with_twins(finding, best, others, data):
-    """The finding with the names of the other single entries whose change makes the same arm of it, and a note on them."""
-    twins = [e for e in others if e.changes == best.changes and len(e.entries) == 1 and not e.ends and not _differs(best.fit.arm, e.fit.arm, data)]
-    twins = [e for e in twins if not np.allclose(e.fit.arm.table.rows, best.fit.arm.table.rows, atol=5 * max(data.noise))]
-    named = [name_entry(e.chain[0], e.fit.arm, e.entries) for e in twins[:MOST_TWINS]]
-    names = dict.fromkeys([*finding.look_alikes, *(name for name, *_ in named)])
-    same = tuple(f"The same arm comes of this: {place} {detail}." for *_, place, detail in named)
-    return replace(finding, look_alikes=tuple(name for name in names if name != finding.mistake)), same
+    """The finding with the names of the other repairs that make the same arm, and a note on those of a single number."""
+    tables, names, notes = [best.fit.arm.table.rows], [*finding.look_alikes], []
+    for other in others:
+        if len(tables) > MOST_TWINS or other.changes > best.changes or other.data_fault is not None or len(other.entries) > 1 or other.ends:
+            continue
+        wrong, repaired = other.chain[0], other.fit.arm
+        if any(np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables) or _differs(best.fit.arm, repaired, data):
+            continue
+        twin = name_change(wrong, repaired, data, other.entries)
+        tables.append(repaired.table.rows)
+        names += [twin.mistake, *twin.look_alikes]
+        if _touched(wrong, repaired) == 1:
+            notes.append(f"The same arm comes of this: {difference_text(wrong, repaired)}.")
+    return replace(finding, look_alikes=tuple(name for name in dict.fromkeys(names) if name != finding.mistake)), tuple(notes)
 
 
 def _snapped(explanation, data):

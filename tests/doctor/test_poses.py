@@ -101,6 +101,31 @@ def test_positions_in_another_base_frame(name):
     assert diagnose(right, q, p, noise=1e-3).verdict == "explained"  # the base is what differs
 
 
+@pytest.mark.parametrize("free", [True, False])
+@pytest.mark.parametrize("name", ["ar4", "panda", "iiwa14"])
+def test_lost_signs_and_a_lost_tool_show_in_positions(name, free):
+    right, rng = dh.load(name), np.random.default_rng(8)
+    moved = trans([0.4, -0.3, 0.2]) @ rot_z(1.1) @ rot_x(0.4) if free else np.eye(4)
+    q, fresh = general(right, 20), general(right, 8, seed=2)
+    p = (moved @ right.forward(q))[:, :3, 3] + rng.normal(0, 1e-3, (20, 3))
+    rows = right.table.rows
+    rows[:, 1:] = np.abs(rows[:, 1:])
+    for mistake, wrong in (("lengths-made-positive", remade(right, rows)), ("tool-missing", remade(right, tool=right.tool @ trans([0.06, -0.05, 0.11])))):
+        answer = diagnose(wrong, q, p, noise=1e-3, base="free" if free else "fixed")
+        assert answer.verdict == "explained" and mistake in told(answer), str(answer)
+        found, wanted = answer.findings[0].repair.forward(fresh)[:, :3, 3], (moved @ right.forward(fresh))[:, :3, 3]
+        assert np.linalg.norm(found - wanted, axis=1).max() < 5e-3, str(answer)
+
+
+def test_a_name_and_its_number_belong_together():
+    right, rng = dh.load("article-6r"), np.random.default_rng(9)
+    q = general(right, 20)
+    p = right.forward(q)[:, :3, 3] + rng.normal(0, 1e-3, (20, 3))
+    answer = diagnose(entry(right, 5, 3, np.negative), q, p, noise=1e-3)
+    assert answer.findings[0].mistake == "alpha-sign" and answer.findings[0].detail == "alpha5 is 90°, should be -90°"
+    assert "offset-missing" in told(answer) and "The same arm comes of this: theta5 is 0°, should be 180°." in answer.notes
+
+
 @pytest.mark.parametrize("name", ARMS)
 def test_a_calibrated_arm_is_no_mistake(name):
     right = dh.load(name)
