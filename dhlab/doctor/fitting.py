@@ -13,7 +13,6 @@ from ..transform import inverse
 __all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "with_parts", "place_ends", "carried", "limit", "rotation_vectors"]
 
 FALSE_ALARM = 1e-7  # how often right data may look wrong
-HOPELESS = 100      # times the χ² of noise: no better base or tool helps
 
 
 @dataclass(frozen=True)
@@ -60,6 +59,11 @@ def limit(freedom):
     return chdtri(max(freedom, 1), FALSE_ALARM)
 
 
+def _hopeless(data):
+    """A χ² that neither another base or tool nor slow steps of a fit will bring down to the noise; exact data may begin far off."""
+    return 100 * limit(data.count) + 1e6
+
+
 def rotation_vectors(R):
     """Rotation vectors (..., 3) of rotation matrices (..., 3, 3)."""
     return Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(R.shape[:-1])
@@ -87,14 +91,13 @@ def with_parts(arm, **parts):
 def misfit(arm, data):
     """The Fit of an arm as it is; base and tool put in place where they are free.
 
-    A base is placed in closed form, finally where only positions were measured; where poses were, one end comes near enough to see that a fit is hopeless.
+    One end is placed in closed form: to the end where only positions were measured, otherwise near enough to see that a fit is hopeless.
     """
     placed = place_ends(arm, data)
     chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
-    free = 6 * (data.base_free + data.tool_free)
-    done = not data.tool_free if data.R is None else free == 6 and chi2 > HOPELESS * limit(data.count) + 1e6
-    if free == 0 or done:
-        return Fit(placed, chi2, free)
+    ends = data.base_free + data.tool_free
+    if ends == 0 or ends == 1 and (data.R is None or chi2 > _hopeless(data)):
+        return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
     return fit(placed, data, ())
 
 
@@ -104,7 +107,7 @@ def place_ends(arm, data):
         return arm
     T = arm.forward(data.q)
     if data.R is None:
-        return with_parts(arm, base=_kabsch(T[:, :3, 3], data.p) @ arm.base) if data.base_free else arm
+        return _placed_by_positions(arm, T, data)
     U = np.tile(np.eye(4), (len(T), 1, 1))
     U[:, :3, :3], U[:, :3, 3] = data.R, data.p
     B, E = np.eye(4), np.eye(4)
@@ -116,6 +119,17 @@ def place_ends(arm, data):
         if data.base_free:
             B = _mean(U @ inverse(T @ E))
     return with_parts(arm, base=_rigid(B @ arm.base), tool=_rigid(arm.tool @ E))
+
+
+def _placed_by_positions(arm, T, data):
+    """The same from positions alone: a tool point is the mean of where the measured ones are in the last frame, a base is carried there."""
+    B, E = np.eye(4), np.eye(4)
+    for _ in range(10 if data.base_free and data.tool_free else 1):
+        if data.tool_free:
+            E[:3, 3] = ((inverse(B @ T)[:, :3, :3] @ (data.p - (B @ T)[:, :3, 3])[..., None])[..., 0]).mean(0)
+        if data.base_free:
+            B = _kabsch((T @ E)[:, :3, 3], data.p)
+    return with_parts(arm, base=_rigid(B @ arm.base), tool=arm.tool @ E)
 
 
 def _kabsch(points, targets):
@@ -188,7 +202,7 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     stiff = np.zeros(size)
     if prior:
         stiff[:len(free)] = [1 / prior[0 if column in (1, 2) else 1] for _, column in free]
-    damping = 1e-9
+    damping, far = 1e-9, _hopeless(data)
     for _ in range(steps):
         J, r = _jacobian(arm, data, free, base, tool)
         pull = np.zeros(size)
@@ -199,7 +213,7 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
         moved = np.array([trial.table.rows[entry] for entry in free]) - start
         chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + ((stiff[:len(free)] * moved) ** 2).sum()
         if chi2 < best:
-            done = best - chi2 < 1e-7 * (1 + chi2)
+            done = best - chi2 < (1e-2 if chi2 > far else 1e-7) * (1 + chi2)
             arm, best, damping = trial, chi2, damping / 10
             if done:
                 break
