@@ -7,7 +7,7 @@ import numpy as np
 
 from ..equivalence import equivalent
 from ..placing import Placement
-from .kinds import Exercise, _untouched
+from .kinds import Exercise, untouched
 from .verdict import NOT_ATTEMPTED, RIGHT
 
 __all__ = ["Frames", "MISTAKES"]
@@ -83,7 +83,7 @@ def _first_wrong(task, rows):
     steps = [(task.set_z, i, row[0]) for i, row in enumerate(rows)]
     steps += [step for i, row in enumerate(rows) for step in ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))]
     for place, i, value in steps:
-        judgement = None if _untouched(value) else place(i, value)
+        judgement = None if untouched(value) else place(i, value)
         if judgement is not None and not judgement and judgement.rule != "order":
             return judgement
     return None

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..doctor import explain_rows
 from ..printing import number
-from .kinds import Table, _as_arm
+from .kinds import Table, as_arm
 from .verdict import RIGHT
 
 __all__ = ["Repair", "Impostor"]
@@ -40,7 +40,7 @@ class Repair(Table):
     def _by_entries(self, answer, broken):
         """What to say of an answer in which one entry was changed: the wrong entry, or the right one to a wrong number; None for others."""
         try:
-            rows = _as_arm(answer, self.answer).table.rows
+            rows = as_arm(answer, self.answer).table.rows
         except ValueError:
             return None
         changed = [] if rows.shape != broken.shape else list(zip(*np.nonzero(abs(rows - broken) > SAME)))
@@ -64,7 +64,7 @@ class Impostor(Table):
 
     def compare(self, answer, variant):
         try:
-            arm = _as_arm(answer, self.answer)
+            arm = as_arm(answer, self.answer)
         except ValueError as error:
             return self.wrong(headline=str(error))
         if len(arm) != len(self.answer):

@@ -5,7 +5,6 @@ from itertools import combinations
 
 import numpy as np
 
-from ..arm import Arm
 from .datafaults import data_repairs
 from .faults import A, ALPHA, D, THETA
 from .fitting import Fit, carried, fit, limit, misfit, place_ends, with_rows

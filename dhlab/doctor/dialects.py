@@ -1,6 +1,6 @@
 """A table pasted in somebody else's dialect, read into an ``Arm``: column order, convention, units, extra rows; where two readings fit, both."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import combinations, product
 
 import numpy as np
@@ -10,7 +10,6 @@ from ..equivalence import equivalent
 from ..kinematics import link_matrices
 from ..printing import number
 from ..table import DHTable
-from .cells import Cell
 from .columns import angle_units, length_units, misplaced, orders, snapped
 from .pasted import take_apart
 

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arm import Arm
 from ..table import DHTable
 from .finding import find
 

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from .. import plainyaml, units
-from ..arm import Arm
 from ..plainyaml import fields, number, text
 from ..tablefile import read_arm
 from ..tableyaml import ARM_KEYS, arm_from_item, read_limits

@@ -1,76 +1,21 @@
-"""The kinds of exercises: each knows how to draw its numbers from a seed and how to judge an answer."""
+"""Answers that are worked out: a number or an array, a program, a table."""
 
-import zlib
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
-from ..arm import Arm
-from ..doctor import catalogue, explain_function, explain_rows
-from ..doctor.calling import Called, CallFault, call_all, is_stub
-from ..equivalence import equivalent
-from ..table import DHTable
-from .verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
+from ...arm import Arm
+from ...doctor import explain_function, explain_rows
+from ...doctor.calling import Called, CallFault, call_all, is_stub
+from ...equivalence import equivalent
+from ...table import DHTable
+from ..verdict import NOT_ATTEMPTED, RIGHT
+from .exercise import Exercise, untouched
 
-__all__ = ["Exercise", "Value", "Function", "Table", "Choice", "Order", "PreTest", "Prediction", "Option", "UNDECIDED"]
+__all__ = ["Value", "Function", "Table", "CASES", "as_arm"]
 
-UNDECIDED = "?"  # "I don't know yet", in every choice
 CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
-
-
-@dataclass(frozen=True, kw_only=True)
-class Exercise:
-    """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right.
-
-    ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
-    """
-
-    id: str
-    title: str
-    points: float = 1
-    hints: tuple = ()
-    praise: str = ""
-    mirrors: str = ""
-
-    def rng(self, variant):
-        """The generator of this exercise's numbers: the same for the same variant, everywhere."""
-        return np.random.default_rng([zlib.crc32(self.id.encode()), variant])
-
-    def given(self, variant):
-        """The numbers of the task, by name; none for most kinds."""
-        return {}
-
-    def judge(self, answer, variant=0):
-        """The Verdict on an answer; never raises because of the answer."""
-        if _untouched(answer):
-            return self.say(NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again.")
-        return self.compare(answer, variant)
-
-    def compare(self, answer, variant):
-        """The Verdict on an answer that was attempted."""
-        raise NotImplementedError
-
-    def say(self, status, headline="", **words):
-        """A Verdict of this exercise."""
-        return Verdict(self.id, status, headline, points=self.points if status == RIGHT else 0, of=self.points, **words)
-
-    def right(self):
-        """The Verdict on a right answer."""
-        return self.say(RIGHT, self.praise)
-
-    def wrong(self, mistake_id=None, headline="", place="", next=""):
-        """The Verdict on a wrong answer, in the catalogue's words when the mistake is known."""
-        if mistake_id is None:
-            return self.say(WRONG, headline, place=place, next=next or f'hint("{self.id}") gives a first hint.')
-        mistake = catalogue()[mistake_id]
-        return self.say(WRONG, headline or f"{mistake.title}. {mistake.see}", place=place, why=mistake.why, next=next or mistake.next, mistake=mistake_id)
-
-
-def _untouched(answer):
-    if answer is None or answer is Ellipsis:
-        return True
-    return isinstance(answer, (list, tuple)) and len(answer) > 0 and all(_untouched(entry) for entry in answer)
 
 
 def _no_draw(rng):
@@ -209,14 +154,14 @@ class Table(Exercise):
 
     def judge(self, answer, variant=0):
         rows = list(answer) if isinstance(answer, (list, tuple)) else []
-        stubs = [i for i, row in enumerate(rows, 1) if _untouched(row) or isinstance(row, (list, tuple)) and any(_untouched(x) for x in row)]
+        stubs = [i for i, row in enumerate(rows, 1) if untouched(row) or isinstance(row, (list, tuple)) and any(untouched(x) for x in row)]
         if stubs:
             return self.say(NOT_ATTEMPTED, place=f"row {', row '.join(map(str, stubs))}", next="Put a number in place of every ...")
         return super().judge(answer, variant)
 
     def compare(self, answer, variant):
         try:
-            arm = _as_arm(answer, self.answer)
+            arm = as_arm(answer, self.answer)
         except ValueError as error:
             return self.wrong(headline=str(error))
         n = len(self.answer)
@@ -240,7 +185,7 @@ class Table(Exercise):
         return self.wrong(headline="this is another arm", place=f"{axis}look at {words}")
 
 
-def _as_arm(answer, right):
+def as_arm(answer, right):
     """The answer as an Arm with the right one's base, tool and signs; rows are degrees and metres."""
     if isinstance(answer, Arm):
         return answer
@@ -250,108 +195,3 @@ def _as_arm(answer, right):
     if len(answer) != len(right):
         return Arm(answer)
     return Arm(answer, base=right.base, tool=right.tool, sign=right.sign)
-
-
-@dataclass(frozen=True)
-class Option:
-    """One option of a choice: its text, what is said to who chooses it, and the mistake it stands for (None when it is right)."""
-
-    text: str
-    answer: str
-    mistake: str | None = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class Choice(Exercise):
-    """One option to be chosen by its letter; "?" is "I don't know yet"."""
-
-    options: Mapping
-    correct: str
-    undecided: str = "Good to say so. Read the paragraph above once more, then choose."
-
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter == UNDECIDED:
-            return self.say(WRONG, self.undecided, next=f'hint("{self.id}") gives a first hint.')
-        if letter not in self.options:
-            return self.wrong(headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}', next='Write the letter in quotes, such as "a".')
-        option = self.options[letter]
-        if letter == self.correct:
-            return self.say(RIGHT, option.answer)
-        return self.say(WRONG, option.answer, mistake=option.mistake, why="" if option.mistake is None else catalogue()[option.mistake].why)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Order(Exercise):
-    """Items to be put in order or matched: the answer is a list of letters.
-
-    ``accepts(letters)`` says whether an order is right, since more than one may be; ``explain(letters)`` gives (mistake, place) or None.
-    """
-
-    items: Mapping
-    accepts: Callable
-    explain: Callable = lambda letters: None
-    length: int = 0
-
-    def compare(self, answer, variant):
-        if isinstance(answer, str):
-            answer = answer.replace(",", "").replace(" ", "")
-        letters = [str(letter).strip().lower() for letter in answer] if np.iterable(answer) else [str(answer)]
-        length = self.length or len(self.items)
-        strange = [letter for letter in letters if letter not in self.items]
-        if strange:
-            return self.wrong(headline=f"expected letters from {', '.join(self.items)}, found {strange[0]!r}")
-        if len(letters) != length:
-            return self.wrong(headline=f"expected {length} letters, found {len(letters)}", next="Use each place once.")
-        if self.accepts(letters):
-            return self.right()
-        known = self.explain(letters)
-        return self.wrong(known[0], place=known[1]) if known else self.wrong(headline="not in this order")
-
-
-@dataclass(frozen=True, kw_only=True)
-class PreTest(Exercise):
-    """A question of the pre-test, never marked: every answer is noted and sent to the lesson that treats it.
-
-    ``options`` as in :class:`Choice`; ``lesson`` is the number of the lesson. Whether the answer was right is in the verdict's ``known``,
-    which is kept for the end of the course and not shown.
-    """
-
-    points: float = 0
-    options: Mapping
-    correct: str
-    lesson: str
-    hints: tuple = ("There is nothing to lose here: a guess is welcome, and so is \"?\".", "This is treated later on; the answer's verdict names the lesson.")
-
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter not in self.options and letter != UNDECIDED:
-            return self.wrong(headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}', next='Write the letter in quotes, such as "a".')
-        if letter == UNDECIDED:
-            return self.say(RECORDED, "you do not know yet, and that is what the course is for.", next=f"Lesson {self.lesson} answers it.", known=False)
-        option = self.options[letter]
-        return self.say(RECORDED, option.answer, next=f"Lesson {self.lesson} looks into it.", mistake=option.mistake, known=letter == self.correct)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Prediction(Exercise):
-    """A guess made before a cell reveals the answer; never marked. ``options`` are texts by letter, ``outcome`` what is then seen."""
-
-    points: float = 0
-    options: Mapping = field(default_factory=dict)
-    correct: str = ""
-    outcome: str = ""
-
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter not in self.options and letter != UNDECIDED:
-            return self.wrong(headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}', next='Write the letter in quotes, such as "a".')
-        guess = "you would rather see first" if letter == UNDECIDED else f"you expect: {self.options[letter]}"
-        return self.say(RECORDED, guess, next="Run the next cell and compare.")
-
-    def after(self, letter):
-        """What is said once the answer has been seen; ``letter`` is the guess or None."""
-        if letter in (None, UNDECIDED):
-            return f"What happens: {self.outcome}"
-        verdict = "That is what you expected." if letter == self.correct else f"You expected: {self.options[letter]}."
-        return f"{verdict} What happens: {self.outcome}"
