@@ -1,19 +1,17 @@
-"""The search for what repairs an arm: one change, then two; lengths by linear least squares, angles in closed form."""
+"""The search for the one change that repairs an arm: every entry of the catalogue, every number of the table, signs, offsets, ends, data."""
 
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 
 from .datafaults import data_repairs
 from .faults import A, ALPHA, D, THETA
-from .fitting import Fit, carried, fit, limit, misfit, place_ends, with_rows
+from .fitting import Fit, carried, fit, misfit, place_ends, with_rows
 from .repairs import discrete_repairs
 
-__all__ = ["Explanation", "singles", "pairs", "calibrated"]
+__all__ = ["Explanation", "singles", "calibrated", "STARTS", "entries_of", "turned", "turns", "length_columns"]
 
 STARTS = np.arange(12) * np.pi / 6
-KEEP = 24  # how many of the best starts of two angles are fitted to the end
 
 
 @dataclass(frozen=True)
@@ -38,7 +36,8 @@ class Explanation:
         return len(self.chain) - 1 + (self.data_fault is not None)
 
 
-def _entries(arm, columns=(THETA, D, A, ALPHA)):
+def entries_of(arm, columns=(THETA, D, A, ALPHA)):
+    """(row, column) of every number of the table."""
     return [(i, column) for i in range(len(arm)) for column in columns]
 
 
@@ -48,7 +47,7 @@ def singles(arm, data):
         found = fit(place_ends(repair.arm, data), data, repair.free) if repair.free else misfit(repair.arm, data)
         yield Explanation(found, (arm, found.arm), repair.free)
     placed = place_ends(arm, data)
-    for i, column in _entries(arm):
+    for i, column in entries_of(arm):
         for found in _entry_fits(placed, data, i, column):
             yield Explanation(found, (arm, found.arm), ((i, column),))
     for twisted in [arm, *_signs_of_twists(arm, data)]:
@@ -69,7 +68,8 @@ def singles(arm, data):
         yield Explanation(misfit(arm, changed), (arm,), data_fault=fault)
 
 
-def _turned(arm, entry, turn):
+def turned(arm, entry, turn):
+    """The arm with one angle of its table turned further."""
     rows = arm.table.rows
     rows[entry] += turn
     return with_rows(arm, rows)
@@ -81,9 +81,9 @@ def _entry_fits(placed, data, i, column):
     if column in (D, A):
         return [fit(placed, data, (entry,))]
     if data.R is not None and not data.base_free and not data.tool_free:
-        turn = next(turn for e, turn, _ in _turns(placed, data) if e == entry)
-        return [fit(_turned(placed, entry, turn), data, (entry,), steps=4)]
-    trials = [misfit(_turned(placed, entry, start), data) for start in STARTS]
+        turn = next(turn for e, turn, _ in turns(placed, data) if e == entry)
+        return [fit(turned(placed, entry, turn), data, (entry,), steps=4)]
+    trials = [misfit(turned(placed, entry, start), data) for start in STARTS]
     order = np.argsort([trial.chi2 for trial in trials])[:2]
     return [fit(trials[k].arm, data, (entry,)) for k in order]
 
@@ -120,10 +120,10 @@ def _signs_of_lengths(arm, data):
 
 def _length_signs(arm, data):
     """The lengths, every pattern of their signs and its misfit: positions are linear in lengths, so every pattern is one matrix product."""
-    entries = [e for e in _entries(arm, (D, A)) if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")]
+    entries = [e for e in entries_of(arm, (D, A)) if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")]
     if data.tool_free or not 2 <= len(entries) <= 12:
         return [], [], []
-    columns, off = _length_columns(arm, data, entries)
+    columns, off = length_columns(arm, data, entries)
     lengths = np.array([arm.table.rows[e] for e in entries])
     patterns = 1 - 2 * ((np.arange(2 ** len(entries))[:, None] >> np.arange(len(entries))) & 1)
     offs = off + (patterns - 1) * lengths @ columns.T
@@ -131,7 +131,7 @@ def _length_signs(arm, data):
     return entries, patterns, carried(offs.reshape(len(offs), -1, 3) + targets, targets) if data.base_free else (offs**2).sum(1)
 
 
-def _length_columns(arm, data, entries):
+def length_columns(arm, data, entries):
     """How the positions move with each length (3m, k) and how far they are off now (3m,), in units of the noise."""
     F = arm.frames(data.q)
     standard = arm.table.convention == "standard"
@@ -159,7 +159,7 @@ def _all_offsets(arm, data):
 
 def _rounded_angles(placed, data):
     """Angles that were written with two to four decimals of a radian: all of them fitted, kept when they round to what stands there."""
-    free = _entries(placed, (THETA, ALPHA))
+    free = entries_of(placed, (THETA, ALPHA))
     angles = np.array([placed.table.rows[e] for e in free])
     for digits in (2, 3, 4):
         if np.abs(np.round(angles, digits) - angles).max() < 1e-12 and np.abs(angles).max() > 0:
@@ -185,39 +185,7 @@ def _grid_misfit(T, data):
     return -np.einsum("gkij,kij->g", R, U)
 
 
-def pairs(arm, data):
-    """Explanations by two changes, the promising ones fitted to the end."""
-    first = [Explanation(f := misfit(repair.arm, data), (arm, f.arm)) for repair in discrete_repairs(arm) if not repair.free]
-    yield from _two_entries(arm, data)
-    for one in first:
-        yield from _then_an_entry(one, data)
-        for end in ("base", "tool"):
-            freed = replace(data, **{f"{end}_free": True})
-            if not getattr(data, f"{end}_free") and data.R is not None and _worth_a_fit(place_ends(one.chain[1], freed), freed):
-                found = misfit(one.chain[1], freed)
-                yield Explanation(found, (*one.chain, found.arm), ends=(end,))
-    yield from _entry_and_end(arm, data)
-    for one in first:
-        for repair in discrete_repairs(one.chain[1]):
-            if not repair.free and _rotation_fits(repair.arm, data):
-                found = misfit(repair.arm, data)
-                yield Explanation(found, (*one.chain, found.arm))
-
-
-def _worth_a_fit(arm, data, times=30):
-    """Whether an arm is near enough that a fit can bring it within the noise."""
-    return (data.residual(arm.forward(data.q)) ** 2).sum() < times * limit(data.count) + 1e6 * (data.noise[0] < 1e-5)
-
-
-def _rotation_fits(arm, data):
-    """A quick look at two rotations; True where it cannot be told so cheaply."""
-    if data.R is None or data.base_free or data.tool_free:
-        return data.R is not None
-    R = arm.frames(data.q[:2])[:, -1, :3, :3] @ arm.tool[:3, :3]
-    return np.abs(R - data.R[:2]).max() < 12 * data.noise[1] + 1e-7
-
-
-def _turns(arm, data):
+def turns(arm, data):
     """For every angle of the table: the turn that repairs the rotations best, and the rotation misfit then left, in closed form.
 
     With L the rotation of the axis' frame, N = Lᵀ R_measured R_predictedᵀ L is a turn about one axis if that angle is all that is wrong.
@@ -235,98 +203,6 @@ def _turns(arm, data):
             yield (i, column), np.arctan2(s, c), left / data.noise[1] ** 2
 
 
-def _best_lengths(arm, data, count):
-    """The lengths whose change lowers the position misfit most."""
-    entries = _entries(arm, (D, A))
-    columns, off = _length_columns(arm, data, entries)
-    gain = (columns.T @ off) ** 2 / np.maximum((columns**2).sum(0), 1e-12)
-    return [entries[k] for k in np.argsort(-gain)[:count]]
-
-
-def _then_an_entry(one, data):
-    """A discrete change and then one entry."""
-    if data.R is None:
-        return
-    arm = one.fit.arm
-    rotation = limit(3 * len(data.q)) * (30 if data.base_free or data.tool_free else 2)
-    for entry, turn, left in _turns(arm, data):
-        if left < rotation and _worth_a_fit(turned := _turned(arm, entry, turn), data, 300 if data.base_free or data.tool_free else 30):
-            found = fit(turned, data, (entry,))
-            yield Explanation(found, (*one.chain, found.arm), (entry,))
-    if (data.residual(arm.forward(data.q))[:, 3:] ** 2).sum() < rotation:
-        for entry in _best_lengths(arm, data, 2):
-            found = fit(arm, data, (entry,))
-            yield Explanation(found, (*one.chain, found.arm), (entry,))
-
-
-def _two_entries(arm, data):
-    """Two entries: lengths by linear least squares, angles from closed forms, an angle and then a length."""
-    placed = place_ends(arm, data)
-    lengths = _entries(arm, (D, A))
-    columns, off = _length_columns(placed, data, lengths)
-    scored = sorted((_two_columns(columns[:, pair], off), pair) for pair in combinations(range(len(lengths)), 2))
-    for _, (j, k) in scored[:4]:
-        yield _in_turn(arm, placed, data, (lengths[j], lengths[k]))
-    if data.R is None:
-        return
-    for begun, both in _two_angles(placed, data):
-        yield _in_turn(arm, begun, data, both)
-    for entry, turn, _ in sorted(_turns(placed, data), key=lambda item: item[2])[:6]:
-        begun = _turned(placed, entry, turn)
-        for length in _best_lengths(begun, data, 3):
-            yield _in_turn(arm, begun, data, (entry, length))
-
-
-def _two_angles(placed, data):
-    """Where to begin with two angles: one all round, the other in closed form; at most two starts a pair."""
-    starts = []
-    for entry in _entries(placed, (THETA, ALPHA)):
-        for start in STARTS:
-            begun = _turned(placed, entry, start)
-            starts += [(left, begun, entry, other, turn) for other, turn, left in _turns(begun, data) if other != entry]
-    starts.sort(key=lambda item: item[0])
-    tried = {}
-    for _, begun, entry, other, turn in starts:
-        pair = tuple(sorted((entry, other)))
-        if tried.setdefault(pair, 0) < 2 and sum(tried.values()) < KEEP:
-            tried[pair] += 1
-            yield _turned(begun, other, turn), (entry, other)
-
-
-def _two_columns(columns, off):
-    solution = np.linalg.lstsq(columns, -off, rcond=1e-9)[0]
-    return float(((off + columns @ solution) ** 2).sum())
-
-
-def _halfway(arm, repaired, entry):
-    rows = arm.table.rows
-    rows[entry] = repaired.table.rows[entry]
-    return with_rows(arm, rows)
-
-
-def _in_turn(arm, begun, data, entries):
-    """Fit two entries; the arm on the way has only the first of them repaired."""
-    found = fit(begun, data, entries)
-    return Explanation(found, (arm, _halfway(arm, found.arm, entries[0]), found.arm), entries)
-
-
-def _entry_and_end(arm, data):
-    """An entry together with a base or a tool."""
-    for end in ("base", "tool"):
-        if getattr(data, f"{end}_free") or data.R is None:
-            continue
-        freed = replace(data, **{f"{end}_free": True})
-        placed = place_ends(arm, freed)
-        for entry in _entries(arm):
-            if entry[1] in (THETA, ALPHA):
-                trials = [place_ends(_turned(placed, entry, start), freed) for start in STARTS[::2]]
-                begun = min(trials, key=lambda trial: (freed.residual(trial.forward(freed.q)) ** 2).sum())
-                found = fit(begun, freed, (entry,))
-            else:
-                found = fit(placed, freed, (entry,), steps=4)
-            yield Explanation(found, (arm, _halfway(arm, found.arm, entry), found.arm), (entry,), (end,))
-
-
 def calibrated(arm, data, prior=None):
     """The fit of every entry at once, begun at the arm: what a factory calibration does; ``prior`` as in ``fit``."""
-    return fit(place_ends(arm, data), data, _entries(arm), steps=25, prior=prior)
+    return fit(place_ends(arm, data), data, entries_of(arm), steps=25, prior=prior)

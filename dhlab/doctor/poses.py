@@ -7,10 +7,11 @@ import numpy as np
 from ..arm import Arm
 from ..table import DHTable
 from ..transform import pose_fault
+from .armsearch import calibrated, singles
 from .diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from .fitting import Measured, limit, misfit, rotation_vectors
+from .pairsearch import pairs
 from .ranking import named, ranked, rivals_of, telling_pose, with_twins
-from .armsearch import calibrated, pairs, singles
 
 __all__ = ["diagnose"]
 
