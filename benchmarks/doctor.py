@@ -1,6 +1,6 @@
 """How well the doctor does: faults drawn over the catalogue on every arm of the library, as a Markdown table.
 
-    python benchmarks/doctor.py                  # everything (about a quarter of an hour)
+    python benchmarks/doctor.py                  # everything (a good half hour)
     python benchmarks/doctor.py --draws 3 --arms ur5e,panda --only 1,2
 
 Arms marked * were left out while the search was being tuned.
