@@ -72,11 +72,17 @@ def _made_on(right, wrong, data, fitted):
     T = wrong.forward(q)
     slack = max(TOLERANCE, 3 * data.noise[0] if fitted and data.noise[0] > 1e-5 else 0), max(TOLERANCE, 3 * data.noise[1] if fitted and data.noise[1] > 1e-5 else 0)
     sample = Measured(q, T[:, :3, 3], None if data.R is None else T[:, :3, :3], slack, data.base_free, data.tool_free)
-    found = [(fault.mistake, fault.joint, fault.parameter, _place(fault.joint, fault.parameter), "") for fault in faults(right)
-             if misfit(fault.arm, sample).chi2 < sample.count]
     rank = {name: k for k, name in enumerate(ORDER)}
-    found.sort(key=lambda f: (f[1] is None and f[0] not in rank, rank.get(f[0], len(rank))))
-    return list(dict.fromkeys(found))
+    found = [fault for fault in faults(right) if misfit(fault.arm, sample).chi2 < sample.count]
+    found.sort(key=lambda f: (f.joint is None and f.mistake not in rank, not _same_numbers(f.arm, wrong, max(slack)), rank.get(f.mistake, len(rank))))
+    return list(dict.fromkeys((f.mistake, f.joint, f.parameter, _place(f.joint, f.parameter), "") for f in found))
+
+
+def _same_numbers(a, b, slack):
+    """Whether two arms are written alike, not only posed alike: then a mistake is what stands in the table, not a twin of it."""
+    apart = a.table.rows - b.table.rows
+    apart[:, [THETA, ALPHA]] = _wrapped(apart[:, [THETA, ALPHA]])
+    return a.table.convention == b.table.convention and np.abs(apart).max() <= slack and np.array_equal(a.sign, b.sign)
 
 
 def _place(joint, parameter):
