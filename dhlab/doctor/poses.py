@@ -81,7 +81,7 @@ def _without_level(arm, data):
         return answer
     estimated, enough = _estimate(arm, data)
     few = () if enough else (f"With {len(data.q)} poses the noise cannot be told from a mistake; 8 to 12 general ones would do.",)
-    small = [(estimated, False)] if enough and estimated[0] < FINE else []  # two mistakes in exact data would leave more
+    small = [(estimated, False)] if enough and EXACT[0] < estimated[0] < FINE else []  # two mistakes in exact data would leave more
     rounds = [*small, (EXACT, True), (estimated if estimated[0] < LARGEST_NOISE[0] else COARSE, True)]
     for level, two in rounds if answer.verdict == UNEXPLAINED else [(estimated, True)]:
         said = f"The noise was estimated from the data: {level[0] * 1e3:.2g} mm" + ("" if data.R is None else f", {np.rad2deg(level[1]):.2g}°") + "."
