@@ -2,21 +2,17 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from ..course.kinds import Function, Table, Value
 from ..course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
 from ..doctor import catalogue
 from ..doctor.calling import Called, CallFault
-from .inside.wire import decode
+from .inside.wire import DECODED, decode
 from .marks import ERROR, NOT_ALLOWED, TIMED_OUT, Mark
 from .questions import fresh
 
-__all__ = ["mark", "Answers", "guess"]
+__all__ = ["mark", "Answers"]
 
 TEXT = 300
-ENOUGH = 2  # exercises that fit another student's numbers before it is said
-DECODED = (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError)
 
 
 class Answers:
@@ -126,40 +122,6 @@ def _without_answer(exercise, answers, worth):
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     said = message if exercise.id not in answers.troubles else f"the cell stops with {message}" if message else "the notebook's program ended itself in this cell"
     return Mark(exercise.id, ERROR, 0, worth, headline=said, next="Run the notebook from top to bottom and read the last line of the message.")
-
-
-def guess(course, student, answers, marks):
-    """The student for whose numbers wrong answers are right, or None: at least two exercises must fit."""
-    fits = {}
-    for exercise in course.exercises:
-        if isinstance(exercise, Value) and any(m.exercise == exercise.id and m.status == WRONG for m in marks):
-            for other in _fitting(exercise, answers, course, student):
-                fits[other] = fits.get(other, 0) + 1
-    best = max(sorted(fits), key=fits.get, default=None)
-    return best if best is not None and fits[best] >= ENOUGH else None
-
-
-def _fitting(exercise, answers, course, student):
-    """The other students whose right value the last answer is."""
-    try:
-        given = np.asarray(decode(answers.notes[exercise.id][-1][0]["value"]), dtype=float)
-    except DECODED:
-        return
-    for other, variant in course.variants.items():
-        if other != student and variant != course.variants.get(student):
-            expected = _expected(exercise, variant)
-            if expected.shape == given.shape and np.allclose(given, expected, rtol=exercise.tolerance, atol=exercise.tolerance):
-                yield other
-
-
-_known = {}
-
-
-def _expected(exercise, variant):
-    """The right value of a variant, computed once."""
-    if (exercise.id, variant) not in _known:
-        _known[exercise.id, variant] = np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
-    return _known[exercise.id, variant]
 
 
 def without_marks(course, status):

@@ -86,7 +86,7 @@ class Graded:
     notes : tuple of str
         Sentences for the teacher.
     guess_of : str or None
-        Another student for whose variant the answers are right.
+        Another student for whose variant the wrong answers are right, where chance does not explain it.
     fingerprint : str
         Of what was handed in and how it was to be graded: a later run grades again when it has changed.
 

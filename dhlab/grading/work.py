@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from multiprocessing import util
 
+from .borrowed import borrowed_from
 from .cage import Cage
-from .judge import Answers, guess, mark, without_marks
+from .judge import Answers, mark, without_marks
 from .marks import GRADED, MISSING, NOT_ATTEMPTED, TIMED_OUT, UNREADABLE, Graded
 from .questions import request, warm_modules
 
@@ -61,7 +62,7 @@ def work(task, course):
     marks, days, penalty = _marks(course, answers, variant)
     status = trouble or (NOT_ATTEMPTED if all(found.status == NOT_ATTEMPTED for found in marks) else GRADED)
     return Graded(status=status, marks=marks, late_days=days, penalty=penalty, cage=level, notes=(*task.notes, *notes),
-                  guess_of=guess(course, task.student, answers, marks), seconds=round(time.monotonic() - begun, 3), **common)
+                  guess_of=borrowed_from(course, task.student, answers, marks), seconds=round(time.monotonic() - begun, 3), **common)
 
 
 def _cage(course):
