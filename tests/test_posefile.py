@@ -7,8 +7,14 @@ from scipy.spatial.transform import Rotation
 
 from dhlab.posefile import read_poses
 
-rng = np.random.default_rng(11)
 HEADER = "q1,q2,x,y,z"
+
+
+@pytest.fixture(autouse=True)
+def seeded():
+    """Every test draws the same numbers, whichever ran before it."""
+    global rng
+    rng = np.random.default_rng(11)
 
 
 @pytest.fixture

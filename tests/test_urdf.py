@@ -14,7 +14,13 @@ from dhlab.urdf import read_urdf, to_urdf
 
 pytest.importorskip("yourdfpy")  # what read_urdf parses with
 CHAINS = sorted((pathlib.Path(__file__).parent / "data" / "chains").glob("*.json"))
-rng = np.random.default_rng(5)
+
+
+@pytest.fixture(autouse=True)
+def seeded():
+    """Every test draws the same numbers, whichever ran before it."""
+    global rng
+    rng = np.random.default_rng(5)
 
 
 def chain_urdf(joints, name="robot"):
