@@ -6,6 +6,7 @@ import numpy as np
 
 from ..transform import pose_fault
 from .calling import CallFault, call_all, is_stub
+from .cases import SPECIAL, general_chain, general_row
 from .catalogue import catalogue
 from .diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from .finding import find
@@ -75,24 +76,12 @@ def diagnose_function(f, kind):
 
 @cache
 def _cases(kind):
-    """General calls and special ones; the special ones hold zeros, right angles and negative lengths."""
+    """General calls and special ones."""
     rng = np.random.default_rng(SEED)
     if kind == "dh_transform":
-        half = np.pi / 2
-        special = [(0.0, 0.0, 0.0, 0.0), (half, 0.1, 0.2, -half), (np.pi, 0.0, 0.3, half), (-half, -0.2, 0.0, 0.0)]
-        return [tuple(map(float, _row(rng))) for _ in range(CALLS)], special
-    rows = np.array([[0, 0.1, 0, np.pi / 2], [np.pi / 2, 0, 0.4, 0], [0, 0, -0.35, -np.pi / 2]])
-    return [_chain(rng, n) for n in LINKS], [(rows, np.zeros(3)), (rows, np.array([np.pi / 2, 0, -np.pi / 2])), (rows[:1], np.zeros(1))]
-
-
-def _row(rng):
-    theta, alpha = rng.uniform(0.2, 1.4, 2) * rng.choice([-1, 1], 2)
-    d, a = rng.uniform(0.05, 0.6, 2) * rng.choice([-1, 1], 2)
-    return theta, d, a, alpha
-
-
-def _chain(rng, n):
-    return np.array([_row(rng) for _ in range(n)]), rng.uniform(0.2, 1.4, n) * rng.choice([-1, 1], n)
+        return [general_row(rng) for _ in range(CALLS)], SPECIAL[kind]
+    rows, q = SPECIAL[kind][0]
+    return [general_chain(rng, n) for n in LINKS], (*SPECIAL[kind], (rows[:1], q[:1]))
 
 
 def _stopped(fault):

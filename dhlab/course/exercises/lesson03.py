@@ -5,6 +5,7 @@ from itertools import permutations
 import numpy as np
 
 from ...arm import Arm
+from ...doctor.cases import SPECIAL, general_row
 from ...doctor.wrong_craig import craig, in_order
 from ...doctor.wrong_links import standard
 from ...robots import load
@@ -50,11 +51,6 @@ def _explain_published(letters):
 def _explain_reasons(letters):
     wrong = [str(k) for k, (letter, right) in enumerate(zip(letters, REASONS), 1) if letter != right]
     return "tables-differ-otherwise", f"pair {', '.join(wrong)}"
-
-
-def _draw_row(rng):
-    """One row without zeros and right angles, radians and metres."""
-    return tuple(rng.uniform(0.2, 1.3, 4) * rng.choice([-1, 1], 4) * [1, 0.4, 0.4, 1])
 
 
 def _draw_rows(rng, n):
@@ -177,7 +173,7 @@ EXERCISES = [
           explain=_explain_order, praise="Five of the 24 orders give Craig's matrix, and yours is one of them.", hints=(
               "From near end to near end: first along the link before, then about the own joint. Which two moves belong to the link?",
               "Both x moves come before Rz(θ).")),
-    Function(id="03.3", title="craig_transform", points=2, draw=_draw_row, answer=craig, names=("theta", "d", "a", "alpha"), family="craig_transform",
+    Function(id="03.3", title="craig_transform", points=2, draw=general_row, special=SPECIAL["dh_transform"], answer=craig, names=("theta", "d", "a", "alpha"), family="craig_transform",
              praise="The same four moves, the other way about.", hints=(
                  "Multiply the four moves in the order of the last exercise, from left to right.", "Link first: the two x moves. Then the joint: the two z moves.")),
     Prediction(id="03.P2", title="The same rows in Craig's matrix, at q = 0", options={

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...doctor.cases import SPECIAL, general_row
 from ...doctor.wrong_links import WRONG_LINKS, standard
 from ...transform import rot_x
 from ..kinds import Choice, Function, Option, Order, Prediction, Value
@@ -13,13 +14,6 @@ RIGHT_ORDERS = (["a", "b", "c", "d"], ["b", "a", "c", "d"], ["a", "b", "d", "c"]
 
 def _draw_angle(rng):
     return (float(rng.uniform(0.2, 3.0) * rng.choice([-1, 1])),)
-
-
-def _draw_row(rng):
-    """theta, d, a, alpha of one row: no zeros, no right angles."""
-    theta, alpha = rng.uniform(0.2, 1.4, 2) * rng.choice([-1, 1], 2)
-    d, a = rng.uniform(0.05, 0.6, 2) * rng.choice([-1, 1], 2)
-    return float(theta), float(d), float(a), float(alpha)
 
 
 def _from_a_blog(theta, d, a, alpha):
@@ -86,7 +80,7 @@ EXERCISES = [
     Prediction(id="05.P1", title="Turn, then step; step, then turn", options={
         "a": "both end at the same place", "b": "the first ends at (0, 0.4), the second at (0.4, 0)", "c": "the first ends at (0.4, 0), the second at (0, 0.4)"},
         correct="b", outcome="turning first turns the x arrow too, so the step goes along y0. Stepping first goes along x0, and the turn comes too late to matter."),
-    Function(id="05.1", title="A turn about x", draw=_draw_angle, answer=rot_x, names=("alpha",), family="rot_x",
+    Function(id="05.1", title="A turn about x", draw=_draw_angle, special=((0.0,), (np.pi / 2,), (-np.pi / 2,), (np.pi,)), answer=rot_x, names=("alpha",), family="rot_x",
              praise="x stays; y goes towards z.", hints=(
                  "Compare with rot_z: the axis that stays has a 1 on the diagonal. Which one stays now?",
                  "The second column says where y goes: cos α along y, sin α along z.")),
@@ -104,7 +98,7 @@ EXERCISES = [
           accepts=lambda letters: letters in RIGHT_ORDERS, explain=_explain_order, praise="Five of the 24 orders give this matrix, and yours is one of them.",
           hints=("Two of the moves belong to z, two to x. Which pair does a standard row make first?",
                  "Tx(a) must come after Rz(θ), and Rx(α) after both z moves.")),
-    Function(id="05.4", title="dh_transform from four moves", points=2, draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
+    Function(id="05.4", title="dh_transform from four moves", points=2, draw=general_row, special=SPECIAL["dh_transform"], answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
              praise="Four moves, multiplied from left to right.", hints=(
                  "Write the four matrices first, in the order about z, along z, along x, about x.",
                  "Each new move is made in the current frame, so it goes to the right of those already made.")),
@@ -115,11 +109,11 @@ EXERCISES = [
           entries=("x", "y", "z"), praise="The link swings with θ; d lifts it; α has no say in the position.",
           hints=("The last column of the link matrix is where the origin goes: which of the four numbers enter it?",
                  "a is walked along the new x arrow, which θ has turned: (a cos θ, a sin θ, d).")),
-    Function(id="05.6", title="dh_transform in closed form", points=2, draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
+    Function(id="05.6", title="dh_transform in closed form", points=2, draw=general_row, special=SPECIAL["dh_transform"], answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform",
              praise="The same matrix, every entry your own.", hints=(
                  "First column: the x arrow after the turn by θ. Last column: a times that arrow, and d.",
                  "The second column is the turned y arrow (-sin θ, cos θ, 0), tilted towards z by α; the third is what is then left for z.")),
-    Function(id="05.7", title="The smallest fix", draw=_draw_row, answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform", handed_out=_from_a_blog,
+    Function(id="05.7", title="The smallest fix", draw=general_row, special=SPECIAL["dh_transform"], answer=standard, names=("theta", "d", "a", "alpha"), family="dh_transform", handed_out=_from_a_blog,
              praise="One sign. It hides whenever θ or α is 0.", hints=(
                  "Compare the two z arrows, entry by entry: which of them has the wrong sign?",
                  "The third column must be at right angles to the first: multiply them entry by entry and add.")),

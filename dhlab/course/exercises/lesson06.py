@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...arm import Arm
+from ...doctor.cases import SPECIAL, general_chain
 from ...doctor.wrong_products import WRONG_PRODUCTS, product
 from ...robots import load
 from ...table import DHTable
@@ -16,14 +17,6 @@ UPRIGHT = [[0, 0.1, 0, 90], [90, 0, 0.4, 0], [-90, 0, 0.35, 0], [0, 0.1, 0, 90],
 
 def _article_rows():
     return DHTable.standard(ARTICLE, angle="deg").rows
-
-
-def _draw_chain(rng):
-    """Rows and q of a random arm of 3 to 7 joints: no zeros, no right angles."""
-    n = int(rng.integers(3, 8))
-    rows = rng.uniform(0.15, 0.6, (n, 4)) * rng.choice([-1, 1], (n, 4))
-    rows[:, [0, 3]] *= 2.3
-    return rows, rng.uniform(0.2, 1.4, n) * rng.choice([-1, 1], n)
 
 
 def _wrong_poses(rows, q):
@@ -80,7 +73,7 @@ EXERCISES = [
         accepts=lambda letters: letters == ["b", "d", "a", "e", "c"], explain=_explain_labels, praise="d runs along a joint axis, a across from one axis to the next.",
         hints=("d is measured along z, a along x. Which of the five parts lie along a joint's axis?",
                "Walk along the chain from the base: up, out, out, sideways, out to the tool.")),
-    Function(id="06.2", title="Forward kinematics", points=3, draw=_draw_chain, answer=product, names=("rows", "q"), family="forward_kinematics",
+    Function(id="06.2", title="Forward kinematics", points=3, draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
              praise="One loop, one product, any number of joints.", hints=(
                  "Start from np.eye(4) and walk over rows and q together.",
                  "A row's θ is its offset plus its q. Each new link is seen from the last frame, so its matrix joins on the right.")),
@@ -115,7 +108,7 @@ EXERCISES = [
           praise="Offsets go into the θ column, and every right table passes, this one or another.",
           hints=("Where does θ2 stand when the upper arm points straight up?",
                  "Turn your article arm to the encoder's zero: which q2 and q3 lift the upper arm and keep the forearm level? Those are the offsets.")),
-    Function(id="06.7", title="The smallest fix: right at zero only", draw=_draw_chain, answer=product, names=("rows", "q"), family="forward_kinematics",
+    Function(id="06.7", title="The smallest fix: right at zero only", draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
              handed_out=lambda rows, q: product(rows, np.roll(q, 1)), praise="One character. At q = 0 nobody would have noticed.", hints=(
                  "The program is right when all q are equal. What could be mixed up, then?",
                  "Print i and the q it uses, for the first row.")),

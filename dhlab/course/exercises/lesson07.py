@@ -4,13 +4,14 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
+from ...doctor.cases import SPECIAL, general_chain
 from ...doctor.wrong_links import standard
 from ...doctor.wrong_products import product
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Value
 from ..repairs import Impostor, Repair
-from .lesson06 import ARTICLE, _draw_chain
+from .lesson06 import ARTICLE
 
 __all__ = ["EXERCISES"]
 
@@ -121,7 +122,7 @@ EXERCISES = [
         accepts=lambda letters: letters == OF_SYMPTOMS, explain=_explain_match, praise="Each cause leaves its own trace; one of the seven leaves none.",
         hints=("Ask of every symptom: is the rotation touched? Does the error stay the same, and seen from where?",
                "What is fixed to the floor shifts every pose alike; what is fixed to the hand shifts it alike seen from the hand. One of the causes leaves no trace at all.")),
-    Function(id="07.2", title="The smallest fix: a program from two sources", points=2, draw=_draw_chain, answer=product, names=("rows", "q"),
+    Function(id="07.2", title="The smallest fix: a program from two sources", points=2, draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"),
              family="forward_kinematics", handed_out=_two_sources, praise="One conversion too many. On a flat arm, where every α is 0, nobody could notice.", hints=(
                  "A flat arm has α = 0 in every row. Which line does something that makes no difference then?",
                  "Which unit does α come in, and which unit does dh_transform want?")),

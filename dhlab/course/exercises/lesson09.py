@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...arm import Arm
+from ...doctor.cases import SPECIAL, general_chain
 from ...doctor.wrong_links import standard
 from ...doctor.wrong_products import product
 from ...frames import assign_frames
@@ -113,13 +114,6 @@ def _misread_rows(table, joint):
     yield "standard-rows-in-craig-matrix", "theta and d of the earlier joint", [here[0], here[1]]
 
 
-def _draw_chain(rng):
-    n = int(rng.integers(3, 8))
-    rows = rng.uniform(0.15, 0.6, (n, 4)) * rng.choice([-1, 1], (n, 4))
-    rows[:, [0, 3]] *= 2.3
-    return rows, rng.uniform(0.2, 1.4, n) * rng.choice([-1, 1], n)
-
-
 def _reversed_product(rows, q):
     T = np.eye(4)
     for (theta, d, a, alpha), value in zip(rows, q):
@@ -158,7 +152,7 @@ EXERCISES = [
     Table(id="09.7", title="Two tables of one arm", mirrors="00.4", points=2, answer=load("kr6_r700").to("standard"), praise="θ and d stay, a and α move up one row.",
           hints=("Which of the columns belong to the joint itself, and which to the way from one joint to another?",
                  "In Craig's table, row 2 holds what leads from axis 1 to axis 2. In which row does the standard convention keep it?")),
-    Function(id="09.8", title="The order of a product", mirrors="00.5", draw=_draw_chain, answer=product, names=("rows", "q"), family="forward_kinematics",
+    Function(id="09.8", title="The order of a product", mirrors="00.5", draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
              handed_out=_reversed_product, praise="Two letters changed places.", hints=(
                  "For an arm of one joint this program is right. What happens at the second?", "Where must a matrix stand that is written in the frame reached so far?")),
     Choice(id="09.9", title="What agreeing positions prove", mirrors="00.6", points=2, correct="b", hints=(

@@ -77,8 +77,8 @@ def _amount(array):
 class Function(Exercise):
     """A function to be written, compared with the right one on seeded inputs.
 
-    ``draw(rng)`` gives the arguments of one call; ``answer(*case)`` the right result; ``family`` names the wrong versions that
-    the doctor compares with; ``handed_out`` is the broken program of a "smallest fix", which is no attempt as long as it is unchanged;
+    ``draw(rng)`` gives the arguments of one call, general ones; ``special`` are calls that come after them, where an if may hide (zeros, right
+    angles); ``answer(*case)`` the right result; ``family`` names the wrong versions that the doctor compares with; ``handed_out`` is the broken program of a "smallest fix", which is no attempt as long as it is unchanged;
     ``read(answer)`` is the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``: it may call dhlab's own
     kinematics, which otherwise earns nothing when it is graded.
     """
@@ -87,6 +87,7 @@ class Function(Exercise):
     draw: Callable
     names: tuple
     family: str
+    special: tuple = ()
     handed_out: Callable = None
     shape: tuple = (4, 4)
     read: Callable = np.asarray
@@ -96,7 +97,7 @@ class Function(Exercise):
     def cases(self, variant):
         """The arguments of every call."""
         rng = self.rng(variant)
-        return [self.draw(rng) for _ in range(CASES)]
+        return [*(self.draw(rng) for _ in range(CASES)), *self.special]
 
     def judge(self, answer, variant=0):
         if is_stub(answer):
@@ -120,12 +121,20 @@ class Function(Exercise):
         off = [not np.allclose(a, e, rtol=self.tolerance, atol=self.tolerance) for a, e in zip(answers, expected)]
         if not any(off):
             return self.right()
+        if not any(off[:CASES]):
+            return self.wrong(headline="right at general numbers, wrong where an angle is 0, 90° or 180°, or a length is 0", place=self._call(cases[off.index(True)]),
+                              next="Look for a special case in the program: an if, a division, or a rounding of small numbers to 0.")
+        answers, expected, cases, off = answers[:CASES], expected[:CASES], cases[:CASES], off[:CASES]
         finding = explain_function(answers, expected, cases, self.family)
         if finding:
             return self.wrong(finding.mistake, place="; ".join(filter(None, (finding.place, finding.detail))))
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(headline="the answer is the same whatever goes in", next="Does the function use its arguments, and return what the loop made?")
         return self.wrong(headline="the answers differ from the right ones", place=f"{sum(off)} of {len(off)} calls; {self._parts(answers, expected)}")
+
+    def _call(self, case):
+        """The arguments of a call, where they are few enough to be read."""
+        return "with " + ", ".join(f"{name} = {value:.4g}" for name, value in zip(self.names, case)) if all(np.ndim(value) == 0 for value in case) else ""
 
     def _parts(self, answers, expected):
         """Which block of the pose is wrong."""
