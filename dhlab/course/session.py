@@ -64,13 +64,13 @@ def hint(exercise_id, level=1):
     Examples
     --------
     >>> print(hint("05.3"))
-    Hint 1 of 2: Two of the moves belong to z, two to x. Which pair does a standard row make first?
+    Hint 1 of 2: Two of the moves belong to z, two to x. Which pair does a standard row make first? (hint("05.3", 2) says more)
     """
     hints = _exercise(exercise_id).hints
     if level not in range(1, len(hints) + 1):
         raise ValueError(f"hint: expected a level from 1 to {len(hints)}, found {level!r}")
     more = f' (hint("{exercise_id}", {level + 1}) says more)' if level < len(hints) else ""
-    return Note(f"Hint {level} of {len(hints)}: {hints[level - 1]}{more if level > 1 else ''}")
+    return Note(f"Hint {level} of {len(hints)}: {hints[level - 1]}{more}")
 
 
 def given(exercise_id):

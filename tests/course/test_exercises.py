@@ -254,3 +254,15 @@ def test_feedback_never_holds_expected_numbers():
         said = str(exercise.judge((right + 0.37).tolist()))
         assert not any(f"{value:.3f}" in said for value in np.ravel(right) if abs(value) > 0.01), key
     assert "expected" not in inspect.signature(check).parameters
+
+
+@pytest.mark.parametrize("exercise", [e for e in exercises().values() if isinstance(e, Order)], ids=lambda e: e.id)
+def test_any_letters_in_any_number_get_a_verdict(exercise):
+    rng = np.random.default_rng(3)
+    letters, places = list(exercise.items), exercise.length or len(exercise.items)
+    for length in (*[places] * 300, places - 1, places + 1, 0):
+        given = rng.choice(letters, length).tolist()
+        verdict = exercise.judge(given)
+        assert (verdict.status == "right") == (length == places and bool(exercise.accepts(given)))
+        assert length == 0 or verdict.headline
+    assert exercise.repeats or exercise.judge([letters[0]] * places).headline == f"{letters[0]} stands there twice"

@@ -165,7 +165,7 @@ EXERCISES = [
     Prediction(id="03.P1", title="Joint 2 turns alone", options={
         "a": "both origins {2} move", "b": "only the standard origin {2} moves", "c": "only Craig's origin {2} moves"}, correct="b",
         outcome="Craig's {2} sits on the axis of joint 2, and what lies on the axis stays. The standard {2} sits at the far end of the link and swings."),
-    Order(id="03.1", title="Whose frame is it", length=6, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == SIDES, explain=_explain_sides,
+    Order(id="03.1", title="Whose frame is it", length=6, repeats=True, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == SIDES, explain=_explain_sides,
           praise="Far end for the standard convention, near end for Craig's; the rest follows.", hints=(
               "Link i runs from the axis of joint i to the axis of joint i+1. Which convention bolts its plate to which end?",
               "Craig's z carries the number of its own joint. With the far end, the next joint's axis is z.")),
@@ -189,11 +189,11 @@ EXERCISES = [
                         "base-turned"),
             "d": Option("the order of moves does not matter, the rows must have been mistyped", "The rows are letter by letter those of the maker. The order does matter.", "order-taken-for-free"),
         }),
-    Order(id="03.5", title="Published tables to classify", points=2, length=6, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == PUBLISHED,
+    Order(id="03.5", title="Published tables to classify", points=2, length=6, repeats=True, items={"s": "standard", "c": "Craig's"}, accepts=lambda letters: letters == PUBLISHED,
           explain=_explain_published, praise="All six. A habit of tables, and a good first guess.", hints=(
               "What comes before joint 1, and what after the last joint? Mostly nothing.",
               "Craig's row 1 holds the link before joint 1, the standard last row the link after the last joint: there the zeros stand.")),
-    Order(id="03.6", title="Why two published tables differ", points=2, length=5, items={
+    Order(id="03.6", title="Why two published tables differ", points=2, length=5, repeats=True, items={
         "a": "another convention, the same arm", "b": "a hand is counted in", "c": "a slip of two digits", "d": "another zero pose",
         "e": "a joint counted the other way", "f": "they describe different robots"}, accepts=lambda letters: letters == REASONS, explain=_explain_reasons,
         praise="One of five was the convention. Ask what differs before you convert.", hints=(

@@ -118,7 +118,7 @@ EXERCISES = [
                "b": Option("an error: the pose cannot be reached", "No matrix of the product knows about end stops.", "limits-in-forward"),
                "c": Option("a pose, but a wrong one: so the table can be checked this way", "The pose is right for those angles. It says nothing about the table.", "limits-in-forward"),
            }),
-    Order(id="06.9", title="Structures of four arms", length=4, items={
+    Order(id="06.9", title="Structures of four arms", length=4, repeats=True, items={
         "a": "axes 2, 3, 4 are parallel", "b": "axes 4, 5, 6 meet in one point", "c": "both of these", "d": "neither of these"},
         accepts=lambda letters: letters == ["c", "a", "b", "b"], explain=_explain_structures,
         praise="Parallel axes come from α, meeting ones from lengths that are 0. The UR5e has a length where the others have none.",

@@ -118,7 +118,7 @@ def _draw_pasted(rng):
 
 
 EXERCISES = [
-    Order(id="07.1", title="From a symptom to its cause", points=2, length=6, items={letter: text for letter, (text, _) in CAUSES.items()},
+    Order(id="07.1", title="From a symptom to its cause", points=2, length=6, repeats=True, items={letter: text for letter, (text, _) in CAUSES.items()},
         accepts=lambda letters: letters == OF_SYMPTOMS, explain=_explain_match, praise="Each cause leaves its own trace; one of the seven leaves none.",
         hints=("Ask of every symptom: is the rotation touched? Does the error stay the same, and seen from where?",
                "What is fixed to the floor shifts every pose alike; what is fixed to the hand shifts it alike seen from the hand. One of the causes leaves no trace at all.")),

@@ -2,6 +2,6 @@
 
 from .chosen import UNDECIDED, Choice, Option, Order, Prediction, PreTest
 from .computed import CASES, Function, Table, Value, as_arm
-from .exercise import Exercise, untouched
+from .exercise import Exercise, Said, untouched
 
-__all__ = ["CASES", "Choice", "Exercise", "Function", "Option", "Order", "PreTest", "Prediction", "Table", "UNDECIDED", "Value", "as_arm", "untouched"]
+__all__ = ["CASES", "Choice", "Exercise", "Function", "Option", "Order", "PreTest", "Prediction", "Said", "Table", "UNDECIDED", "Value", "as_arm", "untouched"]

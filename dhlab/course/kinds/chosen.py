@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...doctor import catalogue
 from ..verdict import RECORDED, RIGHT, WRONG
 from .exercise import Exercise
 
@@ -40,20 +39,22 @@ class Choice(Exercise):
         option = self.options[letter]
         if letter == self.correct:
             return self.say(RIGHT, option.answer)
-        return self.say(WRONG, option.answer, mistake=option.mistake, why="" if option.mistake is None else catalogue()[option.mistake].why)
+        return self.say(WRONG, option.answer, mistake=option.mistake)  # the option's own words say why
 
 
 @dataclass(frozen=True, kw_only=True)
 class Order(Exercise):
     """Items to be put in order or matched: the answer is a list of letters.
 
-    ``accepts(letters)`` says whether an order is right, since more than one may be; ``explain(letters)`` gives (mistake, place) or None.
+    ``accepts(letters)`` says whether an order is right, since more than one may be; ``explain(letters)`` gives (mistake, place) or None; ``repeats``:
+    whether a letter may have several places, as in a classification; otherwise ``explain`` is only asked about letters that differ.
     """
 
     items: Mapping
     accepts: Callable
     explain: Callable = lambda letters: None
     length: int = 0
+    repeats: bool = False
 
     def compare(self, answer, variant):
         if isinstance(answer, str):
@@ -64,9 +65,12 @@ class Order(Exercise):
         if strange:
             return self.wrong(headline=f"expected letters from {', '.join(self.items)}, found {strange[0]!r}")
         if len(letters) != length:
-            return self.wrong(headline=f"expected {length} letters, found {len(letters)}", next="Use each place once.")
+            return self.wrong(headline=f"expected {length} letters, found {len(letters)}", next="Give one letter for each place.")
         if self.accepts(letters):
             return self.right()
+        twice = next((letter for letter in letters if letters.count(letter) > 1), None)
+        if twice and not self.repeats:
+            return self.wrong(headline=f"{twice} stands there twice", next="No letter has two places here.")
         known = self.explain(letters)
         return self.wrong(known[0], place=known[1]) if known else self.wrong(headline="not in this order")
 

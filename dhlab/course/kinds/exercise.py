@@ -1,21 +1,36 @@
 """``Exercise``: what every kind of exercise has."""
 
 import zlib
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ...doctor import catalogue
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
-__all__ = ["Exercise", "untouched"]
+__all__ = ["Exercise", "Said", "untouched"]
+
+
+@dataclass(frozen=True)
+class Said:
+    """What an exercise says of a mistake, where the catalogue's words, written for programs and tables in general, would mislead.
+
+    ``headline`` and ``next`` stand in place of the catalogue's; ``why`` too, and is left out when empty.
+    """
+
+    headline: str
+    next: str = ""
+    why: str = ""
+    place: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise:
     """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right.
 
-    ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
+    ``words`` holds a :class:`Said` for the mistakes, by id, that have other words here than in the catalogue; a single wrong answer has its own
+    where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
     """
 
     id: str
@@ -23,6 +38,7 @@ class Exercise:
     points: float = 1
     hints: tuple = ()
     praise: str = ""
+    words: Mapping = field(default_factory=dict)
     mirrors: str = ""
 
     def rng(self, variant):
@@ -52,9 +68,13 @@ class Exercise:
         return self.say(RIGHT, self.praise)
 
     def wrong(self, mistake_id=None, headline="", place="", next=""):
-        """The Verdict on a wrong answer, in the catalogue's words when the mistake is known."""
+        """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the mistake is known."""
+        hint = f'hint("{self.id}") gives a first hint.'
+        said = place if isinstance(place, Said) else self.words.get(mistake_id)
+        if said and not headline:
+            return self.say(WRONG, said.headline, place=said.place or ("" if place is said else place), why=said.why, next=said.next or hint, mistake=mistake_id)
         if mistake_id is None:
-            return self.say(WRONG, headline, place=place, next=next or f'hint("{self.id}") gives a first hint.')
+            return self.say(WRONG, headline, place=place, next=next or hint)
         mistake = catalogue()[mistake_id]
         return self.say(WRONG, headline or f"{mistake.title}. {mistake.see}", place=place, why=mistake.why, next=next or mistake.next, mistake=mistake_id)
 
