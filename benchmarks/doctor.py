@@ -154,7 +154,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--draws", type=int, default=1)
     parser.add_argument("--arms", default=",".join(dh.robots()))
-    parser.add_argument("--only", default="1,2,3,4,5")
+    parser.add_argument("--only", default="1,2,3,4,5,6,7")
     parser.add_argument("--every", type=int, default=1, help="take every k-th fault")
     parser.add_argument("--pairs", type=int, default=20, help="pairs per arm and draw")
     parser.add_argument("--missed", action="store_true")
@@ -163,7 +163,9 @@ def main():
     print("| what | cases | explained | named | median s | worst s |\n|---|---|---|---|---|---|")
     lines = {"1": ("singles, exact, 10 poses", dict(m=10, noise=None, every=options.every)), "2": ("singles, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, every=options.every)),
              "3": ("singles, positions, base free, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, free=True, every=options.every)),
-             "4": ("pairs, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, pair=options.pairs))}
+             "4": ("pairs, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, pair=options.pairs)),
+             "6": ("pairs, positions, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, pair=options.pairs)),
+             "7": ("pairs, positions, base free, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, free=True, pair=options.pairs))}
     for key, (title, settings) in lines.items():
         if key in only:
             missed = run(title, arms, options.draws, **settings)

@@ -2,7 +2,8 @@
 
 Run ``python benchmarks/doctor_programs.py`` from the project's top folder. The programs and what is wrong with each stand in
 ``tests/doctor/wrong_programs.py``; they were written, with their expectations, before the doctor was run on them, and the doctor was
-then improved on them. Those of ``unseen_programs.py`` came after and were not used to improve it: theirs is the honest share.
+then improved on them. Those of ``unseen_programs.py`` came after and were not used to improve it. Of the sixty of ``fresh_programs.py``, by
+another hand, every second one was used: the share of the others is the honest one.
 """
 
 import sys
@@ -14,8 +15,11 @@ import numpy as np
 import dhlab.doctor.functions as functions
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor"))
+from fresh_programs import PROGRAMS  # noqa: E402
 from unseen_programs import UNSEEN  # noqa: E402
-from wrong_programs import RIGHT, WRONG, program  # noqa: E402
+from wrong_programs import KINDS, RIGHT, WRONG, program  # noqa: E402
+
+from dhlab.doctor import catalogue  # noqa: E402
 
 
 def diagnosed(kind, text):
@@ -27,11 +31,15 @@ def diagnosed(kind, text):
 
 
 def named(answer, expected):
-    """Whether a single is the first finding or its look-alike, or one of a pair is the first finding; and whether all are named."""
-    found = [finding.mistake for finding in answer.findings]
-    alike = set(answer.findings[0].look_alikes) if found else set()
-    wanted = set(expected)
-    return bool(found) and bool(wanted & ({found[0]} | alike)), wanted <= set(found) | alike
+    """Whether one of the mistakes is the first finding or its look-alike; and whether all are named. "|" stands between equally good names."""
+    found = [_id(finding.mistake) for finding in answer.findings]
+    alike = {found[0], *map(_id, answer.findings[0].look_alikes)} if found else set()
+    wanted = [set(map(_id, names.split("|"))) for names in expected]
+    return any(names & alike for names in wanted), all(names & (set(found) | alike) for names in wanted)
+
+
+def _id(name):
+    return catalogue()[name].id if name in catalogue() else name
 
 
 def count(name, programs, times):
@@ -55,6 +63,9 @@ def main():
     times = []
     count("corpus", WRONG, times)
     count("unseen", UNSEEN, times)
+    fresh = [(KINDS[kind], ids.split(" + "), text) for kind, ids, text in PROGRAMS]
+    count("fresh, used", fresh[::2], times)
+    count("fresh, kept", fresh[1::2], times)
     alarms = [(kind, answer) for kind, text in RIGHT for answer in [diagnosed(kind, text)[0]] if answer.verdict != "agrees"]
     print(f"right programs: {len(alarms)} false alarms in {len(RIGHT)}")
     for kind, answer in alarms:

@@ -9,6 +9,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
+from .files import read_text
 from .robots import load
 
 __all__ = ["doctor"]
@@ -18,10 +19,10 @@ LENGTHS, ANGLES = {"m": 1.0, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180, "°":
 
 def doctor(arm: Annotated[str, typer.Argument(metavar="ARM", help="The table that is doubted: a name of the library, or a .yaml or .csv table file.")],
            poses: Annotated[str, typer.Argument(metavar="POSES.csv", help="What was measured: columns q1,…,qn,x,y,z and, where known, an orientation.")] = "",
-           units: Annotated[str, typer.Option(help="Of the poses file: m or mm, and rad or deg.")] = "m,rad",
+           units: Annotated[str, typer.Option(help="Of the poses file, such as mm,deg or m,rad; left out where a line of the file says so: # units: mm,deg.")] = "",
            free_base: Annotated[bool, typer.Option("--free-base", help="Measured in another base frame, which is to be found as well.")] = False,
            free_tool: Annotated[bool, typer.Option("--free-tool", help="Measured at another tool frame, which is to be found as well.")] = False,
-           noise: Annotated[str, typer.Option(help="Of the measurements, such as 1mm,0.2deg (without units: m, rad); estimated when left out.")] = "",
+           noise: Annotated[str, typer.Option(help="Of the measurements, such as 1mm,0.2deg (1mm for positions alone); estimated when left out.")] = "",
            repair: Annotated[str, typer.Option("--repair", metavar="FILE.yaml", help="Write the repaired arm; an existing file is kept.")] = "",
            motion: Annotated[bool, typer.Option("--motion", help="The file holds sweeps: one joint moved at a time.")] = False,
            protocol: Annotated[bool, typer.Option("--protocol", help="Say which poses to drive to and what to measure; needs no file.")] = False,
@@ -29,8 +30,8 @@ def doctor(arm: Annotated[str, typer.Argument(metavar="ARM", help="The table tha
            as_json: Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")] = False):
     """What is wrong with an arm's table, from measured poses; or, with --protocol, what to measure."""
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
-    lengths, angles = _units(units)
     level = _noise(noise)
+    lengths, angles = (None, None) if protocol else _units(units or _written_units(poses))
     model = load(arm)
     if protocol:
         _give_protocol(model, sheet, as_json)
@@ -58,6 +59,14 @@ def _check(poses, protocol, sheet, repair, motion, free):
             raise ValueError(f"doctor: {name}: {file}: expected a new file, found one that exists; choose another name")
 
 
+def _written_units(path):
+    """The units that a comment line of the poses file names."""
+    found = re.search(r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE)
+    if not found:
+        raise ValueError(f"doctor: expected the units of {path}, found none; add --units mm,deg or --units m,rad, or a line # units: mm,deg to the file")
+    return found[1]
+
+
 def _units(text):
     parts = [part.strip() for part in text.split(",")]
     lengths, angles = [part for part in parts if part in LENGTHS], [part for part in parts if part in ("rad", "deg")]
@@ -77,17 +86,17 @@ def _noise(text):
 
 
 def _amount(part, known, text):
-    found = re.fullmatch(r"(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d{1,2}))?\s*([a-z°]*)", part)
-    if not found or (found[3] and found[3] not in known):
+    found = re.fullmatch(r"(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d{1,2}))?\s*([a-z°]+)", part)
+    if not found or found[3] not in known:
         raise _bad_noise(text)
-    value = float(found[1] + ("e" + found[2] if found[2] else "")) * known.get(found[3], 1.0)
+    value = float(found[1] + ("e" + found[2] if found[2] else "")) * known[found[3]]
     if not 0 < value < 10:
         raise _bad_noise(text)
     return value
 
 
 def _bad_noise(text):
-    return ValueError(f"doctor: --noise: expected a length and perhaps an angle above 0, such as 1mm,0.2deg (or 0.001,0.003 for m, rad), found {text!r}")
+    return ValueError(f"doctor: --noise: expected a length and perhaps an angle above 0, each with its unit, such as 1mm,0.2deg, found {text!r}")
 
 
 def _poses(model, path, lengths, angles, noise, free_base, free_tool):
@@ -115,7 +124,7 @@ def _give_protocol(model, sheet, as_json):
 
 def _write_repair(answer, model, path):
     """The repaired arm into a new file; where there is none, a note in its place."""
-    repaired = answer.findings[0].repair if answer.findings else None
+    repaired = answer.findings[0].repair if answer.findings else answer.fitted
     if repaired is None or repaired == model:
         why = "the mistake is in the measurements, not in the table" if answer.findings else f"the verdict is {answer.verdict!r}"
         print(f"Note: {path} was not written: {why}.", file=sys.stderr)

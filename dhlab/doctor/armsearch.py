@@ -6,12 +6,13 @@ import numpy as np
 
 from .datafaults import data_repairs
 from .faults import A, ALPHA, D, THETA
-from .fitting import Fit, carried, fit, misfit, place_ends, with_rows
+from .fitting import Fit, Measured, carried, fit, misfit, place_ends, with_rows
 from .repairs import discrete_repairs
 
 __all__ = ["Explanation", "singles", "calibrated", "STARTS", "entries_of", "turned", "turns", "length_columns"]
 
 STARTS = np.arange(12) * np.pi / 6
+GRID = np.arange(24) * np.pi / 12
 
 
 @dataclass(frozen=True)
@@ -19,7 +20,7 @@ class Explanation:
     """A repaired arm that may explain the data.
 
     ``chain`` holds the arms on the way: the candidate, after the first change, (after the second). ``entries`` are the (row, column)
-    that were fitted, ``ends`` names "base" or "tool" when one was, ``data_fault`` the mistake when the data were changed instead.
+    that were fitted, ``ends`` names "base" or "tool" when one was, ``data_fault`` the mistake when the data were changed instead, to ``changed``.
     ``odd`` counts fitted entries that are no number one would have guessed.
     """
 
@@ -28,6 +29,7 @@ class Explanation:
     entries: tuple = ()
     ends: tuple = ()
     data_fault: tuple = None
+    changed: Measured = None
     odd: int = 0
 
     @property
@@ -65,7 +67,7 @@ def singles(arm, data):
             found = misfit(arm, replace(data, **{f"{end}_free": True}))
             yield Explanation(found, (arm, found.arm), ends=(end,))
     for fault, changed in data_repairs(data):
-        yield Explanation(misfit(arm, changed), (arm,), data_fault=fault)
+        yield Explanation(misfit(arm, changed), (arm,), data_fault=fault, changed=changed)
 
 
 def turned(arm, entry, turn):
@@ -80,7 +82,7 @@ def _entry_fits(placed, data, i, column):
     entry = i, column
     if column in (D, A):
         return [fit(placed, data, (entry,))]
-    if data.R is not None and not data.base_free and not data.tool_free:
+    if not data.base_free and not data.tool_free:
         turn = next(turn for e, turn, _ in turns(placed, data) if e == entry)
         return [fit(turned(placed, entry, turn), data, (entry,), steps=4)]
     trials = [misfit(turned(placed, entry, start), data) for start in STARTS]
@@ -186,21 +188,43 @@ def _grid_misfit(T, data):
 
 
 def turns(arm, data):
-    """For every angle of the table: the turn that repairs the rotations best, and the rotation misfit then left, in closed form.
+    """For every angle of the table: (entry, the turn that repairs the measurements best, the misfit then left), in closed form.
 
-    With L the rotation of the axis' frame, N = Lᵀ R_measured R_predictedᵀ L is a turn about one axis if that angle is all that is wrong.
+    Rotations: with L the rotation of the axis' frame, N = Lᵀ R_measured R_predictedᵀ L is a turn about one axis if that angle is all that is wrong.
+    Positions alone: seen from the axis' frame the measured ones are the predicted ones, turned about one axis; where the base is free as well,
+    the turn is the best of a grid.
     """
-    F = arm.frames(data.q)[..., :3, :3]
-    back = data.R @ np.swapaxes(F[:, -1] @ arm.tool[:3, :3], -1, -2)
+    F = arm.frames(data.q)
     standard = arm.table.convention == "standard"
     for i in range(len(arm)):
         for column, axis in ((THETA, 2), (ALPHA, 0)):
             L = F[:, i if (column == THETA) == standard else i + 1]
-            N = (np.swapaxes(L, -1, -2) @ back @ L).sum(0)
-            j, k = (axis + 1) % 3, (axis + 2) % 3
-            s, c = N[k, j] - N[j, k], N[j, j] + N[k, k]
-            left = 3 * len(data.q) - N[axis, axis] - np.hypot(s, c)
-            yield (i, column), np.arctan2(s, c), left / data.noise[1] ** 2
+            if data.R is not None:
+                back = data.R @ np.swapaxes(F[:, -1, :3, :3] @ arm.tool[:3, :3], -1, -2)
+                yield (i, column), *_turn_of_rotations(L[:, :3, :3], back, axis, data)
+            else:
+                yield (i, column), *_turn_of_positions(L, (F[:, -1] @ arm.tool)[:, :3, 3], axis, data)
+
+
+def _turn_of_rotations(L, back, axis, data):
+    N = (np.swapaxes(L, -1, -2) @ back @ L).sum(0)
+    j, k = (axis + 1) % 3, (axis + 2) % 3
+    s, c = N[k, j] - N[j, k], N[j, j] + N[k, k]
+    return np.arctan2(s, c), (3 * len(data.q) - N[axis, axis] - np.hypot(s, c)) / data.noise[1] ** 2
+
+
+def _turn_of_positions(L, ends, axis, data):
+    j, k = (axis + 1) % 3, (axis + 2) % 3
+    v = np.einsum("mij,mi->mj", L[:, :3, :3], ends - L[:, :3, 3])
+    if data.base_free:
+        c, s = np.cos(GRID)[:, None], np.sin(GRID)[:, None]
+        turned_v = np.broadcast_to(v, (len(GRID), *v.shape)).copy()
+        turned_v[..., j], turned_v[..., k] = c * v[:, j] - s * v[:, k], s * v[:, j] + c * v[:, k]
+        left = carried(np.einsum("mij,gmj->gmi", L[:, :3, :3], turned_v) + L[:, :3, 3], data.p)
+        return GRID[np.argmin(left)], left.min() / data.noise[0] ** 2
+    w = np.einsum("mij,mi->mj", L[:, :3, :3], data.p - L[:, :3, 3])
+    s, c = (v[:, j] * w[:, k] - v[:, k] * w[:, j]).sum(), (v[:, j] * w[:, j] + v[:, k] * w[:, k]).sum()
+    return np.arctan2(s, c), ((v**2).sum() + (w**2).sum() - 2 * (v[:, axis] * w[:, axis]).sum() - 2 * np.hypot(s, c)) / data.noise[0] ** 2
 
 
 def calibrated(arm, data, prior=None):

@@ -124,9 +124,10 @@ def _fits(f, names):
     """Whether the function takes as many arguments as it will be given; said before Python says it less plainly."""
     try:
         signature = inspect.signature(f)
-        signature.bind(*names)
-    except ValueError:  # no signature to be had
+    except (ValueError, TypeError):  # no signature to be had
         return
+    try:
+        signature.bind(*names)
     except TypeError:
         takes = ", ".join(signature.parameters) or "nothing"
         raise CallFault(f"TypeError: the function cannot be called with {len(names)} arguments ({', '.join(names)})", f"it takes {takes}",
@@ -140,12 +141,21 @@ def _call(f, case, names):
     except NotImplementedError:
         raise
     except (Exception, SystemExit) as error:
-        raise CallFault(f"the function stops with {type(error).__name__}: {str(error)[:200]}", _line_of(error, f) or _shown(case, names),
-                        "Call it yourself with these numbers and read the last line of the message.") from None
+        place = "; ".join(filter(None, (_line_of(error, f), _shown(case, names))))
+        raise CallFault(f"the function stops with {type(error).__name__}: {str(error)[:200]}", place,
+                        f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.") from None
     if not all(np.array_equal(before, after) for before, after in zip(case, given)):
         raise CallFault("the function changes the numbers it was given", _shown(case, names),
                         "Work on a copy, or write x = x + … in place of x += …", "inputs-changed")
     return answer
+
+
+def _call_text(f, case):
+    """The call as one would type it, where its numbers are few."""
+    name = getattr(f, "__name__", "f")
+    if all(np.ndim(value) == 0 for value in case):
+        return f"{name}({', '.join(f'{float(value):.3g}' for value in case)})"
+    return "with a short table of your own"
 
 
 def _line_of(error, f):
@@ -157,7 +167,7 @@ def _line_of(error, f):
 
 def _as_array(answer, shape, case, names):
     if answer is None or answer is Ellipsis:
-        raise CallFault("the function returns nothing", _shown(case, names), "Is the return missing, or indented into the loop's first turn?")
+        raise CallFault("the function returns nothing", _shown(case, names), "Is the return missing?")
     try:
         array = np.asarray(answer)
     except ValueError:
@@ -167,6 +177,8 @@ def _as_array(answer, shape, case, names):
             array = array.astype(float)
         except (TypeError, ValueError):
             array = np.asarray("")
+    if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
+        raise CallFault("there are still three dots in what the function returns", "", "Put a number or a formula in place of every ...")
     if array.dtype.kind not in "iufb":
         wanted = "×".join(map(str, shape))
         raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers", _shown(case, names))

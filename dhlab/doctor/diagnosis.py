@@ -7,6 +7,7 @@ from textwrap import fill
 
 import numpy as np
 
+from ..arm import Arm
 from ..printing import number
 from .catalogue import catalogue
 from .finding import Finding
@@ -34,6 +35,8 @@ class Diagnosis:
         What else a reader should know: look-alikes, too few poses, how the noise was estimated.
     next_pose : array (n,) or None
         A configuration whose measurement would tell the remaining explanations apart; radians and metres.
+    fitted : Arm or None
+        Where there is no finding and still something was found: the arm with its free base and tool in place, or as calibrated.
     compared : (Arm, q, measured) or None
         What :attr:`picture` draws: the arm as given (its base and tool in place where they are free), q (m, n), poses (m, 4, 4) or positions (m, 3).
     """
@@ -45,6 +48,7 @@ class Diagnosis:
     after: tuple | None = None
     notes: tuple = ()
     next_pose: np.ndarray | None = None
+    fitted: Arm | None = field(default=None, repr=False, compare=False)
     compared: tuple | None = field(default=None, repr=False, compare=False)
 
     @cached_property
@@ -80,7 +84,11 @@ class Diagnosis:
         for note in self.notes:
             yield "Note", note
         if self.next_pose is not None:
-            yield "Measure", "q = " + ", ".join(number(v, 4) for v in self.next_pose) + " (rad, m) would tell them apart"
+            yield "Measure", f"{self._pose_to_measure()} would tell them apart"
+
+    def _pose_to_measure(self):
+        slides = self.compared[0].table.prismatic if self.compared is not None else np.zeros(len(self.next_pose), dtype=bool)
+        return "q = " + ", ".join(f"{number(v * 1e3, 0)} mm" if slide else f"{number(np.rad2deg(v), 0)}°" for v, slide in zip(self.next_pose, slides))
 
     def __str__(self):
         return "\n".join([self.headline, *(fill(text, WIDTH, initial_indent=f"  {label + ':':8} ", subsequent_indent=" " * 11) for label, text in self._lines())])

@@ -145,6 +145,8 @@ def _(arm):
 
 @fault("length-unit")
 def _(arm):
+    for factor in (10, 0.1, 100, 0.01):
+        yield None, with_rows(arm, arm.table.rows * [1, factor, factor, 1])
     for factors in ([1, 1000, 1000, 1], [1, 1e-3, 1e-3, 1], [1, 1000, 1, 1], [1, 1, 1000, 1], [1, 1e-3, 1, 1], [1, 1, 1e-3, 1], [1, 25.4e-3, 25.4e-3, 1], [1, 1 / 25.4e-3, 1 / 25.4e-3, 1]):
         yield None, with_rows(arm, arm.table.rows * factors)
 
@@ -165,6 +167,12 @@ def _(arm):
 def _(arm):
     yield None, with_rows(arm, arm.table.rows * [1, 1, 1, DEG])
     yield from _each(arm, _scale(ALPHA, DEG))
+
+
+@fault("angle-unit")
+def _(arm):
+    for factors in ([DEG, 1, 1, DEG], [1 / DEG, 1, 1, 1 / DEG], [1, 1, 1, 1 / DEG], [1 / DEG, 1, 1, 1], [DEG, 1, 1, 1]):
+        yield None, with_rows(arm, arm.table.rows * factors)
 
 
 @fault("pi-rounded")

@@ -13,6 +13,9 @@ __all__ = ["name_change", "name_data_fault", "difference_text"]
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical purposes
 SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (8, 16)) * np.random.default_rng(21).choice([-1, 1], (8, 16))
 TOLERANCE = 1e-6
+MOST_SHOWN = 8
+SEEN = 0.03  # share of the largest change below which another zero is not worth a word
+OWN = 0.1  # share of a change's misfit that a mistake may leave to be its name
 ORDER = ("standard-rows-in-craig-matrix", "craig-rows-in-standard-matrix", "alpha-sign", "length-sign", "joint-reversed", "offset-missing", "offset-sign",
          "a-d-exchanged", "length-unit", "tool-missing", "base-turned")
 
@@ -37,7 +40,7 @@ def name_change(wrong, right, data, entries=(), ends=()):
     alike = _made_on(right, wrong, data, bool(entries))
     if right.table.convention != wrong.table.convention:
         alike += _made_on(right.to(wrong.table.convention), wrong, data, bool(entries))
-    own = _by_value(wrong, right, entries, ends)
+    own = _by_offsets(wrong, right, entries) if len(entries) > 1 else _by_value(wrong, right, entries, ends)
     names = [own] if own and not alike else alike + ([own] if own else [])
     if not names:
         names = _by_difference(wrong, right)
@@ -73,9 +76,15 @@ def _made_on(right, wrong, data, fitted):
     slack = max(TOLERANCE, 3 * data.noise[0] if fitted and data.noise[0] > 1e-5 else 0), max(TOLERANCE, 3 * data.noise[1] if fitted and data.noise[1] > 1e-5 else 0)
     sample = Measured(q, T[:, :3, 3], None if data.R is None else T[:, :3, :3], slack, data.base_free, data.tool_free)
     rank = {name: k for k, name in enumerate(ORDER)}
-    found = [fault for fault in faults(right) if misfit(fault.arm, sample).chi2 < sample.count]
+    enough = min(sample.count, OWN * misfit(right, sample).chi2)  # a fault that changes nothing is no name for a change
+    found = [fault for fault in faults(right) if misfit(fault.arm, sample).chi2 <= enough and not _unit_of_nothing(fault, wrong)]
     found.sort(key=lambda f: (f.joint is None and f.mistake not in rank, not _same_numbers(f.arm, wrong, max(slack)), rank.get(f.mistake, len(rank))))
     return list(dict.fromkeys((f.mistake, f.joint, f.parameter, _place(f.joint, f.parameter), "") for f in found))
+
+
+def _unit_of_nothing(fault, wrong):
+    """Whether a length would have been taken in another unit where 0 stands: then it is missing, whatever a thousandth of it is."""
+    return fault.mistake == "length-unit" and fault.joint is not None and abs(wrong.table.rows[fault.joint - 1, NAMES.index(fault.parameter)]) < 1e-9
 
 
 def _same_numbers(a, b, slack):
@@ -95,6 +104,18 @@ def _by_value(wrong, right, entries, ends):
     if ends:
         return _by_end(wrong, right, ends[0])
     return _name_entry(wrong, right, entries) if len(entries) == 1 else None
+
+
+def _by_offsets(wrong, right, entries):
+    """Several zero offsets at once: left out where 0 stood and quarter turns belong, otherwise zeros that are off."""
+    was, should = wrong.table.theta, right.table.theta
+    turned = np.abs(_wrapped(should - was))
+    changed = np.flatnonzero(turned > max(1e-9, SEEN * turned.max()))
+    if any(column != THETA for _, column in entries) or len(changed) < 2 or not np.array_equal(wrong.table.rows[:, 1:], right.table.rows[:, 1:]):
+        return None
+    quarters = np.abs(_wrapped(4 * should[changed])).max() < 1e-2 and not was[changed].any()
+    rows = "rows " + ", ".join(str(i + 1) for i in changed)
+    return "offset-missing" if quarters else "offset-value", None, "theta", rows, "; ".join(f"theta{i + 1} {_from_to(was[i], should[i], THETA)}" for i in changed)
 
 
 def _name_entry(wrong, right, entries):
@@ -166,16 +187,17 @@ def _by_difference(wrong, right):
 
 
 def difference_text(wrong, right):
-    """What stood there and what should, for up to three entries."""
+    """What stood there and what should."""
     if wrong.table.convention != right.table.convention:
         return f"the rows are {right.table.convention}"
     if wrong.table.joints != right.table.joints:
         return f"the joints are {right.table.joints}"
     changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
-    if len(changed) > 3:
+    if len(changed) > MOST_SHOWN:
         return f"{len(changed)} numbers of the table change"
     parts = [f"{NAMES[c]}{i + 1} {_from_to(wrong.table.rows[i, c], right.table.rows[i, c], c)}" for i, c in changed]
     parts += [f"joint {i + 1} counts the other way" for i in np.flatnonzero(wrong.sign != right.sign)]
+    parts += [_by_end(wrong, right, end)[4] for end in ("base", "tool") if not np.allclose(getattr(wrong, end), getattr(right, end), atol=1e-9) and not parts]
     return "; ".join(parts)
 
 

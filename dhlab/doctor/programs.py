@@ -79,8 +79,18 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9):
     slips, look_alikes = _searched(answers, cases, kind, tolerance)
     if slips:
         return tuple(_finding(slip, look_alikes if len(slips) == 1 else ()) for slip in slips)
+    topped = _with_right_last_row(answers, expected, tolerance)
+    if topped is not None and (slips := _searched(topped, cases, kind, tolerance)[0]):
+        return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))
     found = _wrong_version(answers, cases, kind) or _relation(answers, expected, tolerance) or _entries(answers, expected) or _not_a_pose(answers)
     return (found,) if found else ()
+
+
+def _with_right_last_row(answers, expected, tolerance):
+    """The answers with 0 0 0 1 below, None where they have it, or where nothing else is wrong."""
+    topped = answers.astype(float)
+    topped[..., 3, :] = [0, 0, 0, 1]
+    return None if _same(topped, answers, tolerance) or _same(topped, expected, tolerance) else topped
 
 
 def _searched(answers, cases, kind, tolerance):

@@ -68,7 +68,7 @@ class Protocol:
         'q1,q2,q3,q4,q5,q6,x,y,z'
         """
         header = ",".join([*(f"q{i + 1}" for i in range(len(self.arm))), "x", "y", "z"])
-        about = f"# {' '.join((self.arm.name or 'an arm').split())}: fill in x, y, z in mm; joint values in deg, of sliding joints in mm"
+        about = f"# units: mm,deg; {' '.join((self.arm.name or 'an arm').split())}: fill in x, y, z; joint values are in deg, of sliding joints in mm"
         return "\n".join([about, header, *(",".join(row) + ",,," for row in _written(self.arm, self.q))]) + "\n"
 
     def to_dict(self):

@@ -13,6 +13,9 @@ from .fitting import with_parts, with_rows
 __all__ = ["Repair", "discrete_repairs"]
 
 
+SMALLEST_DEGREES = 2  # a number below this was not written down as degrees of a table
+
+
 @dataclass(frozen=True)
 class Repair:
     """A changed candidate; ``free`` are (row, column) whose values the change leaves to be fitted."""
@@ -66,6 +69,8 @@ def _whole_tables(rows):
         yield rows[:, order]
     for factors in product((1, -1), (1,), (1,), (1, -1)):
         yield rows * factors
+    for factor in (10, 0.1, 100, 0.01):
+        yield rows * [1, factor, factor, 1]
     for factor in (1000, 1e-3, 25.4e-3, 1 / 25.4e-3):
         for columns in ([D], [A], [D, A]):
             changed = rows.copy()
@@ -73,6 +78,8 @@ def _whole_tables(rows):
             yield changed
     for columns in ([THETA], [ALPHA], [THETA, ALPHA]):
         for factor in (DEG, 1 / DEG):
+            if factor < 1 and np.abs(rows[:, columns]).max() < SMALLEST_DEGREES:
+                continue  # else small offsets would be explained away
             changed = rows.copy()
             changed[:, columns] *= factor
             yield changed

@@ -38,10 +38,21 @@ def explain_rows(given, right, q):
     if len(given) != len(right):
         return None
     poses = given.forward(q)
-    for mistake, place, table in wrong_tables(right.table):
-        if np.allclose(replace(right, table=table).forward(q), poses, rtol=0, atol=1e-8):
-            return find(mistake, place)
-    return None
+    fitting = [(mistake, place, table) for mistake, place, table in wrong_tables(right.table)
+               if np.allclose(replace(right, table=table).forward(q), poses, rtol=0, atol=1e-8)]
+    if not fitting:
+        return None
+    mistake, place, _ = min(fitting, key=lambda found: (not _written_alike(found[2], given.table), _changed(found[2], right.table), found[1] == "all rows"))
+    return find(mistake, place)
+
+
+def _written_alike(a, b):
+    return a.convention == b.convention and np.allclose(a.rows, b.rows, rtol=0, atol=1e-9)
+
+
+def _changed(a, b):
+    """How many numbers a mistake changes: of several that make the same arm, the smallest is told."""
+    return int((np.abs(a.rows - b.rows) > 1e-9).sum()) if a.convention == b.convention else 1
 
 
 def wrong_tables(table):

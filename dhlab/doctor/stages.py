@@ -78,6 +78,22 @@ def _neighbour(step, wrap):
     return change
 
 
+def _lent(row):
+    """d, a and alpha of one row for all."""
+    def change(rows, q):
+        return np.concatenate([rows[..., :1], 0 * rows[..., 1:] + rows[..., [row], 1:]], axis=-1), q
+    return change
+
+
+def _q_in(column):
+    """q added to another column than theta."""
+    def change(rows, q):
+        rows = rows.copy()
+        rows[..., column] += q
+        return rows, 0 * q
+    return change
+
+
 def _shifted(q, step):
     moved = np.roll(q, step, axis=-1)
     moved[..., 0 if step > 0 else -1] = 0
@@ -110,6 +126,8 @@ READING = _slips(
     ("joint-index-off-by-one", "the row before, with this joint's q", lambda rows, q: (np.roll(rows, 1, axis=-2), q)),
     ("joint-index-off-by-one", "the row after, with this joint's q", lambda rows, q: (np.roll(rows, -1, axis=-2), q)),
     ("one-row-for-all-joints", "the last row", lambda rows, q: (0 * rows + rows[..., -1:, :], q)),
+    ("one-row-for-all-joints", "d, a and alpha of the last row", _lent(-1)),
+    ("one-row-for-all-joints", "d, a and alpha of the first row", _lent(0)),
     ("one-row-for-all-joints", "the first row", lambda rows, q: (0 * rows + rows[..., :1, :], q)),
     ("joints-summed", "", _q(lambda q: np.cumsum(q, axis=-1))),
     ("joints-summed", "offsets too", _all_summed),
@@ -123,6 +141,14 @@ READING = _slips(
     ("degrees-in-sin-cos", "q", _q(lambda q: q * DEG)),
     ("converted-to-radians-twice", "q", _q(lambda q: q / DEG)),
     ("converted-to-radians-twice", "the theta column", _theta(lambda theta: theta / DEG)),
+    ("converted-to-radians-twice", "the angles of the rows", lambda rows, q: (rows * [1 / DEG, 1, 1, 1 / DEG], q)),
+    ("degrees-in-sin-cos", "the angles of the rows", lambda rows, q: (rows * [DEG, 1, 1, DEG], q)),
+    ("columns-misread", "q is added to alpha", _q_in(3)),
+    ("columns-misread", "q is added to d", _q_in(1)),
+    ("columns-misread", "q is added to a", _q_in(2)),
+    ("integer-arrays", "the table", lambda rows, q: (np.trunc(rows), q)),
+    ("integer-arrays", "q", _q(np.trunc)),
+    ("integer-arrays", "the sums of offset and q", lambda rows, q: (np.concatenate([np.trunc(rows[..., :1] + q[..., None]), rows[..., 1:]], axis=-1), 0 * q)),
     ("a-alpha-from-previous-row", "", _neighbour(1, False)),
     ("a-alpha-from-previous-row", "row 1 takes them from the last row", _neighbour(1, True)),
     ("a-alpha-from-previous-row", "here it is the row after", _neighbour(-1, False)),
@@ -135,6 +161,45 @@ READING = _slips(
 
 def _scaled(**factors):
     return lambda *row: tuple(value * factors.get(name, 1) for name, value in zip(NAMES, row))
+
+
+def _changed(name, change):
+    """One argument, or both angles, through a function."""
+    which = [k for k, own in enumerate(NAMES) if own in name]
+    return lambda *row: tuple(change(value) if k in which else value for k, value in enumerate(row))
+
+
+def _nearest(step):
+    return lambda x: np.round(x / step) * step
+
+
+def _arguments_lost():
+    """What is lost of an argument on its way: its sign, its quadrant, its digits, half of it, all of it."""
+    angles = (("theta", ("theta",)), ("alpha", ("alpha",)), ("theta and alpha", ("theta", "alpha")))
+    for place, names in angles:
+        yield "atan-for-atan2", place, _changed(names, lambda x: np.arctan(np.tan(x)))
+        yield "sign-lost", f"the sine of {place}", _changed(names, np.abs)
+        yield "sign-lost", f"the cosine of {place}", _changed(names, lambda x: np.arcsin(np.sin(x)))
+        yield "pi-rounded", f"{place}, to multiples of 90°", _changed(names, _nearest(np.pi / 2))
+        yield "pi-rounded", f"{place}, to whole degrees", _changed(names, _nearest(1 / DEG))
+        for digits in (0, 1, 2, 3):
+            yield "pi-rounded", f"{place}, {digits} decimals", _changed(names, lambda x, digits=digits: np.round(x, digits))
+        yield "integer-arrays", place, _changed(names, np.trunc)
+        yield "angle-unit", f"{place}: twice the angle", _changed(names, lambda x: 2 * x)
+        yield "angle-unit", f"{place}: half the angle", _changed(names, lambda x: x / 2)
+    for name, mistake in (("theta", "offset-value"), ("alpha", "alpha-value")):
+        for turn in (180, 90, -90):
+            yield mistake, f"{name}: {turn}° too much", _changed((name,), lambda x, turn=turn: x + turn / DEG)
+    yield "alpha-value", "alpha is not used", _changed(("alpha",), np.zeros_like)
+    yield "joint-values-unused", "theta is not used", _changed(("theta",), np.zeros_like)
+    for name in ("d", "a"):
+        yield "length-value", f"{name} is not used", _changed((name,), np.zeros_like)
+        yield "length-value", f"twice {name}", _changed((name,), lambda x: 2 * x)
+        yield "length-value", f"half of {name}", _changed((name,), lambda x: x / 2)
+        yield "lengths-made-positive", name, _changed((name,), np.abs)
+        for digits in (1, 2, 3):
+            yield "pi-rounded", f"{name}, {digits} decimals", _changed((name,), lambda x, digits=digits: np.round(x, digits))
+    yield "integer-arrays", "d and a", _changed(("d", "a"), np.trunc)
 
 
 def _rearranged(order):
@@ -160,6 +225,7 @@ ARGUMENTS = _slips(
     ("sin-cos-exchanged", "alpha", lambda t, d, a, al: (t, d, a, np.pi / 2 - al)),
     ("sin-cos-exchanged", "theta", lambda t, d, a, al: (np.pi / 2 - t, d, a, al)),
     *((mistake, place.replace("read as", "taken as"), _rearranged(order)) for mistake, place, order in _column_orders()),
+    *_arguments_lost(),
 )
 
 
@@ -217,6 +283,10 @@ def _rotation_transposed(T):
     return T
 
 
+def _with_ones_below(T):
+    return np.concatenate([T[..., :3, :], np.ones_like(T[..., :1, :])], axis=-2)
+
+
 def _without_last_row(T):
     return T * np.array([1, 1, 1, 0])[:, None]
 
@@ -230,6 +300,7 @@ _FINISHED = (
     ("rotation-transposed", "", _rotation_transposed),
     ("matrix-transposed", "", lambda T: np.swapaxes(T, -1, -2)),
     ("last-row-missing", "", _without_last_row),
+    ("last-row-missing", "1 1 1 1 stands there", _with_ones_below),
     ("integer-arrays", "", truncated),
     *(("pi-rounded", f"{digits} decimals", lambda T, digits=digits: rounded(T, digits)) for digits in (1, 2, 3, 4, 5)),
 )
@@ -272,6 +343,27 @@ def _turned_too_early(links):
     return T
 
 
+def _turned_back(links):
+    """The shift of each link turned the other way."""
+    T, p = np.broadcast_to(np.eye(4), links.shape[:-3] + (4, 4)), 0
+    for i in range(links.shape[-3]):
+        p = p + (np.swapaxes(T[..., :3, :3], -1, -2) @ links[..., i, :3, 3:])[..., 0]
+        T = T @ links[..., i, :, :]
+    T = T.copy()
+    T[..., :3, 3] = p
+    return T
+
+
+def _half_reversed(of_rotation):
+    """The rotation of one order of the product and the position of the other."""
+    def product(links):
+        right, wrong = chain_product(links), chain_product(links[..., ::-1, :, :])
+        T = (right if not of_rotation else wrong).copy()
+        T[..., :3, 3] = (wrong if not of_rotation else right)[..., :3, 3]
+        return T
+    return product
+
+
 def _repeated(i):
     return lambda links: chain_product(np.insert(links, i, links[..., i, :, :], axis=-3))
 
@@ -282,10 +374,16 @@ PRODUCT = _slips(
     ("elementwise-product", "", _elementwise),
     ("translations-not-rotated", "", _shifts_added),
     ("order-taken-for-free", "the shift is turned by its own link too", _turned_too_early),
+    ("translations-not-rotated", "each shift is turned by the transposed rotation", _turned_back),
+    ("product-reversed", "of the rotations only", _half_reversed(True)),
+    ("product-reversed", "of the positions only", _half_reversed(False)),
+    ("product-from-zeros", "", lambda links: 0 * chain_product(links)),
     ("product-stops-early", "the last row", lambda links: chain_product(links[..., :-1, :, :])),
     ("product-stops-early", "only the first row is used", lambda links: links[..., 0, :, :]),
     ("product-starts-late", "the first row", lambda links: chain_product(links[..., 1:, :, :])),
     ("product-starts-late", "only the last row is used", lambda links: links[..., -1, :, :]),
+    ("product-stops-early", "every second row is left out", lambda links: chain_product(links[..., ::2, :, :])),
+    ("product-starts-late", "and the last row is left out too", lambda links: chain_product(links[..., 1:-1, :, :])),
     ("link-counted-twice", "the first link", _repeated(0)),
     ("link-counted-twice", "the last link", _repeated(-1)),
     ("integer-arrays", "the running product", lambda links: _running(links, truncated)),

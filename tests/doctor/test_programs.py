@@ -94,7 +94,9 @@ def test_what_cannot_be_compared_is_said(f, kind, words):
 
 def test_a_sign_lost_in_abs_is_seen_only_where_it_acts():
     answer = diagnose_function(lambda theta, d, a, alpha: standard(abs(theta), d, a, alpha), "dh_transform")
-    assert answer.verdict == "unexplained" and "Right in" in str(answer)
+    assert answer.findings[0].mistake == "sign-lost" and answer.findings[0].place == "the sine of theta"
+    in_one = diagnose_function(lambda theta, d, a, alpha: standard(theta, d, a, 2 * alpha if a < -0.3 else alpha), "dh_transform")
+    assert in_one.verdict == "unexplained" and "Right in" in str(in_one)
     only_special = diagnose_function(lambda theta, d, a, alpha: standard(theta, d, a, alpha) * (theta != 0 or np.nan_to_num(2)), "dh_transform")
     assert only_special.verdict == "unexplained" and "Right at general numbers" in only_special.headline
 
