@@ -22,7 +22,8 @@ __all__ = ["axes"]
 HEADINGS = ("axis", "kind", "a point (m)", "direction", "to the next axis")
 KINDS = {"R": "turns", "P": "slides", "tool": "end"}
 AXIS_DASH = (0, (9, 2, 2, 2))
-BEYOND, STEP, TRIAD = 0.22, 0.09, 0.15  # of the arm's size: how far a line goes past what lies on it; how much further one on another's; an arrow of a frame
+# of the arm's size: how far a line goes past what lies on it, and below the floor; how much further one on another's; an arrow of a frame
+BEYOND, BELOW, STEP, TRIAD = 0.22, 0.04, 0.09, 0.15
 
 
 def axes(axes, end, frames=None, *, normals=True, title=None):
@@ -66,12 +67,12 @@ def axes(axes, end, frames=None, *, normals=True, title=None):
     pairs = _pairs(given, bare.reach)
     size = max(spread(np.array([p for p, *_ in given])), 0.5 * bare.reach)
     scene, camera = Scene(), orbit()
-    _add_lines(scene, given, pairs, size)
+    height = floor_height(np.array([p for p, *_ in given]))
+    _add_lines(scene, given, pairs, size, height)
     if normals:
         _add_normals(scene, pairs, size)
     names = {**{i: str(i) for i in frames or {}}, "tool": "tool"}
     add_triads(scene, np.array([*(frames or {}).values(), bare.end]), list(names.values()), TRIAD * size, titles=[*(f"{{{i}}}" for i in frames or {}), "tool"])
-    height = floor_height(np.array([p for p, *_ in given]))
     add_drops(scene, [p for p, *_ in given], height)
     add_floor(scene, camera, height)
     rows = [_row(k, *line, pairs) for k, line in enumerate(given, 1)]
@@ -90,20 +91,33 @@ def _pairs(given, reach):
     return found
 
 
-def _add_lines(scene, given, pairs, size):
+def _add_lines(scene, given, pairs, size, height):
     tool, along, _ = given[-1]
     tips = [tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)]  # no arrow head on the tool's frame
     for k, (p, z, letter) in enumerate(given[:-1], 1):
         beside = [(pairs[k - 1], 0), (pairs[k - 2] if k > 1 else None, 1)]  # the normals that leave this axis and arrive on it
         on_it = [p, *(pair.feet[side] for pair, side in beside if pair is not None and pair.feet is not None)]
         stops = np.clip([(point - p) @ z for point in on_it], -size, size)
-        start, tip = p + (stops.min() - BEYOND * size) * z, p + (stops.max() + BEYOND * size) * z
+        used = p + np.outer([stops.min(), stops.max()], z)
+        start, tip, foot = _to_floor(used, z, BEYOND * size, height, BELOW * size)
         while any(np.linalg.norm(tip - other) < 0.7 * STEP * size for other in tips):
             tip = tip + STEP * size * z
         tips.append(tip)
+        if foot is not None:
+            scene.add(Dot(foot, 4.0, QUIET, "aid", gid=f"foot:{k}"))
         scene.add(Stroke(np.array([start, tip]), INK, 1.3, AXIS_DASH, "body", head=9.0, casing=0.8, gid=f"axis:{k}"),
                   Label(tip, f"joint {k}", z, INK, root=start, gid="axis-label"))
         add_joint(scene, letter, p, z, 0.022 * size, 0.08 * size, f"joint:{k}")
+
+
+def _to_floor(used, z, beyond, floor, below):
+    """The ends of a line that goes past its used part (2, 3), only a little below the floor, and where it meets the floor (None where it does not)."""
+    start, tip = used[0] - beyond * z, used[1] + beyond * z
+    lowest, level = (start, tip)[int(z[2] < 0)], min(floor, *used[:, 2]) - below
+    if lowest[2] >= level:
+        return start, tip, None
+    foot, end = (lowest + (height - lowest[2]) / z[2] * z for height in (floor, level))
+    return (end, tip, foot) if z[2] > 0 else (start, end, foot)
 
 
 def _add_normals(scene, pairs, size):

@@ -15,6 +15,7 @@ __all__ = ["place_labels"]
 ANGLES = np.deg2rad(np.arange(0, 360, 22.5))
 NEAR, FAR = (3.0, 7.0, 12.0), (7.0, 13.0, 20.0, 28.0, 38.0, 50.0)  # gaps between anchor and text
 BESIDE = (0.0, 0.25, 0.45)  # of an arrow, from its tip back: where its letter may stand
+SAME = 9.0  # page points; one label for two of one text at points nearer than this
 SPACING = 2.5  # between the samples that stand for a line
 
 
@@ -31,12 +32,13 @@ def place_labels(scene, panel):
     -------
     list of matplotlib Text
     """
-    texts = [_text(label, panel) for label in scene.labels]
+    labels = _once(scene.labels, panel)
+    texts = [_text(label, panel) for label in labels]
     sizes = [_size(text) for text in texts]
     ink = _ink(scene, panel)
-    own = [_own_points(label, panel) for label in scene.labels]
-    choices = [_places(label, size, points, panel) for label, size, points in zip(scene.labels, sizes, own)]
-    choices = [(boxes, costs + _doubt(k, boxes, scene.labels, own) + _hidden(boxes, ink, panel.size)) for k, (boxes, costs) in enumerate(choices)]
+    own = [_own_points(label, panel) for label in labels]
+    choices = [_places(label, size, points, panel) for label, size, points in zip(labels, sizes, own)]
+    choices = [(boxes, costs + _doubt(k, boxes, labels, own) + _hidden(boxes, ink, panel.size)) for k, (boxes, costs) in enumerate(choices)]
     taken = [None] * len(texts)
     order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))  # those with least choice first
     for sweep in range(3):  # the second and third time each one knows where all others are
@@ -44,10 +46,21 @@ def place_labels(scene, panel):
             boxes, costs = choices[k]
             others = np.array([box for j, box in enumerate(taken) if box is not None and j != k]).reshape(-1, 4)
             taken[k] = boxes[np.argmin(costs + _overlap(boxes, others))]
-    for k, (label, text, box) in enumerate(zip(scene.labels, texts, taken)):
-        doubtful = _doubt(k, box[None], scene.labels, own)[0] > 0
+    for k, (label, text, box) in enumerate(zip(labels, texts, taken)):
+        doubtful = _doubt(k, box[None], labels, own)[0] > 0
         _put(label, text, box, panel, doubtful)
     return texts
+
+
+def _once(labels, panel):
+    """The labels, without those that say of almost the same point what another one says already."""
+    kept = {}
+    for label in labels:
+        at, same = panel.to_page(panel.camera.flat(label.anchor)), kept.setdefault((label.text, label.color, label.gid), [])
+        if all(np.hypot(*(at - there)) >= SAME for there, _ in same):
+            same.append((at, label))
+    chosen = {id(label) for same in kept.values() for _, label in same}
+    return [label for label in labels if id(label) in chosen]
 
 
 def _text(label, panel):

@@ -93,15 +93,17 @@ def _add_arc(scene, move, length, color):
 
 
 def _add_length(scene, move, length, color, camera):
-    """A measured length beside the link, as on a drawing: two thin lines out, an arrow between them."""
+    """A measured length beside the link, as on a drawing: two thin lines out, an arrow between them; a close to the link, which is no x axis."""
     ends = np.array([move.start[:3, 3], move.end[:3, 3]])
     across = [move.start[:3, k] for k in range(3) if k != "xyz".index(move.letter)]
-    sides = [reach * length * sense * axis for axis in across for sense in (1, -1) for reach in (0.3, 0.45, 0.6)]
+    sides = [reach * length * sense * axis for axis in across for sense in (1, -1) for reach in ((0.12, 0.18) if move.kind == "a" else (0.3, 0.45, 0.6))]
     line = ends[0] + np.linspace(0.1, 0.9, 15)[:, None] * (ends[1] - ends[0])
     shift = clearest_side(camera, line, sides, _samples(scene))
     for end in ends:
         scene.add(Stroke(np.array([end, end + 1.15 * shift]), QUIET, 0.8, layer="aid"))
     scene.add(Stroke(ends + shift, color, 1.5, layer="mark", head=8.0, casing=0.5, gid=f"{move.kind}-length"))
+    if move.kind == "a" and np.linalg.norm(camera.flat(ends[1] - ends[0])) > 1.2 * length:
+        scene.add(Label(ends.mean(axis=0), "common normal", -shift, QUIET, SIZES["tick"], gid="normal-label"))
     return (ends + shift).mean(axis=0), shift
 
 

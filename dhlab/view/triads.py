@@ -65,7 +65,7 @@ def _add_axes(scene, pose, name, length):
 
 
 def _axis_labels(poses, names, group, lengths, subscripts):
-    """Axes of one group that lie on each other get one label, at the longest: (letters, tip, axis, colour)."""
+    """Axes of one group that lie on each other get one label, at the longest: (letters, tip, axis, colour), in ink where the colours differ."""
     entries = [(k, style, axis) for k in group for style, axis in zip(AXES, poses[k, :3, :3].T)]
     while entries:
         _, _, first = entries[0]
@@ -73,4 +73,5 @@ def _axis_labels(poses, names, group, lengths, subscripts):
         entries = [entry for entry in entries if entry[2] @ first <= PARALLEL]
         letters = dict.fromkeys(axis_name(style.letter, names[k]) if subscripts else style.letter for k, style, _ in together)
         tip = poses[group[0], :3, 3] + max(lengths[k] for k, _, _ in together) * first
-        yield ",\\,".join(letters), tip, first, together[-1][1].color
+        colors = {style.color for _, style, _ in together}
+        yield ",\\,".join(letters), tip, first, colors.pop() if len(colors) == 1 else INK  # x on another frame's z is neither's colour

@@ -104,7 +104,12 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         page.keyboard.press("ArrowRight")
     shown = [float(slider.evaluate("s => s.value")) for slider in (first, second)]
     assert shown[0] > 30 and shown[1] == 2.0
-    q = [round(1e4 * np.deg2rad(value)) for value in shown] + [0] * 4
+    page.get_by_role("spinbutton", name="Joint 3, degrees, exactly").click()
+    page.keyboard.press("Control+a")
+    for key in ["-", "1", "2", "Enter", "a", "b", "d", "d", "m"]:
+        page.keyboard.press(key)
+    expect(page.get_by_role("slider", name="Joint 3, degrees")).to_have_attribute("aria-valuetext", "-12 degrees")
+    q = [round(1e4 * np.deg2rad(value)) for value in [*shown, -12]] + [0] * 3
     expect(run(page, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
     run(page, 2)
     expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")

@@ -26,6 +26,14 @@ def test_lines_lie_on_the_axes_and_point_along_them(picture):
         assert (start - p) @ z < 0 < (tip - p) @ z
 
 
+def test_lines_stop_below_the_floor_with_a_dot_on_it():
+    points = view.axes([([0, 0, 0], Z), ([0.1, 0, 0.4], Y), ([0.4, 0, 0.05], -Z)], trans([0.5, 0, 0.1])).points
+    assert -0.05 < points["axis:1"][0][2] < 0 and -0.05 < points["axis:3"][1][2] < 0 and points["axis:1"][1][2] > 0.4
+    assert points["foot:1"][0] == pytest.approx(np.zeros(3)) and points["foot:3"][0] == pytest.approx([0.4, 0, 0]) and "foot:2" not in points
+    deep = view.axes([([0, 0, 0], Z), ([0.2, 0, -0.6], X), ([0.4, 0, 0.2], Y)], END).points
+    assert deep["axis:1"][0][2] < -0.6 and deep["normal:1"].min() == pytest.approx(-0.6), "a line goes on to what lies on it"
+
+
 def test_the_normal_is_the_shortest_way(picture):
     (p, w), (q, z) = ((np.asarray(point), np.asarray(d) / np.linalg.norm(d)) for point, d in AXES[:2])
     found = minimize(lambda s: np.sum((p + s[0] * w - q - s[1] * z) ** 2), [0, 0], tol=1e-16)

@@ -10,7 +10,7 @@ import pytest
 from nbclient import NotebookClient
 
 import dhlab as dh
-from dhlab.view.explorer import without_widgets
+from dhlab.view.explorer import stills, without_widgets
 from dhlab.view.explorer.placing import Placing, axes_of
 from dhlab.view.explorer.widget import MODULE
 
@@ -201,3 +201,11 @@ def test_what_is_written_in_the_picture_stands_out_from_its_ground(scheme):
     for name in ("x", "y", "z", "ink", "quiet", "other", "error", "trace"):
         dark, light = sorted(luminance(color) for color in (colors[name], colors["ground"]))
         assert (light + 0.05) / (dark + 0.05) >= 4.5, name
+
+
+def test_the_still_picture_of_two_near_arms_letters_each_axis_once(arm):
+    rows = arm.table.rows
+    rows[5, 1] += 0.002
+    near = dh.Arm(dh.DHTable.standard(rows, angle="rad"), name="near")
+    texts = [text.get_text() for text in stills.two(arm, near, np.zeros(len(arm))).figure.axes[0].texts]
+    assert [texts.count(f"${letter}$") for letter in "xyz"] == [1, 1, 1]

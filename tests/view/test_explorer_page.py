@@ -74,6 +74,52 @@ def test_sign_offset_slide_base_and_tool_count(opened):
         np.testing.assert_allclose(np.reshape(page.evaluate("([arm, q]) => dhlab.forward(arm, q)", [arm_data(one), q]), (4, 4)), arm.forward(q), atol=1e-12)
 
 
+NOTEBOOK = """() => { // Enter alone makes no change event there, and letters are commands
+    window.commands = [];
+    document.addEventListener("keypress", (event) => event.key === "Enter" && event.preventDefault(), true);
+    document.addEventListener("keydown", (event) => window.commands.push(event.key)); }"""
+
+
+@pytest.mark.parametrize("mode", ["arm", "link", "conventions", "two"])
+def test_enter_is_enough_in_every_number_box_and_a_notebook_hears_no_key(opened, modes, mode):
+    page = opened(modes[mode])
+    page.evaluate(NOTEBOOK)
+    boxes, sliders = page.get_by_role("spinbutton"), page.locator(".slider input[type=range]")
+    assert boxes.count() == (4 if mode == "link" else 6)
+    for k in range(boxes.count()):
+        for value in ("-20", "70"):
+            boxes.nth(k).click()
+            page.keyboard.press("Control+a")
+            page.keyboard.type(value)
+            page.keyboard.press("Enter")
+            assert sliders.nth(k).input_value() == value and boxes.nth(k).input_value() == value
+    for key in ["a", "b", "d", "d", "m", "0", "0", "7", "Backspace", "ArrowUp", "ArrowDown", "Escape"]:
+        page.keyboard.press(key)
+    sliders.nth(0).focus()
+    page.keyboard.press("ArrowRight")
+    assert set(page.evaluate("window.commands")) <= {"Control", "a"} and page.evaluate("window.commands.length") == 4 * boxes.count(), "Control and a alone"
+
+
+def test_enter_in_the_box_of_mode_place_moves_the_point(live):
+    explorer = dh.explore(dh.load("cobra600"), mode="place")
+    for i, frame in enumerate(explorer.placing.placement.model.frames(np.zeros(4))):
+        assert explorer.place(f"z{i}", frame[:3, 2], frame[:3, 3])
+    page = live(explorer)
+    page.evaluate(NOTEBOOK)
+    page.get_by_role("spinbutton").fill("35")
+    page.keyboard.press("Enter")
+    assert page.get_by_role("slider", name="Along the line of z").input_value() == "35" and page.get_by_role("button", name="Place it").is_enabled()
+
+
+def test_a_number_with_more_digits_than_shown_stays_as_typed(opened, modes):
+    page = opened(modes["arm"])
+    box = page.get_by_role("spinbutton").first
+    box.fill("33.33333")
+    for key in ("Enter", "Tab"):
+        page.keyboard.press(key)
+        assert page.evaluate("document.querySelector('.dhlab-explorer').explorer.host.get('q')[0]") == pytest.approx(np.deg2rad(33.33333), abs=1e-12)
+
+
 def test_sliders_by_mouse_and_keyboard_move_arm_and_tables(opened):
     arm = dh.load("ur5e")
     page = opened(dh.explore(arm))
@@ -252,6 +298,48 @@ def test_link_moves_one_by_one_in_the_order_of_the_convention(opened, modes, con
     np.testing.assert_allclose(numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3], _after(table, 3), atol=0.051)
 
 
+@pytest.mark.parametrize("convention", ["Standard", "Craig"])
+def test_the_move_that_runs_is_the_one_marked(opened, convention):
+    page = opened(dh.explore(dh.DHTable.standard([[40, 0.3, 0.4, 50]], angle="deg"), mode="link"))
+    page.get_by_role("radio", name=convention).check(force=True)
+    play = """way => { const { explorer: { stage, host }, shadowRoot } = document.querySelector('.dhlab-explorer');
+        const items = [...shadowRoot.querySelectorAll('.moves li')], seen = [];
+        if (way === 'back') host.set('step', 0);
+        else [...shadowRoot.querySelectorAll('button')].find((one) => one.textContent === 'Play all').click();
+        for (let time = 0; time < 4600; time += 100) {
+            stage.draw(time);
+            seen.push(items.map((item) => item.className)); }
+        return seen; }"""
+    for way, order in (("on", [0, 1, 2, 3]), ("back", [3, 2, 1, 0])):
+        seen = page.evaluate(play, way)
+        for step, classes in enumerate(seen[:-3]):
+            part = (0.016 + 0.1 * step) / 1.1
+            if abs(part - round(part)) > 0.01:
+                now = order[int(part)]
+                assert classes == ["done"] * now + ["now"] + [""] * (3 - now), (way, step)
+        assert seen[-1] == (["done"] * 3 + ["now"] if way == "on" else [""] * 4)
+
+
+@pytest.mark.parametrize("row", [(110, 0.3, -0.1, -20), (-60, 0.1, -0.3, 90), (30, 0.2, 0.3, 90), (40, 0.3, 0.4, 50), (90, 0.3, 0.2, 90)])
+def test_no_x_and_z_fall_together_in_the_first_view_of_a_row(opened, row):
+    table = dh.DHTable.standard([row], angle="deg")
+    page = opened(dh.explore(table, mode="link"))
+    camera = "(({ azimuth, right, up }) => [azimuth, right, up])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    azimuth, *flat = page.evaluate(camera)
+    R = dh.Arm(table).forward([0])[:3, :3]
+    axes = [np.eye(3)[0], np.eye(3)[2], R[:, 0], R[:, 2]]
+    for k, v in enumerate(axes):
+        for w in axes[:k]:
+            space = np.linalg.norm(np.cross(v, w))
+            if space > 1e-6:
+                a, b = np.array(flat) @ v, np.array(flat) @ w
+                assert abs(a[0] * b[1] - a[1] * b[0]) / max(np.linalg.norm(a), np.linalg.norm(b)) > 0.25 * space
+    assert azimuth == -58 or row[0] != 90, "a view that is good stays"
+    page.get_by_role("button", name="Top", exact=True).click()
+    page.get_by_role("button", name="Home", exact=True).click()
+    assert page.evaluate(camera)[0] == azimuth
+
+
 def _after(table, k):
     """Where the moving frame is (mm) after k moves: the other parameters are not there yet."""
     order = {"standard": [0, 1, 2, 3], "craig": [3, 2, 0, 1]}[table.convention]
@@ -281,6 +369,27 @@ def test_compare_tells_every_error_and_goes_to_the_worst(opened, modes):
 def test_two_arms_mark_the_entry_that_differs(opened, modes):
     page = opened(modes["two"])
     assert page.locator("td.differs").all_text_contents() == ["90°", "−90°"]
+
+
+def test_ends_that_nearly_coincide_share_their_letters(opened):
+    arm = dh.load("ur5e")
+    rows = arm.table.rows
+    rows[5, 1] += 0.001
+    page = opened(dh.explore(arm, mode="compare", other=dh.Arm(dh.DHTable.standard(rows, angle="rad"), name="near"), q=Q))
+    drawn(page)
+    letters = page.evaluate("document.querySelector('.dhlab-explorer').explorer.stage.paper.labels.map((box) => box.label.text)")
+    assert [letters.count(letter) for letter in "xyz"] == [1, 1, 1]
+
+
+def test_bare_axes_end_on_the_floor_with_a_dot(opened):
+    page = opened(dh.explore(dh.load("article-6r"), mode="place"))
+    drawn(page)
+    lowest, lines, dots = page.evaluate("""() => { const { stage } = document.querySelector('.dhlab-explorer').explorer, lines = [], dots = [];
+        const known = { lowest: stage.lowest, line: (points) => lines.push(points), ring: (at) => dots.push(at) };
+        stage.mode.build(new Proxy(known, { get: (scene, name) => scene[name] ?? (() => [0, 0, 0]) }));
+        return [stage.lowest, lines, dots]; }""")
+    assert np.min(np.array(lines)[..., 2]) == pytest.approx(lowest) and len(lines) == 6
+    assert np.array(dots)[:, 2] == pytest.approx([lowest] * len(dots)) and np.allclose(dots[0][:2], 0) and len(dots) == 2
 
 
 def test_placement_is_played_to_its_table(opened, modes):

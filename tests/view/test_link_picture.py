@@ -6,6 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab import view
+from dhlab.view.moves import moves_of
 
 STANDARD = dh.DHTable.standard([[40, 0.3, 0.4, 50]], angle="deg")
 CRAIG = dh.DHTable.craig([[0, 0.1, 0, 0], [40, 0.3, 0.4, 50]], angle="deg")
@@ -49,6 +50,24 @@ def test_lengths_are_measured_along_their_axes(table, i, along_d):
     along_a = turned("z", 40)[:, 0] if table.convention == "standard" else np.eye(3)[0]
     assert np.diff(points["d-length"], axis=0)[0] == pytest.approx(0.3 * np.array(along_d), abs=1e-9)
     assert np.diff(points["a-length"], axis=0)[0] == pytest.approx(0.4 * along_a, abs=1e-9)
+
+
+@pytest.mark.parametrize("table, i", [(STANDARD, 1), (CRAIG, 2), (dh.DHTable.standard([[30, 0.3, -0.4, -50]], angle="deg"), 1)])
+def test_a_is_measured_beside_the_common_normal(table, i):
+    picture = view.link(table, i)
+    length = np.linalg.norm(np.diff(picture.points["x-axis:1"], axis=0)) / 0.85
+    move, = [move for move in moves_of(table, i, 0) if move.kind == "a"]
+    shift = picture.points["a-length"] - [move.start[:3, 3], move.end[:3, 3]]
+    assert np.linalg.norm(shift[0]) < 0.2 * length and shift[0] == pytest.approx(shift[1]), "far off it would look like an axis"
+    text, = [text for text in picture.figure.axes[0].texts if text.get_text() == "common normal"]
+    corner, edge = text.get_window_extent().min, text.get_window_extent().max
+    assert (corner > 0).all() and (edge < picture.figure.bbox.max).all()
+
+
+def test_a_short_normal_has_no_name():
+    for row in ([0, 0.3, 0, 90], [30, 0.4, 0.05, 90]):
+        picture = view.link(dh.DHTable.standard([row], angle="deg"), 1)
+        assert "common normal" not in [text.get_text() for text in picture.figure.axes[0].texts]
 
 
 def test_negative_lengths_point_back():

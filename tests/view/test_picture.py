@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 
 import dhlab as dh
 from dhlab import transform, view
-from dhlab.view.style import AXES, POSES
+from dhlab.view.style import AXES, INK, POSES
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +93,14 @@ def test_frames_share_labels_where_they_coincide():
     assert "{1}, {2}" in texts and any("x_{1}" in text and "x_{2}" in text for text in texts)
     assert any("y_{1}" in text and "z_{2}" not in text for text in texts)
     assert "{1} and {2} share one origin" in picture.alt
+
+
+def test_a_letter_shared_by_two_axes_has_the_colour_of_neither():
+    picture = view.frames([np.eye(4), transform.rot_z(np.pi / 2)], ["wanted", "reached"])
+    shades = {text.get_text(): text.get_color() for text in picture.figure.axes[0].texts}
+    mixed, = [text for text in shades if "y" in text and "x" in text]
+    both_z, = [text for text in shades if text.count("z_") == 2]
+    assert shades[mixed] == INK and shades[both_z] == AXES[2].color
 
 
 def test_far_from_the_world_origin():

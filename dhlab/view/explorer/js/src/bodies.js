@@ -63,7 +63,8 @@ function letterAxes(scene, poses, names, group, longest, key) {
     const far = Math.max(...same.map((entry) => longest.get(entry.k))), start = origin(poses[group[0]]);
     const tip = start.map((v, i) => v + far * first[i]);
     const text = [...new Set(same.map((entry) => "xyz"[entry.j] + below(names[entry.k])))].join(" ");
-    scene.label(text, tip, { toward: first, color: "xyz"[same[same.length - 1].j], key: `${key}axis${same[0].k}${same[0].j}` });
+    const color = same.every((entry) => entry.j === same[0].j) ? "xyz"[same[0].j] : "ink"; // x on another frame's z is neither's colour
+    scene.label(text, tip, { toward: first, color, key: `${key}axis${same[0].k}${same[0].j}` });
   }
 }
 

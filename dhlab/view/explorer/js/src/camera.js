@@ -1,9 +1,10 @@
 // Where one looks from. Orthographic: parallel axes stay parallel and equal lengths equal, which kinematics needs.
 
-import { cross, dot } from "./matrix.js";
+import { cross, dot, length } from "./matrix.js";
 
 const HOME = { azimuth: -58, elevation: 24 }; // degrees, as matplotlib counts them
 export const VIEWS = { Home: HOME, Front: { azimuth: -90, elevation: 0 }, Side: { azimuth: 0, elevation: 0 }, Top: { azimuth: -90, elevation: 90 } };
+const ENOUGH = 0.38, ASIDE = [0, 10, -10, 20, 30, 40, -50, -60]; // how far apart axes must look; turns to try, the least first
 const MARGIN = 46; // pixels kept free for labels
 const CELLS = 24, MOST = 4000; // how fine the points that must be seen are told apart, and how many are kept
 const range = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
@@ -22,6 +23,24 @@ export class Camera {
     this.toward = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
     this.right = [-Math.sin(a), Math.cos(a), 0];
     this.up = cross(this.toward, this.right);
+  }
+
+  // Home; turned aside where one of these axes would look as if it lay along another.
+  turnHome(axes) {
+    const ways = ASIDE.map((aside) => ({ ...HOME, azimuth: HOME.azimuth + aside }));
+    const clear = ways.map((way) => (this.turnTo(way), Math.min(ENOUGH, this.clarity(axes))));
+    this.turnTo(ways[clear.indexOf(Math.max(...clear))]);
+  }
+
+  // How far the tip of an axis is from the line of another one on the picture, as a part of what it is in space; of all pairs the least.
+  clarity(axes) {
+    const flat = axes.map((v) => [dot(this.right, v), dot(this.up, v)]);
+    let least = 1;
+    axes.forEach((v, i) => axes.slice(0, i).forEach((w, j) => {
+      const apart = length(cross(v, w)), [a, b] = [flat[i], flat[j]];
+      if (apart > 1e-3) least = Math.min(least, Math.abs(a[0] * b[1] - a[1] * b[0]) / Math.max(Math.hypot(...a), Math.hypot(...b)) / apart);
+    }));
+    return least;
   }
 
   turnBy(azimuth, elevation) {

@@ -10,8 +10,14 @@ export function slider({ symbol, name, turn, low, high, changed }) {
   const bounds = { min: Math.ceil((low * factor) / step - 1e-9) * step, max: Math.floor((high * factor) / step + 1e-9) * step, step };
   const words = `${name}, ${turn ? "degrees" : "millimetres"}`;
   const range = h("input", { type: "range", "aria-label": words, ...bounds, oninput: () => changed(Number(range.value) / factor) });
-  const field = h("input", { type: "number", "aria-label": `${words}, exactly`, step: "any", onchange: () => {
-    if (field.value !== "" && Number.isFinite(Number(field.value))) changed(Number(field.value) / factor);
+  let known = ""; // what stands in the field and is the value already
+  const take = () => {
+    if (field.value === known || field.value === "" || !Number.isFinite(Number(field.value))) return;
+    known = field.value;
+    changed(Number(known) / factor);
+  };
+  const field = h("input", { type: "number", "aria-label": `${words}, exactly`, step: "any", onchange: take, onkeydown: (event) => {
+    if (event.key === "Enter") take(); // in JupyterLab's notebook Enter alone makes no change event
   } });
   const mute = (kind, text) => h("span", { class: kind, "aria-hidden": "true" }, text);
   const element = h("div", { class: "slider" }, mute("symbol", symbol), range, field, mute("unit", unit));
@@ -20,6 +26,7 @@ export function slider({ symbol, name, turn, low, high, changed }) {
     if (Math.abs(Number(range.value) - value * factor) > 1e-9) range.value = value * factor;
     range.setAttribute("aria-valuetext", `${shown} ${turn ? "degrees" : "millimetres"}`);
     if (field.value !== shown) field.value = shown;
+    known = shown;
     element.classList.toggle("beyond", value < low - 1e-9 || value > high + 1e-9);
   };
   return { element, set };

@@ -32,6 +32,9 @@ export function mount(element, host) {
     layout.dataset.theme = theme();
     stage.redraw();
   };
+  layout.addEventListener("keydown", (event) => { // what is typed into a field is no command of the notebook around it
+    if (event.target.matches("input") && !event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+  });
   dress();
   const undress = watchTheme(dress);
   let timer = 0;

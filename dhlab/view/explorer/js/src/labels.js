@@ -2,6 +2,7 @@
 
 const CELL = 5; // pixels of the grid that says where lines run
 const RAYS = 16;
+const SAME = 12; // pixels; one label for two of one text at points nearer than this
 const GAPS = { near: [4, 10, 17], far: [9, 18, 30, 44, 60, 78] };
 
 export class Ink {
@@ -36,6 +37,7 @@ export function placeLabels(labels, camera, ink, measure, before) {
   const placed = [];
   for (const label of labels) {
     const at = camera.flat(label.at), [width, height] = measure(label);
+    if (placed.some((one) => one.label.text === label.text && one.label.color === label.color && Math.hypot(one.at[0] - at[0], one.at[1] - at[1]) < SAME)) continue;
     const best = cheapest(candidates(label, at, camera), (ray) => price(ray, boxAt(ray, at, width, height), placed, ink, camera, before.get(label.key)));
     if (!best) continue;
     before.set(label.key, best.index);

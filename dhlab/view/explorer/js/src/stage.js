@@ -14,6 +14,7 @@ export class Stage {
   constructor(label, mode) {
     this.mode = mode;
     this.camera = new Camera();
+    this.turnHome();
     this.canvas = h("canvas", { tabindex: 0, role: "application", "aria-roledescription": "3D view",
       "aria-label": `${label}. Arrow keys turn the view, plus and minus zoom, 0 goes home.` });
     this.note = h("p", { class: "instead", hidden: true }, "This browser has no WebGL, so here is a still picture; sliders and tables work.");
@@ -50,9 +51,14 @@ export class Stage {
   }
 
   look(name) {
-    this.camera.turnTo(VIEWS[name]);
+    if (name === "Home") this.turnHome();
+    else this.camera.turnTo(VIEWS[name]);
     this.camera.forget();
     this.redraw();
+  }
+
+  turnHome() {
+    this.camera.turnHome(this.mode.axes?.() ?? []);
   }
 
   zoom(factor) {

@@ -5,17 +5,19 @@ import { button, choice, slider } from "../controls.js";
 import { h, write } from "../dom.js";
 import { amount, below, direction, place, SYMBOLS } from "../format.js";
 import { COLUMNS, ORDERS, isTurn, move } from "../kinematics.js";
+import { renderer } from "../loop.js";
 import { IDENTITY, add, along, axis, middle, origin, product, scale } from "../matrix.js";
 import { FramesTable } from "../tables.js";
 import { prefersStillness } from "../theme.js";
 
 const SECONDS = 1.1; // a move
+const still = () => prefersStillness() || !renderer().works; // then nothing is drawn on the way
 
 export function linkMode(host, redraw) {
   const { index, reach } = host.data;
   const names = [String(index - 1), String(index)], titles = names.map((name) => `{${name}}`);
   let moves, t = host.get("step"), goal = t, last = null;
-  const mode = { size: reach, build, changed, said };
+  const mode = { size: reach, build, changed, said, axes };
   const sliders = COLUMNS.map((kind, k) => slider({
     symbol: SYMBOLS[kind], name: WORDS[kind], turn: isTurn(kind), low: isTurn(kind) ? -Math.PI : -reach, high: isTurn(kind) ? Math.PI : reach,
     changed: (value) => host.set("row", host.get("row").map((old, j) => (j === k ? value : old))),
@@ -38,7 +40,7 @@ export function linkMode(host, redraw) {
   // Let the moves run to a place between 0 (none done) and 4 (all done), from where they are or from a given place.
   function go(to, from = t) {
     goal = Math.max(0, Math.min(4, to));
-    t = prefersStillness() ? goal : from;
+    t = still() ? goal : from;
     last = null;
     if (host.get("step") !== goal) host.set("step", goal);
     show();
@@ -46,6 +48,7 @@ export function linkMode(host, redraw) {
 
   function changed(what) {
     if (what === "step" && host.get("step") !== goal) [goal, last] = [host.get("step"), null];
+    if (still()) t = goal;
     const row = host.get("row"), convention = host.get("convention");
     moves = movesOf(row, convention, index);
     sliders.forEach((one, k) => one.set(row[k]));
@@ -57,13 +60,18 @@ export function linkMode(host, redraw) {
     [...list.children].forEach((item, k) => {
       const one = moves[k];
       write(item, `${k + 1}. ${one.name} = ${one.text}: ${isTurn(one.kind) ? "turn about" : "shift along"} ${one.letter}`);
-      item.className = k < Math.floor(goal) ? "done" : "";
-      if (k === Math.ceil(goal) - 1) item.className = "now";
     });
+    mark();
     buttons.back.disabled = buttons.start.disabled = goal <= 0;
     buttons.on.disabled = goal >= 4;
     frameTable.update([IDENTITY, moves[3].end, poseAt(moves, goal)]);
     redraw();
+  }
+
+  // The move that runs is marked; of those at rest the last one made.
+  function mark() {
+    const now = goal > t ? Math.floor(t) : Math.ceil(t) - 1;
+    [...list.children].forEach((item, k) => { item.className = k === now ? "now" : k < now ? "done" : ""; });
   }
 
   function advance(time) {
@@ -71,6 +79,7 @@ export function linkMode(host, redraw) {
     const step = last === null ? 0.016 : Math.min(0.1, (time - last) / 1000);
     last = time;
     t = goal > t ? Math.min(goal, t + step / SECONDS) : Math.max(goal, t - step / SECONDS);
+    mark();
     redraw();
   }
 
@@ -88,6 +97,11 @@ export function linkMode(host, redraw) {
     if (!done) scene.seeThrough(0.28, () => drawTriads(scene, [end], [names[1]], null, { reach: size, thick: 0.0095 * reach, letters: false }));
     const shown = done ? [IDENTITY, end] : [IDENTITY, now];
     drawTriads(scene, shown, done ? names : [names[0], " "], done ? titles : [titles[0], "moving"], { reach: size, thick: 0.0095 * reach });
+  }
+
+  // What the view must keep apart: x and z of both frames.
+  function axes() {
+    return [IDENTITY, moves[3].end].flatMap((pose) => [axis(pose, 0), axis(pose, 2)]);
   }
 
   function said() {

@@ -63,7 +63,10 @@ export function placeMode(host, redraw) {
 
 function drawAxis(scene, { p, z, letter }, k, reach) {
   const ends = [-0.26, 0.26].map((s) => along(p, z, s * reach));
-  scene.line([along(p, z, -0.38 * reach), along(p, z, 0.38 * reach)], { color: "quiet", pixels: 1.1, dash: [10, 3, 2, 3], under: true });
+  const [low, high] = z[2] < 0 ? [0.38, -0.38] : [-0.38, 0.38], floor = z[2] && (scene.lowest - p[2]) / z[2]; // from p, along z, to the floor
+  const through = p[2] + low * reach * z[2] < scene.lowest;
+  if (through) scene.ring(along(p, z, floor), 2.6, { color: "quiet", fill: true });
+  scene.line([along(p, z, through ? floor : low * reach), along(p, z, high * reach)], { color: "quiet", pixels: 1.1, dash: [10, 3, 2, 3], under: true });
   scene.joint(p, z, 0.024 * reach, 0.05 * reach, "joint", letter === "P");
   scene.label(`joint ${k}`, ends[1], { toward: z, color: "quiet", size: 12, far: true, key: `joint${k}` });
   scene.keep(...ends);
