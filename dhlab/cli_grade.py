@@ -33,10 +33,14 @@ def grade(place: Annotated[Path, typer.Argument(metavar="DIR", help="What was ha
     if dry_run:
         _tell_plan(plan(place, **common), as_json)
         return
-    with _Bar() as bar:
-        results, planned = grade_all(place, out, jobs=jobs, scheduler=scheduler or None, progress=bar.update, **common)
-    report = publish(planned, results, students, out)
-    print(json.dumps([graded.to_dict() for graded in results], ensure_ascii=False) if as_json else _summary(results, planned, report))
+    try:
+        with _Bar() as bar:
+            results, planned = grade_all(place, out, jobs=jobs, scheduler=scheduler or None, progress=bar.update, **common)
+        report = publish(planned, results, students, out)
+    except KeyboardInterrupt:
+        print("dhlab: grade: stopped; every mark written so far is kept: run the same command again to go on", file=sys.stderr)
+        raise
+    print(json.dumps([graded.to_dict() for graded in results], ensure_ascii=False) if as_json else _summary(results, planned, report, students))
 
 
 def _tell_plan(planned, as_json):
@@ -45,18 +49,32 @@ def _tell_plan(planned, as_json):
     level = planned.course.settings.cage or best_level()
     if as_json:
         print(json.dumps({"lessons": planned.course.lessons, "cage": level, "notes": planned.notes,
-                          "students": {student: {"notebooks": [name for name, _, _ in mine.notebooks], "notes": mine.notes} for student, mine in planned.found.items()}}, ensure_ascii=False))
+                          "students": {student: {"notebooks": [notebook.name for notebook in mine.notebooks], "handed_in": _when(mine, planned.course), "notes": mine.notes} for student, mine in planned.found.items()}}, ensure_ascii=False))
         return
-    rows = [[student, "; ".join(name for name, _, _ in mine.notebooks) or "nothing", " | ".join(mine.notes)] for student, mine in planned.found.items()]
-    print(grid_text(["student", "handed in", "notes"], rows))
+    rows = [[student, "; ".join(notebook.name for notebook in mine.notebooks) or "nothing", "; ".join(_when(mine, planned.course)), " | ".join(mine.notes)] for student, mine in planned.found.items()]
+    print(grid_text(["student", "handed in", "when", "notes"], rows))
     print("\n".join(["", f"Lessons: {', '.join(planned.course.lessons)}.", f"Cage: {RISKS[level]}.", *(f"Note: {note}." for note in planned.notes), "Nothing was run or written."]))
 
 
-def _summary(results, planned, report):
+def _when(mine, course):
+    """When each notebook was handed in, how that is known, and how late it is for each of its lessons that is graded."""
+    from .grading.notebooks import lessons_of
+    from .grading.pages import duration, words
+    from .grading.work import handed_in
+    told = []
+    for notebook in mine.notebooks:
+        late = [course.settings.lateness(lesson, notebook.when) for lesson in sorted(lessons_of(notebook.read())) if lesson in course.lessons]
+        days, penalty = max(late, default=(0.0, 0.0))
+        told.append(handed_in(notebook.when, notebook.source, course.settings.zone) + (f", {duration(days, words('en'))} late: {100 * penalty:g} % off" if days else ""))
+    return told
+
+
+def _summary(results, planned, report, roster):
     from .grading.cage import RISKS
+    from .grading.classreport import headcount
     counted = ", ".join(f"{count} {status}" for status, count in Counter(graded.status for graded in results).most_common())
     levels = sorted({graded.cage for graded in results if graded.cage})
-    return "\n".join([f"{len(results)} students: {counted}.", *(f"Cage: {RISKS[level]}." for level in levels), *(f"Note: {note}." for note in planned.notes),
+    return "\n".join([f"{headcount(results, roster)}: {counted}.", *(f"Cage: {RISKS[level]}." for level in levels), *(f"Note: {note}." for note in planned.notes),
                       f"Marks: {report.parent / 'grades.csv'}. Report: {report}. Feedback: {report.parent / 'feedback'}."])
 
 

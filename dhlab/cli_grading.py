@@ -28,7 +28,7 @@ def release(out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Wher
     students, lessons = _students(roster), tuple(_settings(course).lessons)
     place = Path(key) if key else Path(roster).parent / KEY_NAME
     secret, new = (None, False) if same or not students else key_of(place, out)
-    written, kept = hand_out(out, students, secret, lessons)
+    written, kept = hand_out(out, students, secret, lessons, place if new else None)
     print(f"{len(students) or 1} {'folders' if len(students) > 1 else 'folder'} in {out}: {written} files written, {kept} there already.")
     if secret:
         print(f"{'Your new key' if new else 'Your key'}: {place}. Keep it, and keep it to yourself: without it nobody can grade these lessons, with it anybody can tell everyone's numbers.")
@@ -47,7 +47,11 @@ def nbgrader(out: Annotated[Path, typer.Option("--out", metavar="DIR", help="A n
 def gradescope(out: Out, roster: Roster = "", course: Course = "", key: Key = ""):
     """An autograder zip for a Gradescope programming assignment."""
     from .grading.exports.gradescope import export_gradescope
+    from .grading.release import KEY_NAME
     from .grading.variants import read_key
+    beside = Path(roster).parent / KEY_NAME
+    if roster and not key and beside.exists():
+        raise ValueError(f"export gradescope: expected --key, since {beside} stands beside the roster, found none; give --key {beside}, or move it away when everybody has the same numbers")
     count = export_gradescope(out, _students(roster), read_key(key) if key else None, course)
     print(f"{out}: an autograder of {count} files. Upload it as it is; the key is not in it.")
 
@@ -71,8 +75,9 @@ def _write_grades(as_csv, marks, out, roster):
     from .grading.exports.gradebooks import WITH_MARK, read_marks
     found, students = read_marks(marks), _students(roster)
     files.write_text(out, as_csv(found, students))
-    empty = sum(graded.status not in WITH_MARK for graded in found.values()) + sum(student.student not in found for student in students)
-    print(f"{out}: written." + (f" Empty, since there is nothing to mark: {empty}." if empty else ""))
+    strangers = sorted(found.keys() - {student.student for student in students}) if students else []
+    empty = sum(student not in found or found[student].status not in WITH_MARK for student in ([each.student for each in students] or found))
+    print(f"{out}: written." + (f" Empty, since there is nothing to mark: {empty}." if empty else "") + (f" Left out, since they are not on the roster: {', '.join(strangers)}." if strangers else ""))
 
 
 def _students(path):

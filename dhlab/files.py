@@ -74,7 +74,7 @@ def write_bytes(path, data, *, overwrite=False, private=False):
         os.chmod(temporary, 0o600 if private else path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
         _into_place(temporary, path, overwrite)
     except FileExistsError:
-        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name or say overwrite=True") from None
+        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name, or move that file away") from None
     except OSError as error:
         raise ValueError(f"{path}: expected to write here, found that it cannot be done ({error.strerror}); choose another folder") from None
     finally:

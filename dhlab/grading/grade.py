@@ -2,25 +2,26 @@
 
 import hashlib
 import json
-import re
 from collections import Counter
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
+from pathlib import Path
 
 from ..course.exercises import exercises
 from .gradebook import Gradebook
-from .judge import replaced
+from .notebooks import lessons_of
+from .owners import look_whose
 from .questions import Course, handed_out_checks
 from .settings import Settings
-from .submissions import submissions
+from .standing import left_standing, together
+from .submissions import FILE_TIME, PASSED_OVER, submissions
 from .variants import variants
 from .work import Handed, Task, close, work
 
 __all__ = ["grade", "plan", "Plan"]
 
-CHECKED = re.compile(rb"""check\(\s*\\?["']([0-9A-Za-z]+)\.""")
 HANDED_IN = 0.2  # without a course.yaml a lesson counts when this share of the most common lesson's students handed it in
 LOST = 3  # how often a worker may die
 
@@ -55,20 +56,22 @@ def plan(place, roster=(), key=None, settings=Settings(), exercise=""):
     Raises
     ------
     ValueError
-        Nothing was found, or there is no such exercise.
+        Nothing was found, there is no such exercise, or the key is not that of most notebooks.
     """
     if exercise and exercise not in exercises():
         raise ValueError(f'grade: expected the number of an exercise, such as "05.1", found {exercise!r}')
     names = [path.stem for path in _handed_out()]
-    found = submissions(place, roster, names)
+    found, notes = _without_strays(submissions(place, roster, names, settings.zone), roster)
     if not any(mine.notebooks for mine in found.values()):
         raise ValueError(f"{place}: expected submissions, found no notebook; is it the right folder?")
-    lessons, notes = _lessons(found, settings, exercise)
-    course = Course(lessons, settings, variants(key, found), exercise)
+    lessons, rare = _lessons(found, settings)
+    if exercise and exercise.split(".")[0] not in lessons:
+        raise ValueError(f'grade: expected an exercise of the lessons {", ".join(lessons) or "(none was found)"}, found {exercise!r}; name its lesson in course.yaml')
+    numbers = variants(key, found)
+    notes += rare + look_whose(found, roster, key, numbers) + _all_late(found, settings)
+    course = Course(lessons, settings, numbers, exercise)
     if not course.exercises:
         raise ValueError(f"grade: expected lessons with exercises that earn points, found {', '.join(lessons) or 'none'}; name the lessons in course.yaml")
-    unknown = [student for student, mine in found.items() if not mine.on_roster]
-    notes += [f"{student}: not on the roster; graded all the same" for student in unknown]
     return Plan(course, found, tuple(notes))
 
 
@@ -77,26 +80,39 @@ def _handed_out():
     return sorted(handed_out().glob("*.ipynb"))
 
 
-def _lessons(found, settings, exercise):
-    """The lessons to grade: those of course.yaml, that of the one exercise, or those that were handed in."""
-    if exercise:
-        return (exercise.split(".")[0],), []
+def _without_strays(found, roster):
+    """(students, notes): without files of no folder that are no notebooks and carry nobody's name."""
+    known = {student.student for student in roster}
+    strays = {student for student, mine in found.items() if mine.loose and student not in known and not mine.notebooks and all(note.endswith(PASSED_OVER) for note in mine.notes)}
+    names = [note.partition(": no notebook")[0] for student in strays for note in found[student].notes]
+    told = [f"passed over, neither notebooks nor anybody's name: {', '.join(sorted(names))}"] if names else []
+    return {student: mine for student, mine in found.items() if student not in strays}, told
+
+
+def _all_late(found, settings):
+    """A doubt, when every file is later than every due date by the time of the file: a copy has often no other."""
+    dues = [lesson.due for lesson in settings.lessons.values() if lesson.due]
+    notebooks = [notebook for mine in found.values() for notebook in mine.notebooks]
+    if dues and all(notebook.source == FILE_TIME and notebook.when > max(dues) for notebook in notebooks):
+        return ["every notebook is late by the time of its file: were the files copied? cp -a keeps the times, cp -r does not"]
+    return []
+
+
+def _lessons(found, settings):
+    """The lessons to grade: those of course.yaml, or those that were handed in."""
     if settings.lessons:
         return tuple(sorted(settings.lessons)), []
-    seen = Counter(lesson for mine in found.values() for lesson in _seen(mine))
+    seen = Counter(lesson for mine in found.values() for lesson in frozenset().union(*(lessons_of(notebook.read()) for notebook in mine.notebooks)))
     known = {lesson: count for lesson, count in seen.items() if lesson in handed_out_checks()}
     common = tuple(sorted(lesson for lesson, count in known.items() if count >= HANDED_IN * max(known.values())))
     rare = [f"lesson {lesson} was handed in by {count} and does not count; name it in course.yaml if it should" for lesson, count in sorted(known.items()) if lesson not in common]
     return common, rare
 
 
-def _seen(mine):
-    """The lessons a student's notebooks seem to be of, from their bytes alone."""
-    return {raw.decode() for _, read, _ in mine.notebooks for raw in CHECKED.findall(read())}
-
-
 def grade(place, out, *, roster=(), key=None, settings=Settings(), jobs=1, scheduler=None, exercise="", progress=lambda done, of: None):
     """Grade everything that was handed in; what an earlier run graded, and has not changed since, is kept.
+
+    Marks of other lessons, and of work that is not among what is graded now, stand as they are.
 
     Parameters
     ----------
@@ -105,7 +121,7 @@ def grade(place, out, *, roster=(), key=None, settings=Settings(), jobs=1, sched
     out : str or path
         The folder for marks and ``grades.csv``.
     roster, key, settings, exercise :
-        As :func:`plan`. With an exercise the others keep the marks they have.
+        As :func:`plan`. With an exercise the others keep the marks they have; who has none yet is graded whole.
     jobs : int
         Submissions at a time, each in a cage of its own.
     scheduler : str or None
@@ -116,7 +132,7 @@ def grade(place, out, *, roster=(), key=None, settings=Settings(), jobs=1, sched
     Returns
     -------
     results : list of Graded
-        The roster's students first, in its order.
+        The roster's students first, in its order; last those of earlier runs of whom there is nothing now.
     planned : Plan
 
     Raises
@@ -124,17 +140,23 @@ def grade(place, out, *, roster=(), key=None, settings=Settings(), jobs=1, sched
     ValueError
         One sentence: what was expected, what was found; another grader at work in ``out``, for one. Marks written so far stay.
     """
-    book = Gradebook(out)
+    if Path(out).resolve().is_relative_to(Path(place).resolve()):
+        raise ValueError(f"grade: {out}: expected a folder for the marks outside the submissions, found it in {place}; give another --out")
     planned = plan(place, roster, key, settings, exercise)
+    book = Gradebook(out)
+    book.check_ours({*planned.found, *book.students()})
+    if exercise and not book.students():
+        raise ValueError(f"grade: {out}: expected marks of which {exercise} is to be graded again, found none; grade without --exercise first")
     with book.alone():
         todo, kept = _todo(planned, book, key)
         done = len(kept)
         progress(done, len(planned.found))
         for graded in _worked(todo, planned.course, jobs, scheduler):
-            book.write(_merged(graded, book, exercise))
+            book.write(together(book.read(graded.student), graded, exercise))
             done += 1
             progress(done, len(planned.found))
-        results = [book.read(student) for student in planned.found]
+        others = [student for student in book.students() if student not in planned.found]
+        results = [*map(book.read, planned.found), *(left_standing(book.read(student)) for student in others)]
         book.write_grades(results, roster)
     return results, planned
 
@@ -153,21 +175,16 @@ def _todo(planned, book, key):
 def _whole(student, mine, course, book):
     """(task, course) of a student; an exercise alone is graded only where the rest has been."""
     task = _task(student, mine, course)
-    if course.only and book.read(student) is None:
+    before = book.read(student) if course.only else None
+    if course.only and (before is None or course.only not in {mark.exercise for mark in before.marks}):
         return task, replace(course, only="")
     return task, course
 
 
 def _task(student, mine, course):
-    handed = tuple(Handed(name, read(), when) for name, read, when in mine.notebooks)
+    handed = tuple(Handed(notebook.name, notebook.read(), notebook.when, notebook.source) for notebook in mine.notebooks)
     told = [course.lessons, repr(course.settings), course.variants.get(student), [(h.name, str(h.when), hashlib.sha256(h.raw).hexdigest()) for h in handed], mine.notes]
-    return Task(student, handed, tuple(mine.notes), hashlib.sha256(json.dumps(told).encode()).hexdigest()[:16])
-
-
-def _merged(graded, book, exercise):
-    """With one exercise regraded, the other marks as they were."""
-    before = book.read(graded.student) if exercise else None
-    return graded if before is None else replaced(before, graded)
+    return Task(student, handed, tuple(mine.notes), hashlib.sha256(json.dumps(told).encode()).hexdigest()[:16], mine.numbers_of, mine.refused)
 
 
 def _worked(todo, course, jobs, scheduler):

@@ -1,7 +1,5 @@
 """From the lines that came out of the cage to marks. Everything here happens outside, and nothing that came out is trusted."""
 
-from dataclasses import replace
-
 from ..course.kinds import Function, Table, Value
 from ..course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
 from ..doctor import catalogue
@@ -22,11 +20,11 @@ class Answers:
         self.notes, self.troubles, self.ids = {}, {}, {}
         self.cut = None  # how the last run of a notebook ended, when that was before its end
 
-    def add(self, run, when):
-        """Take in one run of one notebook that was handed in at ``when``."""
+    def add(self, run, handed):
+        """Take in one run of one notebook, a Handed."""
         for line in run.lines:
             if isinstance(line.get("check"), str):
-                self.notes.setdefault(line["check"], []).append((line, when))
+                self.notes.setdefault(line["check"], []).append((line, handed))
             ids = [key for key in line.get("ids", ()) if isinstance(key, str)] if isinstance(line.get("ids", ()), list) else []
             if line.get("ended") in ("error", "timed out"):
                 self._trouble(ids, line["ended"], line.get("message"))
@@ -42,7 +40,7 @@ class Answers:
 
 
 def mark(exercise, answers, variant, settings):
-    """(Mark, when) of one exercise: the last attempt that was noted counts.
+    """(Mark, the notebook it comes from) of one exercise: the last attempt that was noted counts.
 
     Parameters
     ----------
@@ -53,13 +51,13 @@ def mark(exercise, answers, variant, settings):
 
     Returns
     -------
-    Mark, datetime or None
+    Mark, Handed or None
     """
     worth = settings.points(exercise)
-    for line, when in reversed(answers.notes.get(exercise.id, ())):
+    for line, handed in reversed(answers.notes.get(exercise.id, ())):
         found = _judged(exercise, line, variant, settings, worth)
         if found.status != NOT_ATTEMPTED:
-            return found, when
+            return found, handed
     return _without_answer(exercise, answers, worth), None
 
 
@@ -127,9 +125,3 @@ def _without_answer(exercise, answers, worth):
 def without_marks(course, status):
     """A mark for every exercise of somebody who handed in nothing that could be graded."""
     return tuple(Mark(e.id, status, 0, course.settings.points(e)) for e in course.exercises)
-
-
-def replaced(old, new):
-    """The old marks with the new ones in their places."""
-    fresh_marks = {m.exercise: m for m in new.marks}
-    return replace(old, marks=tuple(fresh_marks.get(m.exercise, m) for m in old.marks))

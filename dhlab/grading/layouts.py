@@ -2,13 +2,24 @@
 
 import re
 import unicodedata
+from typing import NamedTuple
 
-__all__ = ["student_of", "Names"]
+__all__ = ["student_of", "from_platform", "Names", "Owner"]
 
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE)
 COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
+
+
+class Owner(NamedTuple):
+    """Whose a file seems to be: the student, whether the roster knows the student, and where a learning platform's name told, the name, its number and the place."""
+
+    student: str
+    known: bool
+    called: str = ""
+    number: str = ""
+    place: tuple = ()
 
 
 class Names:
@@ -44,7 +55,7 @@ class Names:
 
 
 def student_of(parts, names, folder):
-    """(student, whether the roster knows the student) of a file.
+    """The Owner of a file.
 
     Parameters
     ----------
@@ -56,14 +67,36 @@ def student_of(parts, names, folder):
 
     Returns
     -------
-    str, bool
+    Owner
     """
-    for part in parts:
+    for place, part in enumerate(parts):
         known = _known(part, names)
         if known:
-            return known, True
+            numbered = _numbered(part, parts[:place])
+            by_id = _plain(known) in map(_plain, numbered[:2])  # an id is one person's, whatever numbers stand beside it
+            return Owner(known, True, *(() if by_id else numbered))
     called = _called(parts[0], names, is_file=len(parts) == 1)
-    return _safe(called or folder), False
+    return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))
+
+
+def from_platform(part):
+    """Whether a name is one that Moodle or Canvas writes.
+
+    Examples
+    --------
+    >>> from_platform("Ada Lovelace_771_assignsubmission_file_"), from_platform("ada")
+    (True, False)
+    """
+    return bool(MOODLE.match(part) or CANVAS.match(part))
+
+
+def _numbered(part, place):
+    """(name, number, place) as a learning platform wrote them; nothing where it did not."""
+    if moodle := MOODLE.match(part):
+        return _safe(moodle["name"]), moodle["number"], place
+    if canvas := CANVAS.match(part):
+        return _safe(canvas["name"]), canvas["user"], place
+    return ()
 
 
 def _known(part, names):

@@ -2,11 +2,12 @@
 
 from dataclasses import asdict, dataclass, fields
 
-__all__ = ["Mark", "Graded", "RIGHT", "WRONG", "NOT_ATTEMPTED", "ERROR", "TIMED_OUT", "NOT_ALLOWED", "GRADED", "UNREADABLE", "MISSING"]
+__all__ = ["Mark", "Graded", "RIGHT", "WRONG", "NOT_ATTEMPTED", "ERROR", "TIMED_OUT", "NOT_ALLOWED", "NOT_HANDED_IN", "GRADED", "UNREADABLE", "MISSING"]
 
 RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = "right", "wrong", "not attempted", "error", "timed out", "not allowed"
+NOT_HANDED_IN = "not handed in"
 GRADED, UNREADABLE, MISSING = "graded", "unreadable", "missing"
-OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED)
+OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED, NOT_HANDED_IN)
 OF_STUDENT = (GRADED, NOT_ATTEMPTED, UNREADABLE, TIMED_OUT, MISSING)
 
 
@@ -19,7 +20,7 @@ class Mark:
     exercise : str
         Its id, such as "05.2".
     status : str
-        "right", "wrong", "not attempted", "error", "timed out" or "not allowed" (it calls what it was to write).
+        "right", "wrong", "not attempted", "error", "timed out", "not allowed" (it calls what it was to write) or "not handed in" (no file of its lesson).
     points, of : float
         Earned, and possible.
     mistake : str or None
@@ -28,6 +29,10 @@ class Mark:
         The words of the course; the student may read them.
     note : str
         What only the teacher needs: a limit that was reached, an error that was met.
+    file, handed_in : str
+        The file the answer came from; when that was handed in, in the course's time zone, and how that is known.
+    late_days, penalty : float
+        Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
 
     Examples
     --------
@@ -46,6 +51,15 @@ class Mark:
     why: str = ""
     next: str = ""
     note: str = ""
+    file: str = ""
+    handed_in: str = ""
+    late_days: float = 0.0
+    penalty: float = 0.0
+
+    @property
+    def lesson(self):
+        """The lesson of the exercise."""
+        return self.exercise.partition(".")[0]
 
     def __post_init__(self):
         if self.status not in OF_MARK:
@@ -78,7 +92,7 @@ class Graded:
     variant : int
         Whose numbers the answers were compared with.
     late_days, penalty : float
-        Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
+        The most days that one of its exercises is late, and the share of all points, 0 to 1, that is taken off.
     cage : str
         The level the submission ran at.
     seconds : float
@@ -87,6 +101,8 @@ class Graded:
         Sentences for the teacher.
     guess_of : str or None
         Another student for whose variant the wrong answers are right, where chance does not explain it.
+    numbers_of : str or None
+        Another student whose numbers the notebook itself draws.
     fingerprint : str
         Of what was handed in and how it was to be graded: a later run grades again when it has changed.
 
@@ -110,6 +126,7 @@ class Graded:
     seconds: float = 0.0
     notes: tuple = ()
     guess_of: str | None = None
+    numbers_of: str | None = None
     fingerprint: str = ""
 
     def __post_init__(self):

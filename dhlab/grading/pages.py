@@ -6,8 +6,9 @@ from pathlib import Path
 
 from .. import plainyaml
 
-__all__ = ["render", "words"]
+__all__ = ["render", "words", "duration", "OURS"]
 
+OURS = '<meta name="generator" content="dhlab">'  # in every page, so that no other is ever overwritten
 HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
 
@@ -42,6 +43,20 @@ def _readable(value):
         return value
     shown = "".join(c if c == "\n" or not unicodedata.category(c).startswith("C") else "·" for c in value[:LONGEST])
     return shown + "…" * (len(value) > LONGEST)
+
+
+def duration(days, said):
+    """How late something is, in days and hours or in hours and minutes.
+
+    Examples
+    --------
+    >>> duration(0.0625, words("en")), duration(1.25, words("en")), duration(2, words("en"))
+    ('1 h 30 min', '1 d 6 h', '2 d')
+    """
+    minutes = max(1, round(days * 1440))
+    parts = [(minutes // 1440, "day"), (minutes // 60 % 24, "hour"), (minutes % 60, "minute")]
+    shown = [f"{count} {said[unit]}" for count, unit in (parts[:2] if minutes >= 1440 else parts[1:]) if count]
+    return " ".join(shown)
 
 
 @cache

@@ -42,9 +42,9 @@ def publish(planned, results, roster, out):
 def _code(mine):
     """The code of each exercise a student answered; what cannot be read is nobody's copy."""
     found = {}
-    for _, read, _ in mine.notebooks:
+    for notebook in mine.notebooks:
         try:
-            raw = read()
+            raw = notebook.read()
             found |= answers(json.loads(raw)) if len(raw) <= LARGEST else {}
         except (ValueError, RecursionError, TypeError):
             continue

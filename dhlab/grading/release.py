@@ -9,7 +9,7 @@ import nbformat
 from ..course.progress import MARKER
 from ..course.workspace import handed_out
 from ..files import read_text, write_text
-from .variants import make_key, read_key, variants
+from .variants import new_key, read_key, variants, write_key
 
 __all__ = ["release", "key_of", "with_variant", "make_folder"]
 
@@ -17,7 +17,7 @@ KEY_NAME = "teacher.key"
 PAGES = ("glossary.md", "LICENSE.md")
 
 
-def release(out, roster=(), key=None, lessons=()):
+def release(out, roster=(), key=None, lessons=(), new_key_at=None):
     """Write the lessons into ``out``: into a folder per student, or into ``out`` itself when there is no roster.
 
     Nothing that exists is overwritten: a second run adds the students who have joined since.
@@ -31,6 +31,8 @@ def release(out, roster=(), key=None, lessons=()):
         The teacher's key; without one everybody has the same numbers.
     lessons : sequence of str
         Such as ``["05", "06"]``; all when empty.
+    new_key_at : str or path or None
+        Where the key is to be written, when it is new: once nothing stands against handing out, and before anything is handed out.
 
     Returns
     -------
@@ -48,6 +50,8 @@ def release(out, roster=(), key=None, lessons=()):
     wanted = [(out / student / name, text if number == 0 or not name.endswith(".ipynb") else with_variant(text, number), number)
               for student, number in numbers.items() for name, text in files.items()]
     missing = [(path, text) for path, text, number in wanted if not _there(path, number)]
+    if new_key_at:
+        write_key(new_key_at, key)
     for folder in dict.fromkeys(path.parent for path, _ in missing):
         make_folder(folder)
     for path, text in missing:
@@ -56,7 +60,7 @@ def release(out, roster=(), key=None, lessons=()):
 
 
 def key_of(path, out):
-    """The teacher's key: read where there is one, drawn where there is none; refused inside what is handed out.
+    """The teacher's key: read where there is one, drawn where there is none (and written by :func:`release`); refused inside what is handed out.
 
     Returns
     -------
@@ -69,7 +73,7 @@ def key_of(path, out):
         raise ValueError(f"{path}: expected the key outside the folder that is handed out, found it inside {out}; give another place with --key")
     if path.exists():
         return read_key(path), False
-    return make_key(path), True
+    return new_key(), True
 
 
 def with_variant(text, number):

@@ -1,6 +1,7 @@
 """The roster: who is in the class, from a CSV file with a column ``student`` and, where known, ``name``, ``email`` and ``language``."""
 
 import csv
+import difflib
 import io
 import re
 import unicodedata
@@ -11,7 +12,8 @@ from ..files import read_text
 __all__ = ["Student", "read_roster"]
 
 COLUMNS = ("student", "name", "email", "language")
-ID = re.compile(r"\w[\w.@+ -]{0,99}(?<![. ])\Z")  # an id names files and folders, on every system
+ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
+RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE)  # what names no file on Windows
 LANGUAGE = re.compile(r"[a-z]{2,3}(_[A-Z][A-Za-z]{1,3})?\Z")
 
 
@@ -28,7 +30,8 @@ class Student:
 def read_roster(path):
     """The students of a CSV file, in its order.
 
-    Commas or semicolons separate the cells (spreadsheets write either); other columns than the four known ones are passed over.
+    Commas or semicolons separate the cells (spreadsheets write either); other columns than the four known ones are passed over,
+    but for one whose name is so like a known one that it must be a typing mistake.
 
     Parameters
     ----------
@@ -41,7 +44,7 @@ def read_roster(path):
     Raises
     ------
     ValueError
-        No column ``student``, no students, an id that stands twice or cannot name a file.
+        No column ``student``, no students, an id that stands twice or cannot name a file, a line with more cells than columns.
 
     Examples
     --------
@@ -57,11 +60,12 @@ def read_roster(path):
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
         raise ValueError(f"{path}: line {reader.line_num}: expected a roster in CSV, found what cannot be read ({error}); export it again as CSV") from None
-    columns = _columns(path, rows[0][1] if rows else [])
-    students = tuple(_student(f"{path}: line {line}", row, columns) for line, row in rows[1:])
+    head = rows[0][1] if rows else []
+    columns = _columns(path, head)
+    students = tuple(_student(f"{path}: line {line}", row, columns, len(head)) for line, row in rows[1:])
     if not students:
         raise ValueError(f"{path}: expected one line per student under the line of column names, found none")
-    _check_twice(path, students)
+    _check_twice(path, students, [line for line, _ in rows[1:]])
     return students
 
 
@@ -70,24 +74,32 @@ def _columns(path, head):
     if names.count("student") != 1:
         found = ", ".join(names) or "nothing"
         raise ValueError(f'{path}: expected a first line of column names with one column "student", found {found}; name the column of ids "student"')
+    for name in names:
+        near = [] if name in COLUMNS else difflib.get_close_matches(name, set(COLUMNS) - set(names), 1, 0.75)
+        if near:
+            raise ValueError(f'{path}: line 1: unknown column "{name}"; did you mean "{near[0]}"? Otherwise call it something else')
     return {name: names.index(name) for name in COLUMNS if name in names}
 
 
-def _student(where, row, columns):
+def _student(where, row, columns, width):
+    if any(cell.strip() for cell in row[width:]):
+        raise ValueError(f"{where}: expected {width} cells as in the first line, found {len(row)}; a name with a comma in it stands in quotes")
     cells = {name: unicodedata.normalize("NFC", row[i].strip()) for name, i in columns.items() if i < len(row)}
     student = cells.get("student", "")
     if not ID.match(student):
         raise ValueError(f"{where}: expected an id of letters, digits and . _ - @ + (it names files), found {student!r}")
+    if RESERVED.match(student):
+        raise ValueError(f"{where}: expected an id that can name a file, found {student!r}, which no file on Windows may be called; give another id")
     language = cells.pop("language", "").replace("-", "_") or "en"
     if not LANGUAGE.match(language):
         raise ValueError(f"{where}: expected a language such as en or zh_CN, found {language!r}")
     return Student(**cells, language="zh_CN" if language == "zh" else language)
 
 
-def _check_twice(path, students):
+def _check_twice(path, students, lines):
     seen = {}
-    for student in students:
-        folded = student.student.casefold()
-        if folded in seen:
-            raise ValueError(f"{path}: expected every id once, found {seen[folded]!r} and {student.student!r}; small and capital letters name the same file on some systems")
-        seen[folded] = student.student
+    for student, line in zip(students, lines):
+        other, before = seen.setdefault(student.student.casefold(), (student.student, line))
+        if before != line:
+            alike = "take one out" if other == student.student else "small and capital letters name the same file on some systems"
+            raise ValueError(f"{path}: lines {before} and {line}: expected every id once, found {other!r} and {student.student!r}; {alike}")

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
-from datetime import datetime, timezone
+from datetime import date, datetime, time, timezone, tzinfo
 from zoneinfo import ZoneInfo
 
 from .. import plainyaml
@@ -50,6 +50,7 @@ class Settings:
     own_kinematics: float = 0.0
     limits: Limits = Limits()
     cage: str | None = None
+    zone: tzinfo = timezone.utc
 
     def lateness(self, lesson, when):
         """(days after the due date, share of the points taken off) of work on a lesson that came at ``when``, a datetime or None.
@@ -88,7 +89,7 @@ def read_settings(path):
 
             timezone: Europe/Vienna         # UTC when left out
             lessons:
-              "05": {due: 2026-11-20 23:59}
+              "05": {due: 2026-11-20}       # without a time: the end of that day
               "06": {due: 2026-11-27 23:59, points: {"06.2": 5}}
             late: {percent_per_day: 10, floor: 50, grace_hours: 1}
             partial: 0.5          # share of the points for a wrong answer whose one mistake is recognised; 0 when left out
@@ -108,7 +109,7 @@ def read_settings(path):
     top = plainyaml.read(path, "a course's settings")
     known = plainyaml.fields(top, "course", required=set(), allowed=TOP)
     zone = _zone(known.get("timezone"))
-    given = {"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {}
+    given = {"zone": zone} | ({"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {})
     if "late" in known:
         late = plainyaml.fields(known["late"], "late", required={"percent_per_day"}, allowed={"percent_per_day", "floor", "grace_hours"})
         given |= {key: _between(item, f"late: {key}", 0, 10_000 if key == "grace_hours" else 100) for key, item in late.items()}
@@ -133,6 +134,9 @@ def _zone(item):
 def _lessons(item, zone):
     from ..course.exercises import exercises
     known = {key.split(".")[0] for key in exercises()}
+    for name, entry in item.value.items() if isinstance(item.value, dict) else ():
+        if name not in known:
+            raise ValueError(f'{entry.where}: lessons: expected lessons from {", ".join(sorted(known))}, unknown key "{name}"; write two digits, such as "05"')
     lessons = plainyaml.fields(item, "lessons", required=set(), allowed=known)
     return {name: _lesson(name, entry, zone) for name, entry in lessons.items()}
 
@@ -156,7 +160,17 @@ def _moment(item, what, zone):
         moment = datetime.fromisoformat(words)
     except ValueError:
         raise ValueError(f"{item.where}: {what}: expected a date such as 2026-11-20 23:59, found {words!r}") from None
+    if _is_date(words):
+        moment = datetime.combine(moment, time(23, 59, 59))
     return moment if moment.tzinfo else moment.replace(tzinfo=zone)
+
+
+def _is_date(words):
+    """Whether a moment is given as a day alone."""
+    try:
+        return bool(date.fromisoformat(words))
+    except ValueError:
+        return False
 
 
 def _between(item, what, low, high):

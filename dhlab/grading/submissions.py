@@ -11,32 +11,51 @@ from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
+from zoneinfo import ZoneInfo
 
-from .layouts import Names, student_of
+from .layouts import Names, from_platform, student_of
 
-__all__ = ["Submission", "submissions"]
+__all__ = ["Notebook", "Submission", "submissions", "FILE_TIME", "PASSED_OVER"]
 
 LARGEST = 20_000_000  # bytes of a notebook
+PASSED_OVER = "passed over"
 LARGEST_ZIP = 200_000_000
 MOST_FILES = 20_000  # of a zip
 MOST_NOTEBOOKS = 12  # of a student
 DEEPEST = 2  # a zip of everybody's, and a student's own in it
 NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
 BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, OSError, ValueError, NotImplementedError, EOFError, RuntimeError)
+FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"  # where the time of a submission comes from
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
+
+
+class Notebook(NamedTuple):
+    """One notebook: its name in what was handed in, its bytes when ``read`` is called, when it came and how that is known."""
+
+    name: str
+    read: object
+    when: datetime | None
+    source: str
 
 
 @dataclass
 class Submission:
-    """What one student handed in: notebooks as (name, bytes when called, when), oldest first; and what was refused, in sentences."""
+    """What one student handed in: notebooks, oldest first; what was refused, in sentences; whose numbers they draw, if another's.
+
+    ``loose``: nothing but files of no folder; ``refused``: something was there that is no notebook or cannot be read.
+    """
 
     student: str
     notebooks: list = field(default_factory=list)
     notes: list = field(default_factory=list)
     on_roster: bool = True
+    loose: bool = True
+    refused: bool = False
+    numbers_of: str | None = None
 
 
-def submissions(place, roster=(), lessons=()):
+def submissions(place, roster=(), lessons=(), zone=timezone.utc):
     """Everything that was handed in, by student.
 
     Parameters
@@ -47,6 +66,8 @@ def submissions(place, roster=(), lessons=()):
         Students without a submission are there too, with no notebooks.
     lessons : sequence of str
         The names of the lessons' files, without ending; they are no part of a student's name.
+    zone : tzinfo
+        Of the times in a zip, which does not name it.
 
     Returns
     -------
@@ -61,25 +82,75 @@ def submissions(place, roster=(), lessons=()):
     place = Path(place)
     names = Names(roster, lessons)
     found = {student.student: Submission(student.student) for student in roster}
-    for parts, read, when, fault in _unwrapped(_entries(place), names):
-        student, known = student_of(parts, names, place.stem)
+    entries = _stamped(_unwrapped(_entries(place, zone), names), zone)
+    owners = [student_of(entry.parts, names, place.stem) for entry in entries]
+    namesakes = _namesakes(owners)
+    for entry, owner in zip(entries, owners):
+        student, known = owner.student, owner.known
+        if owner in namesakes:
+            student, known = f"{owner.called} {owner.number}", False
         mine = found.setdefault(student, Submission(student, on_roster=known or not roster))
-        _take(mine, "/".join(parts), read, when, fault)
+        mine.loose &= len(entry.parts) == 1
+        _take(mine, entry)
     for mine in found.values():
         _settle(mine)
+    for student in {owner.student for owner in namesakes if owner.known}:
+        others = sorted({f"{other.called} {other.number}" for other in namesakes if other.student == student})
+        found[student].notes.append(f"several people of this name handed in ({', '.join(others)}): give the right file the student's id as its name")
     return {student: mine for student, mine in found.items() if mine.notebooks or mine.notes or student in {s.student for s in roster}}
 
 
-def _take(mine, name, read, when, fault):
+class _Entry(NamedTuple):
+    """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known, and what is wrong with it."""
+
+    parts: tuple
+    read: object
+    when: datetime | None
+    source: str
+    fault: str
+
+
+def _namesakes(owners):
+    """The owners of a name that a platform has given to several of its own numbers at one place: they are several people."""
+    numbers = {}
+    for owner in owners:
+        if owner.number:
+            numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
+    several = {student for (student, _), found in numbers.items() if len(found) > 1}
+    return {owner for owner in owners if owner.number and owner.student in several}
+
+
+def _stamped(entries, zone):
+    """The files with the time that nbgrader noted beside them, in student/assignment/; such a file elsewhere, or in a zip, may be a student's own."""
+    entries = list(entries)
+    written = [entry for entry in entries if len(entry.parts) == 3 and entry.parts[-1] == TIMESTAMP and entry.source == FILE_TIME and not entry.fault and not from_platform(entry.parts[0])]
+    noted = {entry.parts[:-1]: when for entry in written if (when := _noted(entry.read(), zone))}
+    return [entry._replace(when=noted[entry.parts[:-1]], source=TIMESTAMP) if entry.parts[:-1] in noted else entry
+            for entry in entries if not (entry.parts[-1] == TIMESTAMP and entry.parts[:-1] in noted)]
+
+
+def _noted(raw, zone):
+    """The moment in an nbgrader timestamp.txt, such as ``2026-11-17 10:03:12.345 UTC``; None when it cannot be read."""
+    day, _, rest = raw.decode("utf-8", "replace").strip().partition(" ")
+    clock, _, name = rest.partition(" ")
+    try:
+        moment = datetime.fromisoformat(f"{day} {clock}".strip())
+        return moment if moment.tzinfo else moment.replace(tzinfo=ZoneInfo(name) if name else zone)
+    except (ValueError, KeyError, OSError):
+        return None
+
+
+def _take(mine, entry):
     """Add a file to a student's submission, or say why not."""
+    name, read, fault = "/".join(entry.parts), entry.read, entry.fault
     ending = os.path.splitext(name)[1].lower()
     name = name.encode("utf-8", "replace").decode("utf-8")
     if fault:
         mine.notes.append(f"{name}: {fault}")
     elif ending == ".ipynb" or ending in NOTEBOOK_ENDINGS and _sniffed(read):
-        mine.notebooks.append((name, read, when))
+        mine.notebooks.append(Notebook(name, read, entry.when, entry.source))
     else:
-        mine.notes.append(f"{name}: no notebook, passed over")
+        mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")
 
 
 def _sniffed(read):
@@ -90,25 +161,26 @@ def _sniffed(read):
 
 def _settle(mine):
     """Oldest first; no more than anyone needs; what was passed over is only told when there is nothing else."""
-    mine.notebooks.sort(key=lambda notebook: (notebook[2] is not None, notebook[2] and notebook[2].timestamp(), notebook[0]))
+    mine.notebooks.sort(key=lambda notebook: (notebook.when is not None, notebook.when and notebook.when.timestamp(), notebook.name))
     if len(mine.notebooks) > MOST_NOTEBOOKS:
         mine.notes.append(f"{len(mine.notebooks)} notebooks, of which the last {MOST_NOTEBOOKS} were taken")
         mine.notebooks = mine.notebooks[-MOST_NOTEBOOKS:]
+    mine.refused = bool(mine.notes)
     if mine.notebooks:
-        mine.notes = [note for note in mine.notes if not note.endswith("passed over")]
+        mine.notes = [note for note in mine.notes if not note.endswith(PASSED_OVER)]
 
 
-def _entries(place):
-    """(parts, read, when, fault) of every file in a folder or a zip."""
+def _entries(place, zone):
+    """Every file in a folder or a zip."""
     if place.is_dir():
-        yield from _in_folder(place)
+        yield from _in_folder(place, zone)
     elif zipfile.is_zipfile(place):
-        yield from _in_zip(lambda: place, (), 1)
+        yield from _in_zip(lambda: place, (), 1, zone)
     else:
         raise ValueError(f"{place}: expected a folder or a zip of submissions, found {'a file that is neither' if place.exists() else 'no such folder'}; check the name")
 
 
-def _in_folder(place):
+def _in_folder(place, zone):
     for folder, folders, files in os.walk(place):
         folders[:] = sorted(name for name in folders if not _boring(name))
         for name in (*folders, *sorted(files)):
@@ -119,13 +191,13 @@ def _in_folder(place):
                 continue
             when = datetime.fromtimestamp(status.st_mtime, timezone.utc)
             if not stat.S_ISREG(status.st_mode):
-                yield parts, None, when, "refused: a link, a pipe or a device, not a file"
+                yield _Entry(parts, None, when, FILE_TIME, "refused: a link, a pipe or a device, not a file")
             elif name.lower().endswith(".zip"):
-                yield from _opened(partial(str, path), parts, when, 1)
+                yield from _opened(partial(str, path), parts, when, 1, zone)
             elif status.st_size > LARGEST:
-                yield parts, None, when, f"refused: {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} are read"
+                yield _Entry(parts, None, when, FILE_TIME, f"refused: {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} are read")
             else:
-                yield parts, _reader(path), when, ""
+                yield _Entry(parts, _reader(path), when, FILE_TIME, "")
 
 
 def _reader(path):
@@ -136,15 +208,15 @@ def _reader(path):
     return read
 
 
-def _opened(source, parts, when, depth):
+def _opened(source, parts, when, depth, zone):
     """The files of a zip that stands at ``parts``; of a broken one, what is wrong with it."""
     try:
-        yield from _in_zip(source, parts, depth)
+        yield from _in_zip(source, parts, depth, zone)
     except BROKEN as error:
-        yield parts, None, when, f"refused: a zip that cannot be read ({str(error)[:100]})"
+        yield _Entry(parts, None, when, FILE_TIME, f"refused: a zip that cannot be read ({str(error)[:100]})")
 
 
-def _in_zip(source, parts, depth):
+def _in_zip(source, parts, depth, zone):
     """Members are read into memory when they are needed, each up to the limit; their names never name a file here.
 
     ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not stay open.
@@ -158,13 +230,13 @@ def _in_zip(source, parts, depth):
         if member.is_dir() or not inner or any(_boring(part) for part in inner if part != ".."):
             continue
         fault, read = _fault(member, inner), _member(source, number)
-        own, when = (*parts, *(part for part in inner if part != "..")), _when(member)
+        own, when = (*parts, *(part for part in inner if part != "..")), _when(member, zone)
         if fault or not inner[-1].lower().endswith(".zip"):
-            yield own, None if fault else read, when, fault
+            yield _Entry(own, None if fault else read, when, ZIP, fault)
         elif depth < DEEPEST:
-            yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1)
+            yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
         else:
-            yield own, None, when, "refused: a zip in a zip in a zip"
+            yield _Entry(own, None, when, ZIP, "refused: a zip in a zip in a zip")
 
 
 def _member(source, number):
@@ -188,10 +260,10 @@ def _fault(member, inner):
     return "refused: too large" if member.file_size > LARGEST else ""
 
 
-def _when(member):
-    """A zip knows the time of day but not the zone; taken as this machine's."""
+def _when(member, zone):
+    """A zip knows the time of day but not the zone."""
     try:
-        return datetime(*member.date_time).astimezone(timezone.utc)
+        return datetime(*member.date_time, tzinfo=zone).astimezone(timezone.utc)
     except (ValueError, OverflowError):
         return None
 
@@ -203,9 +275,9 @@ def _boring(name):
 def _unwrapped(entries, names):
     """Without the one folder that everything stands in, where it is nobody's and holds folders or files of several."""
     entries = list(entries)
-    while entries and all(len(parts) > 2 for parts, *_ in entries) and len({parts[0] for parts, *_ in entries}) == 1 and len({parts[1] for parts, *_ in entries}) > 1:
-        outer = entries[0][0][0]
-        if outer.lower().endswith(".zip") or student_of((outer,), names, "")[1]:
+    while entries and all(len(entry.parts) > 2 for entry in entries) and len({entry.parts[0] for entry in entries}) == 1 and len({entry.parts[1] for entry in entries}) > 1:
+        outer = entries[0].parts[0]
+        if outer.lower().endswith(".zip") or student_of((outer,), names, "").known:
             break
-        entries = [(parts[1:], *rest) for parts, *rest in entries]
+        entries = [entry._replace(parts=entry.parts[1:]) for entry in entries]
     return entries

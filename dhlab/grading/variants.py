@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..files import read_text, write_text
 
-__all__ = ["variant", "variants", "make_key", "read_key"]
+__all__ = ["variant", "variants", "new_key", "write_key", "make_key", "read_key"]
 
 KEY_BYTES = 32
 HIGHEST = 2**31 - 1  # 0 is left for "the same for all"
@@ -57,16 +57,26 @@ def variants(key, students):
     return {student: variant(key, student) if key else 0 for student in students}
 
 
+def new_key():
+    """A key that nobody has had before."""
+    return secrets.token_bytes(KEY_BYTES)
+
+
+def write_key(path, key):
+    """Write a key into a new file that only its owner may read; an existing file is never touched."""
+    write_text(path, key.hex() + "\n", private=True)
+
+
 def make_key(path):
-    """Draw a new key into a file that only its owner may read; an existing file is never touched.
+    """Draw a new key into a file; see :func:`write_key`.
 
     Raises
     ------
     ValueError
         The file exists, or cannot be written.
     """
-    key = secrets.token_bytes(KEY_BYTES)
-    write_text(path, key.hex() + "\n", private=True)
+    key = new_key()
+    write_key(path, key)
     return key
 
 

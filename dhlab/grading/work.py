@@ -2,17 +2,19 @@
 
 import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from multiprocessing import util
 
 from .borrowed import borrowed_from
 from .cage import Cage
 from .judge import Answers, mark, without_marks
-from .marks import GRADED, MISSING, NOT_ATTEMPTED, TIMED_OUT, UNREADABLE, Graded
+from .marks import GRADED, MISSING, NOT_ATTEMPTED, NOT_HANDED_IN, TIMED_OUT, UNREADABLE, Graded
+from .notebooks import lessons_of
 from .questions import request, warm_modules
+from .standing import NO_FILE, lateness
 
-__all__ = ["Handed", "Task", "work", "close"]
+__all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
 _lock, _cages = threading.Lock(), {}
@@ -20,21 +22,25 @@ _lock, _cages = threading.Lock(), {}
 
 @dataclass(frozen=True)
 class Handed:
-    """One notebook as handed in: where it was found, its bytes, and when it came."""
+    """One notebook as handed in: where it was found, its bytes, when it came and how that is known."""
 
     name: str
     raw: bytes
     when: datetime | None = None
+    source: str = ""
 
 
 @dataclass(frozen=True)
 class Task:
-    """One student's notebooks, oldest first; notes for the teacher; what the mark depends on, as a fingerprint."""
+    """One student's notebooks, oldest first; notes for the teacher; what the mark depends on, as a fingerprint; whose numbers the notebooks
+    draw, if another's; whether there is something that cannot be read."""
 
     student: str
     notebooks: tuple
     notes: tuple = ()
     fingerprint: str = ""
+    numbers_of: str | None = None
+    refused: bool = False
 
 
 def work(task, course):
@@ -51,17 +57,18 @@ def work(task, course):
     """
     begun = time.monotonic()
     variant = course.variants.get(task.student, 0)
-    common = {"student": task.student, "file": "; ".join(handed.name for handed in task.notebooks), "variant": variant, "fingerprint": task.fingerprint}
+    common = {"student": task.student, "file": "; ".join(handed.name for handed in task.notebooks), "variant": variant, "fingerprint": task.fingerprint, "numbers_of": task.numbers_of}
     if not task.notebooks:
-        status = UNREADABLE if task.notes else MISSING
-        return Graded(status=status, marks=without_marks(course, NOT_ATTEMPTED), notes=task.notes, **common)
+        status = UNREADABLE if task.refused else MISSING
+        return Graded(status=status, marks=without_marks(course, NOT_ATTEMPTED if task.refused else NOT_HANDED_IN), notes=task.notes, **common)
     with _lock:
         cage = _cage(course)
         answers, notes, trouble = _run_all(cage, task, course, variant)
         level = cage.level
-    marks, days, penalty = _marks(course, answers, variant)
-    status = trouble or (NOT_ATTEMPTED if all(found.status == NOT_ATTEMPTED for found in marks) else GRADED)
-    return Graded(status=status, marks=marks, late_days=days, penalty=penalty, cage=level, notes=(*task.notes, *notes),
+    marks, said = _by_lesson([_mark(exercise, answers, variant, course.settings) for exercise in course.exercises], task.notebooks)
+    days, penalty = lateness(marks)
+    status = trouble or (NOT_ATTEMPTED if all(found.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for found in marks) else GRADED)
+    return Graded(status=status, marks=marks, late_days=days, penalty=penalty, cage=level, notes=(*task.notes, *notes, *said),
                   guess_of=borrowed_from(course, task.student, answers, marks), seconds=round(time.monotonic() - begun, 3), **common)
 
 
@@ -102,7 +109,7 @@ def _run(cage, handed, course, variant, answers):
     skip, notes, left = set(), [], course.settings.limits.seconds
     while True:
         run = cage.run(request(course, variant, skip), handed.raw, left)
-        answers.add(run, handed.when)
+        answers.add(run, handed)
         left -= run.seconds
         broken = [line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)]
         if broken:
@@ -115,15 +122,32 @@ def _run(cage, handed, course, variant, answers):
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
 
-def _marks(course, answers, variant):
-    """(marks, days late at most, share of all points lost to lateness)."""
-    marks, lost, latest = [], 0.0, 0.0
-    for exercise in course.exercises:
-        found, when = mark(exercise, answers, variant, course.settings)
-        days, penalty = course.settings.lateness(exercise.id.split(".")[0], when)
-        marks.append(found)
-        lost += found.points * penalty
-        latest = max(latest, days)
-    points = sum(found.points for found in marks)
-    return tuple(marks), latest, round(lost / points, 6) if points else 0.0
+def _mark(exercise, answers, variant, settings):
+    """The mark of an exercise, with the file it comes from and what its lateness costs."""
+    found, handed = mark(exercise, answers, variant, settings)
+    if handed is None:
+        return found
+    days, penalty = settings.lateness(found.lesson, handed.when)
+    return replace(found, file=handed.name, handed_in=handed_in(handed.when, handed.source, settings.zone), late_days=days, penalty=penalty)
 
+
+def handed_in(when, source, zone):
+    """When a file came, in words: in the course's time zone, and how it is known; empty when it is not."""
+    return f"{when.astimezone(zone):%Y-%m-%d %H:%M}, {source}" if when else ""
+
+
+def _by_lesson(marks, notebooks):
+    """(marks, notes): the lessons of which there is no file, and which of several files of one lesson was used."""
+    lessons = {handed.name: lessons_of(handed.raw) for handed in notebooks}
+    there = frozenset().union(*lessons.values()) | {found.lesson for found in marks if found.status != NOT_ATTEMPTED}
+    if not all(lessons.values()):  # a notebook that does not say what it is may be of any lesson
+        there |= {found.lesson for found in marks}
+    notes = []
+    for lesson in sorted({found.lesson for found in marks}):
+        files = [name for name, of in lessons.items() if lesson in of]
+        used = sorted({found.file for found in marks if found.lesson == lesson and found.file})
+        if lesson not in there:
+            notes.append(f"lesson {lesson}: {NO_FILE}")
+        elif len(files) > 1 and used:
+            notes.append(f"lesson {lesson}: {len(files)} files; the answers are those of {' and '.join(used)}")
+    return tuple(found if found.lesson in there else replace(found, status=NOT_HANDED_IN) for found in marks), notes

@@ -113,6 +113,8 @@ def test_it_looks_as_it_should(simulated, browser):
         page.on("request", lambda request: asked.append(request.url))
         page.goto(simulated[2].as_uri())
         assert len(asked) == 1 and page.evaluate("document.documentElement.scrollWidth") <= width
+        narrowest = page.locator("td").evaluate_all("cells => Math.min(...cells.filter(c => c.offsetParent && c.innerText.length > 30).map(c => c.getBoundingClientRect().width))")
+        assert width > 600 or narrowest > 300, "on a telephone the cells of a row stand below each other"
         rows = page.locator("section.item table tbody tr").evaluate_all(
             "rows => rows.filter(r => !r.closest('details') && r.querySelector('svg')).map(r => [Number(r.cells[1].innerText), r.querySelector('rect').getBoundingClientRect().width])")
         counts, widths = np.array(rows).T

@@ -238,13 +238,13 @@ def test_canvas_gets_its_columns_and_no_silent_zero(tmp_path):
     rows = list(csv.reader(io.StringIO(canvas_csv(read_marks(graded_folder(tmp_path)), CLASS), newline="")))
     assert rows[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "dhlab 05"] and rows[1][0].strip() == "Points Possible" and rows[1][-1] == "4"
     points = {row[3]: row[-1] for row in rows[2:]}
-    assert points == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": "", "'=evil": "3"}
+    assert points == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": ""}
     assert rows[2][0] == 'Lovelace, "Ada"' and not any(cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row)
 
 
 def test_moodle_likewise(tmp_path):
     rows = list(csv.DictReader(io.StringIO(moodle_csv(read_marks(graded_folder(tmp_path)), CLASS), newline="")))
-    assert {row["ID number"]: row["dhlab 05"] for row in rows} == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": "", "'=evil": "3"}
+    assert {row["ID number"]: row["dhlab 05"] for row in rows} == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": ""}
     assert rows[0]["Email address"] == "ada@x.org" and rows[1]["Full name"].startswith("'=")
 
 
@@ -271,4 +271,4 @@ def test_the_commands(tmp_path):
     (tmp_path / "class.csv").write_text("student,name,email\nada,Ada,ada@x.org\ncy,,\n")
     for verb in ("canvas", "moodle"):
         answer = subprocess.run([sys.executable, "-m", "dhlab", "export", verb, str(folder), "--out", f"{verb}.csv", "--roster", "class.csv"], capture_output=True, text=True, cwd=tmp_path)
-        assert answer.returncode == 0 and "Empty, since there is nothing to mark: 2." in answer.stdout and "2.25" in (tmp_path / f"{verb}.csv").read_text(), answer.stderr
+        assert answer.returncode == 0 and "Empty, since there is nothing to mark: 1. Left out, since they are not on the roster: =evil, bo, dee." in answer.stdout and "2.25" in (tmp_path / f"{verb}.csv").read_text(), answer.stderr

@@ -49,7 +49,7 @@ WRONG = Mark("05.2", "wrong", 0, 1, "order-taken-for-free", "The headline.", "ro
 
 def test_the_words_of_the_course_are_there():
     page = Page(feedback_page(graded(WRONG, Mark("05.1", "right", 1, 1, headline="Well done."), penalty=0.25, late_days=1.5)))
-    for said in ("The headline.", "row 3", "The reason.", "The next step.", "Which moves may change places", "Well done.", "0.75 of 2 points", "1 of 2 exercises", "1.5 days late: 25 %"):
+    for said in ("The headline.", "row 3", "The reason.", "The next step.", "Which moves may change places", "Well done.", "0.75 of 2 points", "1 of 2 exercises", "1 d 12 h late: 25 %"):
         assert said in page.text
     assert page.balanced and page.tags <= TAGS
 

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -95,7 +96,7 @@ def test_neighbours_are_graded(graded):
     honest = [one for student, one in results.items() if student.startswith("honest")]
     assert len(honest) >= 2
     assert all(one.status == "graded" and one.total == one.of and {mark.exercise for mark in one.marks} == set(corpus.LESSON) for one in honest)
-    assert len({one.marks for one in honest}) == 1
+    assert len({tuple(replace(mark, file="", handed_in="") for mark in one.marks) for one in honest}) == 1
 
 
 def test_nothing_is_damaged(graded):

@@ -80,13 +80,25 @@ def test_another_key_or_a_file_in_the_way_stops_before_anything_is_written(out):
 
 def test_the_key_is_nowhere_in_what_is_handed_out(tmp_path):
     key, new = key_of(tmp_path / "teacher.key", tmp_path / "out")
-    assert new and key_of(tmp_path / "teacher.key", tmp_path / "out") == (key, False)
-    release(tmp_path / "out", CLASS, key)
+    assert new and not (tmp_path / "teacher.key").exists()
+    release(tmp_path / "out", CLASS, key, new_key_at=tmp_path / "teacher.key")
+    assert key_of(tmp_path / "teacher.key", tmp_path / "out") == (key, False)
     handed = b"".join(path.read_bytes() for path in (tmp_path / "out").rglob("*") if path.is_file())
     assert key not in handed and key.hex().encode() not in handed and len(handed) > 100_000
     for place in (tmp_path / "out" / "k", tmp_path / "out" / "ada" / "k", tmp_path / "x" / ".." / "out" / "k"):
         with pytest.raises(ValueError, match="outside the folder"):
             key_of(place, tmp_path / "out")
+
+
+def test_a_release_that_is_refused_leaves_no_key(tmp_path):
+    """The roster was moved away from its key: the lessons there have other numbers, and no new key may look like theirs."""
+    (tmp_path / "class.csv").write_text("student\nada\nbo\n")
+    call = ["release", "--out", "out", "--roster"]
+    assert dhlab(*call, "class.csv", cwd=tmp_path).returncode == 0
+    (tmp_path / "moved").mkdir()
+    (tmp_path / "class.csv").rename(tmp_path / "moved" / "class.csv")
+    refused = dhlab(*call, "moved/class.csv", cwd=tmp_path)
+    assert refused.returncode == 2 and "nothing was written" in refused.stderr and not (tmp_path / "moved" / "teacher.key").exists()
 
 
 def test_without_a_roster_one_folder_for_all(tmp_path):

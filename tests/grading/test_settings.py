@@ -33,6 +33,19 @@ def test_everything(tmp_path):
     assert (course.partial, course.own_kinematics, course.cage, course.limits) == (0.5, 0.25, "landlock", Limits(cell_seconds=2.5, memory_mb=256))
 
 
+def test_a_date_alone_is_the_end_of_that_day(tmp_path):
+    course = read(tmp_path, 'timezone: Europe/Vienna\nlessons: {"05": {due: 2026-11-17}}\nlate: {percent_per_day: 10}')
+    due = course.lessons["05"].due
+    assert (due.hour, due.minute, due.utcoffset()) == (23, 59, timedelta(hours=1)) and course.lateness("05", datetime(2026, 11, 17, 22, 30, tzinfo=timezone.utc)) == (0, 0)
+
+
+@pytest.mark.parametrize("number", ["5", "55", "11"])
+def test_a_lesson_that_is_none_is_told_as_one(tmp_path, number):
+    with pytest.raises(ValueError, match="write two digits") as caught:
+        read(tmp_path, f'lessons: {{"{number}": {{}}}}')
+    assert "decimal comma" not in str(caught.value)
+
+
 @pytest.mark.parametrize("hours, days, penalty", [(-5, 0, 0), (0, 0, 0), (1.9, 0, 0), (2.5, 0.1042, 0.1), (23, 0.9583, 0.1), (25, 1.0417, 0.2), (24 * 9, 9, 0.4)])
 def test_lateness(tmp_path, hours, days, penalty):
     course = read(tmp_path, WHOLE)

@@ -42,9 +42,9 @@ def test_layouts(tmp_path, path, student, as_zip):
                 archive.writestr(f"wrapped/{name}", NOTEBOOK)
     found = submissions(place, ROSTER, LESSONS)
     assert list(found) == [s.student for s in ROSTER]
-    assert any(path.split("/")[-1] in name for name, _, _ in found[student].notebooks)
+    assert any(path.split("/")[-1] in name for name, *_ in found[student].notebooks)
     assert {s for s, mine in found.items() if mine.notebooks} == {student, "u1234"}
-    assert all(read() == NOTEBOOK for mine in found.values() for _, read, _ in mine.notebooks)
+    assert all(read() == NOTEBOOK for mine in found.values() for _, read, *_ in mine.notebooks)
 
 
 @pytest.mark.parametrize("path, student", [("ada/05-link-matrix.ipynb", "ada"), ("ada_05-link-matrix.ipynb", "ada"), ("05-link-matrix - Bo.ipynb", "Bo"),
@@ -81,7 +81,7 @@ def test_oldest_first_and_no_more_than_anyone_needs(tmp_path):
         put(tmp_path, f"ada/{number}.ipynb")
         os.utime(tmp_path / "ada" / f"{number}.ipynb", (1000 - number, 1000 - number))
     mine = submissions(tmp_path, ROSTER, LESSONS)["ada"]
-    assert [name for name, _, _ in mine.notebooks] == [f"ada/{number}.ipynb" for number in range(11, -1, -1)] and "20 notebooks" in mine.notes[0]
+    assert [name for name, *_ in mine.notebooks] == [f"ada/{number}.ipynb" for number in range(11, -1, -1)] and "20 notebooks" in mine.notes[0]
 
 
 def test_an_encrypted_zip_is_refused(tmp_path):

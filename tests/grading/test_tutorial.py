@@ -7,6 +7,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import nbformat
@@ -91,6 +92,43 @@ def test_the_contract_is_asked_of_our_own_lessons():
 
 def test_the_exercise_passes_what_every_exercise_must(clone):
     run(clone, f"python -m pytest -q -o addopts= -p no:cacheprovider {shlex.quote(str(ROOT / 'tests' / 'course' / 'test_exercises.py'))} -k 10.1 --rootdir {shlex.quote(str(clone))}")
+
+
+def test_the_program_of_the_page_is_built_and_its_mistakes_have_names(clone, blocks):
+    for name in ("dhlab/course/exercises/lesson11.py", "solutions/11-cup-pose.md"):
+        (clone / name).write_text(blocks[name], encoding="utf-8")
+    try:
+        run(clone, "python -m dhlab.course.build 11")
+        told = run(clone, f"python -c {shlex.quote(PROGRAM)}")
+        assert blocks["said"] in told and told.splitlines()[3:] == ["wrong True", *["wrong True"] * 3]
+        assert "T_FC" not in (clone / "lessons" / "11-cup-pose.ipynb").read_text(encoding="utf-8")
+    finally:
+        for name in ("dhlab/course/exercises/lesson11.py", "solutions/11-cup-pose.md"):
+            (clone / name).unlink()
+
+
+PROGRAM = """
+import sys
+sys.stdout.reconfigure(encoding="utf-8")
+from dhlab.course import check
+from dhlab.course.exercises import exercises
+from dhlab.doctor.programs import WRONG_VERSIONS
+exercises()
+print(check("11.1", lambda T_0F, length: T_0F), end="\\n\\n")
+for mistake, place, version in WRONG_VERSIONS["cup_pose"]:
+    verdict = check("11.1", version)
+    print(verdict.status, verdict.mistake == mistake)
+"""
+
+
+def test_students_get_what_the_page_says_they_get(clone, blocks, tmp_path):
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, clone / name)
+    run(clone, blocks["wheel"].replace("--no-deps", "--no-deps --no-build-isolation --no-index"))
+    wheel, = (clone / "wheels").glob("*.whl")
+    assert wheel.name in (ROOT / "docs" / "add-an-exercise.md").read_text(encoding="utf-8")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {"dhlab/course/exercises/lesson10.py", "dhlab/lessons/10-suction-cup.ipynb"} <= set(names) and not any(name.startswith("solutions") for name in names)
 
 
 # ---- the page "Teaching with dhlab"

@@ -80,9 +80,8 @@ def moodle_csv(marks, roster=()):
 
 
 def _students(marks, roster):
-    """The roster, and after it who was graded without standing on it."""
-    known = {student.student for student in roster}
-    return [*roster, *(Student(student) for student in marks if student not in known)]
+    """The roster, since a platform may refuse a whole file for one person it does not know; without one, everybody who was graded."""
+    return roster or [Student(student) for student in marks]
 
 
 def _column(marks):

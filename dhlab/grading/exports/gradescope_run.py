@@ -8,7 +8,9 @@ from pathlib import Path
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
 from ...files import write_text
+from ..feedback import headline
 from ..marks import RIGHT
+from ..notebooks import numbers_of
 from ..pages import words
 from ..questions import Course
 from ..settings import Settings, read_settings
@@ -38,8 +40,9 @@ def results(root):
     handed_in = submissions(root / "submission").values()
     found = [notebook for one in handed_in for notebook in one.notebooks]
     notes = tuple(note for one in handed_in for note in one.notes)
-    task = Task(student, tuple(Handed(name, read(), when) for name, read, when in found), notes)
-    return _shown(work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})))
+    task = Task(student, tuple(Handed(name, read(), when) for name, read, when, _ in found), notes, refused=bool(notes))
+    strange = [handed.name for handed in task.notebooks if (given := numbers_of(handed.raw)) and given != {variant}]
+    return _shown(work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})), strange)
 
 
 def _student(root):
@@ -51,15 +54,16 @@ def _student(root):
     return email, known.get(email, 0)
 
 
-def _shown(graded):
+def _shown(graded, strange=()):
     said = words("en")
     ran = f"Run in: {graded.cage}." if graded.cage else ""
-    return {"output": " ".join(filter(None, (said[f"status {graded.status}"], ran))), "stdout_visibility": "hidden", "execution_time": round(graded.seconds),
+    told = f"{', '.join(strange)}: these are not the numbers you were marked by; tell your teacher." if strange else ""
+    return {"output": " ".join(filter(None, (said[f"status {graded.status}"], told, ran))), "stdout_visibility": "hidden", "execution_time": round(graded.seconds),
             "tests": [_test(mark, said) for mark in graded.marks]}
 
 
 def _test(mark, said):
-    lines = [mark.headline, *(f"{said[label]}: {text}" for label, text in (("why", mark.why), ("next", mark.next)) if text)]
+    lines = [headline(mark), *(f"{said[label]}: {text}" for label, text in (("why", mark.why), ("next", mark.next)) if text)]
     return {"number": mark.exercise, "name": exercises()[mark.exercise].title, "score": mark.points, "max_score": mark.of,
             "status": "passed" if mark.status == RIGHT else "failed", "output": "\n".join([said[mark.status], *filter(None, lines)])}
 
