@@ -17,6 +17,7 @@ from .build import SOLUTIONS, lesson_notebook, read_source, sources
 from .exercises import exercises
 from .kinds import CASES, Choice, Function, Order, Prediction, PreTest, Table
 from .placements import MISTAKES, Frames
+from .sourcefaults import plain_python, refuse_sources
 
 __all__ = ["Lesson", "report", "CONTRACT", "WAIVED"]
 
@@ -183,7 +184,7 @@ def _code(lesson):
 
 def library_calls(source):
     """The dhlab calls of a cell: ``dh.load``, ``view.frames``, ``check`` …"""
-    calls = [node.func for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    calls = [node.func for node in ast.walk(ast.parse(plain_python(source))) if isinstance(node, ast.Call)]
     of_modules = {f"{f.value.id}.{f.attr}" for f in calls if isinstance(f, ast.Attribute) and isinstance(f.value, ast.Name) and f.value.id in ("dh", "view", "transform")}
     return of_modules | {f.id for f in calls if isinstance(f, ast.Name) and f.id in ("check", "given", "predict", "reveal", "progress")}
 
@@ -234,7 +235,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lessons", nargs="*", help="numbers such as 05; all when left out")
     try:
-        table, failures = report(parser.parse_args().lessons)
+        only = parser.parse_args().lessons
+        refuse_sources(sources(only))
+        table, failures = report(only)
     except ValueError as error:
         sys.exit(str(error))
     print(table)
