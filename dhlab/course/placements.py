@@ -7,10 +7,10 @@ import numpy as np
 
 from ..equivalence import equivalent
 from ..placing import Placement
-from .kinds import Exercise, untouched
+from .kinds import Exercise, Said, untouched
 from .verdict import NOT_ATTEMPTED, RIGHT
 
-__all__ = ["Frames", "MISTAKES"]
+__all__ = ["Frames", "MISTAKES", "WORDS"]
 
 MISTAKES = {  # the catalogue's id for every rule of dhlab.placingrules that a choice can break
     "z-on-wrong-joint": "frame-at-other-end", "z-across-axis": "z-across-joint-axis", "z-not-along-axis": "z-across-joint-axis",
@@ -18,6 +18,20 @@ MISTAKES = {  # the catalogue's id for every rule of dhlab.placingrules that a c
     "origin-not-at-foot": "origin-off-common-normal", "origin-not-at-meeting": "origin-off-common-normal", "not-one-row": "four-numbers-for-any-pose",
     "x-along-z": "x-off-common-normal", "x-not-across-z": "x-off-common-normal", "x-not-across-other": "x-not-across-z",
     "x-in-plane": "x-off-common-normal", "x-misses-other-axis": "x-off-common-normal"}
+BESIDE = "A housing may sit anywhere along its axis; the four numbers know only the line.", "Put the origin on z_i itself, then ask how z_i lies to the z before."
+THERE = "A row ends where x_i arrives on z_i, and that is where its frame stands.", "Follow the row: along the z before it, then along x_i. On which line does it arrive?"
+LEANING = "A row turns about the z before it, and then about x_i: only an x_i at right angles to both z axes fits.", "Form the scalar product of x_i with each of the two z axes: both must be 0."
+WORDS = {  # (why, next) of a rule, where the catalogue's words of its mistake were written for tables and programs, or for skew axes only
+    "z-on-wrong-joint": ("The first turn of a row is about the z before it: z0 belongs to joint 1, z1 to joint 2, always one less.", "Count the joints from the base."),
+    "origin-off-z": BESIDE, "origin-on-other-axis": THERE,
+    "origin-not-at-foot": ("Between skew axes only one line is at right angles to both and meets both.", "Draw the shortest line between the two axes: where does it arrive?"),
+    "origin-not-at-meeting": ("Where the two axes meet there is no way to walk: a is 0.", "Find the point that lies on both axes."),
+    "not-one-row": ("A row walks along the z before it by d, then along x_i by a. It reaches no point beside.",
+                    "Which way does x_i point, at right angles to both z axes? Start on the z before, and go along x_i only."),
+    "x-not-across-z": LEANING, "x-not-across-other": LEANING, "x-along-z": LEANING,
+    "x-in-plane": ("Of axes that meet, only the normal of their plane is at right angles to both.", "Form the cross product of the two z axes."),
+    "x-misses-other-axis": ("A row walks along x_i from one axis to the other.", "Is the origin right? Then point from the one axis straight across to the other.")}
+SLIDES = "z lies along the direction of the slide, either way: a row's d is counted along z.", "Move the joint alone. Along which direction do all its points go?"
 TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
@@ -47,16 +61,28 @@ class Frames(Exercise):
         task = Placement(given["axes"], given["end"])
         wrong = _first_wrong(task, rows)
         if wrong is not None:
-            return self._refused(wrong)
+            return self._refused(task, wrong, _was_allowed(task, given, rows, wrong))
         if not task.finished:
             right = ", ".join(f"{letter}{i}" for i in range(len(rows)) for letter, placed in (("z", task.z), ("o", task.o), ("x", task.x)) if i in placed)
             return self.say(NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}.")
         return self.say(RIGHT, f"{self.praise}{_other_choices(task)}")
 
-    def _refused(self, judgement):
-        mistake = MISTAKES.get(judgement.rule)
-        return self.wrong(mistake, headline=f"{judgement.step} is not right. {judgement.message}", place=judgement.step,
-                          next="" if mistake else "Three numbers in brackets, or X, Y, Z or -X, -Y, -Z.")
+    def _refused(self, task, judgement, allowed):
+        step, rule = judgement.step, judgement.rule
+        mistake = MISTAKES.get(rule)
+        if mistake is None:
+            return self.wrong(headline=f"{step} is not right. {judgement.message}{allowed}", place=step, next="Three numbers in brackets, or X, Y, Z or -X, -Y, -Z.")
+        i = int(step[1:])
+        joint = task.joint(i) if mistake == "z-across-joint-axis" else None
+        if joint and task.axes[joint - 1].letter == "P":
+            message, (why, next_step) = f"Joint {joint} slides, and this is not its direction.", SLIDES
+        else:
+            message, (why, next_step) = judgement.message, WORDS.get(rule, ("", ""))
+        headline = f"{step} is not right. {message}{allowed}"
+        if not why:
+            return self.wrong(mistake, headline=headline, place=step)
+        why, next_step = (text.replace("_i", str(i)) for text in (why, next_step))
+        return self.wrong(mistake, place=Said(headline, next=next_step, why=why, place=step))
 
 
 def _same(answer, frames):
@@ -87,6 +113,18 @@ def _first_wrong(task, rows):
         if judgement is not None and not judgement and judgement.rule != "order":
             return judgement
     return None
+
+
+def _was_allowed(task, given, rows, wrong):
+    """Which of the steps that a learner changed were right as they were handed out, as a sentence; "" when none was."""
+    if "frames" not in given:
+        return ""
+    handed_out = Placement(given["axes"], given["end"])
+    broken = _first_wrong(handed_out, given["frames"]).step
+    changed = [f"{letter}{i}" for i, (row, frame) in enumerate(zip(rows, given["frames"])) for letter, part, before in zip("zox", row, frame)
+               if not untouched(part) and not _same([[part]], [[before]])]
+    allowed = [step for step in changed if step != broken]
+    return f" {' and '.join(allowed)} {'was' if len(allowed) == 1 else 'were'} allowed as handed out." if allowed else ""
 
 
 def _other_choices(task):

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..doctor import explain_rows
 from ..printing import number
-from .kinds import Table, as_arm
+from .kinds import Said, Table, as_arm
 from .verdict import RIGHT
 
 __all__ = ["Repair", "Impostor"]
@@ -50,8 +50,8 @@ class Repair(Table):
         place = f"row {i + 1}, {COLUMNS[k]}"
         if abs(broken[i, k] - self.answer.table.rows[i, k]) < SAME:
             return self.wrong(headline="this entry was right before you changed it", place=place, next="Put it back. Which entry does the evidence point at?")
-        return self.wrong("length-value" if k in (1, 2) else None, headline="the right entry, but not yet the right number", place=place,
-                          next="How much does the evidence say is missing, and with which sign?")
+        return self.wrong("length-value" if k in (1, 2) else None, place=Said("the right entry, but not yet the right number", place=place,
+                                                                               next="How much does the evidence say is missing, and with which sign?"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,8 +73,8 @@ class Impostor(Table):
         seen, hidden = _apart(arm, self.answer, 0 * q[:1]), _apart(arm, self.answer, q)
         if max(seen) > SAME:
             finding = explain_rows(arm, self.answer, q)
-            return self.wrong(finding and finding.mistake, headline=f"q = 0 finds this one out: {_size(seen)} off there", place=finding.place if finding else "",
-                              next="Look for a change that a stretched arm does not show.")
+            return self.wrong(finding and finding.mistake, place=Said(f"q = 0 finds this one out: {_size(seen)} off there", place=finding.place if finding else "",
+                                                                       next="Look for a change that a stretched arm does not show."))
         if max(hidden) < SAME:
             return self.wrong("table-taken-as-unique", headline="this table passes because it is right: it is the same arm at every q",
                               next="Change a number so that the arm is another one.")

@@ -34,6 +34,24 @@ def test_the_warm_up_takes_right_answers_and_names_wrong_ones(variant):
     assert sum(v.mistake is not None for v in verdicts) >= 7
 
 
+@pytest.mark.parametrize("variant", (0, 1, 5))
+def test_what_the_text_invites_to_try_is_answered_in_its_words(variant):
+    exercise = exercises()["00.1"]
+    R, v = exercise.given(variant).values()
+    entrywise, reversed_ = exercise.judge(R * v, variant), exercise.judge(v @ R, variant)
+    assert entrywise.mistake == "elementwise-product" and "* in place of @" in entrywise.headline
+    assert reversed_.mistake == "row-vector-convention" and "columns of R" in reversed_.headline
+    for verdict in (entrywise, reversed_, exercise.judge(np.diag(R) * v, variant)):
+        assert not any(word in str(verdict) for word in ("link", "block", "rot_z"))
+    assert exercise.judge(R * 2, variant).headline == "expected 3 numbers, found 3×3 numbers"
+
+
+def test_an_unanswered_prediction_points_to_its_own_cell():
+    for key in ("00.P1", "01.P1", "02.P3"):
+        verdict = exercises()[key].judge(...)
+        assert verdict.status == "not attempted" and verdict.next == "Replace the dots in this cell and run it again."
+
+
 def test_five_questions_each_with_its_lesson():
     assert len(QUESTIONS) == 5
     for exercise in QUESTIONS.values():

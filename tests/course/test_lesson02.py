@@ -1,6 +1,6 @@
 """Lesson 02: right answers in several forms pass, wrong ones fail by name, and what the lesson claims is true."""
 
-from itertools import product
+from itertools import permutations, product
 
 import numpy as np
 import pytest
@@ -48,9 +48,11 @@ def fails_by_name(key, answers, variant=0):
 def test_matching_the_four_numbers():
     for right in (["a", "b", "c", "d"], "abcd", "A, B, C, D", ("a", " b", "c ", "D")):
         assert EXERCISES["02.1"].judge(right).status == "right"
-    others = [list(letters) for letters in product("abcdef", repeat=4) if list(letters) != ["a", "b", "c", "d"]]
-    assert fails_by_name("02.1", others) == (1295, 1295)
+    others = [list(letters) for letters in permutations("abcdef", 4) if list(letters) != ["a", "b", "c", "d"]]
+    assert fails_by_name("02.1", others) == (359, 359)
     assert EXERCISES["02.1"].judge("acbd").mistake == "a-d-exchanged" and EXERCISES["02.1"].judge("dbca").mistake == "theta-alpha-exchanged"
+    assert EXERCISES["02.1"].judge("ebcd").place == "θ" and EXERCISES["02.1"].judge("abfd").place == "a"
+    assert EXERCISES["02.1"].judge("bacd").place == "θ, d" and EXERCISES["02.1"].judge("abca").headline == "a stands there twice"
 
 
 @pytest.mark.parametrize("key", ["02.2", "02.5"])
@@ -76,6 +78,32 @@ def test_reading_a_row(key, variant):
     assert fails_by_name(key, [row[:3], row + [0], [np.nan] * 4, "row", [x + 1 for x in row], T], variant)[0] == 6
 
 
+@pytest.mark.parametrize("key", ["02.3", "02.4", "02.8"])
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_whole_turns_make_no_difference(key, variant):
+    exercise = EXERCISES[key]
+    row = np.array(exercise.answer(**exercise.given(variant)))
+    for turns in ([360, 0, 0, 0], [-360, 0, 0, 0], [0, 0, 0, 360], [720, 0, 0, -720]):
+        assert exercise.judge((row + turns).tolist(), variant).status == "right"
+        for mistake, _, value in exercise.mistakes(**exercise.given(variant)):
+            assert exercise.judge(np.add(value, turns), variant).mistake == exercise.judge(value, variant).mistake is not None
+    for length in (1, 2):
+        assert exercise.judge(row + 360 * np.eye(4)[length], variant).status == "wrong"
+    assert exercise.judge(row + [180, 0, 0, 0], variant).status == "wrong"
+
+
+@pytest.mark.parametrize("variant", range(4))
+def test_slips_of_a_row_are_said_as_they_are(variant):
+    exercise = EXERCISES["02.3"]
+    T = exercise.given(variant)["T_01"]
+    theta, d, a, alpha = read_with_scipy(T)
+    said = exercise.judge([theta, d, T[:3, 0] * T[:3, 3], alpha], variant)
+    assert said.mistake == "elementwise-product" and "a is an array" in said.headline
+    assert "d is an array" in exercise.judge([theta, T[:3, 3], a, alpha], variant).headline
+    assert exercise.judge([theta, d, a, -alpha], variant).mistake == "alpha-sign"
+    assert exercise.judge([[1, 2], [1], 3, "x"], variant).status == "wrong"
+
+
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_which_poses_one_row_can_make(variant):
     exercise = EXERCISES["02.6"]
@@ -86,6 +114,10 @@ def test_which_poses_one_row_can_make(variant):
     for dress in (right, [int(x) for x in right], np.array(right, dtype=float)):
         assert exercise.judge(dress, variant).status == "right"
     assert fails_by_name("02.6", [list(p) for p in product((0, 1), repeat=4) if list(p) != right], variant) == (15, 15)
+    assert "exchanged" in exercise.judge([not x for x in right], variant).headline
+    lost = max(k for k in range(4) if right[k])
+    said = exercise.judge([x and k != lost for k, x in enumerate(right)], variant)
+    assert said.headline == f"{list(poses)[lost]} can be made by one row" and f'leftovers(poses["{list(poses)[lost]}"])' in said.next and not said.why
 
 
 def test_the_reasons_for_a_misjudged_pose():
@@ -110,7 +142,9 @@ def test_a_printed_table_in_our_columns(variant):
         assert exercise.judge(right, variant).status == "right"
     wrong = [rows for _, _, rows in exercise.slips(**exercise.given(variant))]
     seen, named = fails_by_name("02.7", wrong, variant)
-    assert seen == named == 6
+    assert seen == named == 8
+    said = [exercise.judge(rows, variant) for rows in (printed, np.abs(ours))]
+    assert "as printed" in said[0].headline and "minus signs" in said[1].headline and said[1].mistake == "lengths-made-positive"
 
 
 def test_wrong_tables_of_a_printed_one_are_named():

@@ -165,6 +165,77 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
     assert len(seen) >= 10
 
 
+@pytest.mark.parametrize("changes, mistake, words", [
+    ([(1, 2, -0.4)], "length-sign", "a2 has the wrong sign"), ([(1, 0, -90)], "offset-sign", "θ2 has the wrong sign"),
+    ([(1, 0, -90), (2, 0, 90)], "offset-sign", "θ2 and θ3 have the wrong sign"), ([(1, 0, 0), (2, 0, 0)], "offset-missing", "θ2 and θ3 are not 0"),
+    ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"), ([(0, 1, 0.4)], "length-value", "d1 has another value"), ([(2, 2, 300)], "length-unit", "millimetres"),
+    ([(1, 0, -90), (0, 3, -90)], None, "another α1, θ2"),
+])
+@pytest.mark.parametrize("variant", [0, 7])
+def test_misread_numbers_are_named_one_by_one(changes, mistake, words, variant):
+    rows = [list(row) for row in READ]
+    for i, k, value in changes:
+        rows[i][k] = value
+    for answer in (rows, np.array(rows), dh.DHTable.standard(rows, angle="deg")):
+        verdict = E["04.5"].judge(answer, variant)
+        assert verdict.status == "wrong" and verdict.mistake == mistake and words in verdict.headline and "offset" not in str(verdict), verdict
+
+
+def test_a_right_table_of_other_frames_is_told_so():
+    assert "another d2, d3" in E["04.5"].judge([[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]).headline
+    assert "another" not in E["04.5"].judge([[360, 0.3, 0, 90], [90, 0.1, 0.4, 360], [-90, 0, 0.3, 270]]).headline
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_why_an_origin_is_refused(variant):
+    """Each place has a reason of its own; only a point beside z hears of the housing."""
+    given = E["04.2"].given(variant)
+    a, side, h = given["axes"][1][0]
+    rows = solved("04.2", given)
+    said = {}
+    for name, origin in (("foot on z0", [0, 0, h]), ("housing", [a, side, h]), ("beside", [0, side, h])):
+        rows[1] = [Y, origin, X]
+        said[name] = E["04.2"].judge(rows, variant)
+    assert len({v.why for v in said.values()}) == 3 and [name for name, v in said.items() if "housing" in v.why] == ["beside"]
+    given = E["04.4"].given(variant)
+    rows = solved("04.4", given)
+    rows[1][1] = given["axes"][1][0]
+    verdict = E["04.4"].judge(rows, variant)
+    assert verdict.mistake == "origin-off-common-normal" and "both axes" in verdict.next and "shortest" not in str(verdict)
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_what_was_allowed_is_said(variant):
+    frames = [list(row) for row in E["04.7"].given(variant)["frames"]]
+    frames[2][0] = [0, 1, 0]
+    verdict = E["04.7"].judge(frames, variant)
+    assert verdict.place == "o1" and verdict.headline.endswith("z2 was allowed as handed out.")
+    frames[2][2] = [1, 0, 0]
+    assert "z2 and x2 were allowed" in E["04.7"].judge(frames, variant).headline
+    frames = [list(row) for row in E["04.7"].given(variant)["frames"]]
+    frames[1][1] = [9, 9, 9]
+    assert "allowed" not in E["04.7"].judge(frames, variant).headline
+
+
+@pytest.mark.parametrize("variant", [0, 3])
+def test_a_slide_does_not_turn(variant):
+    rows = solved("04.10", E["04.10"].given(variant))
+    rows[2][0] = Z
+    verdict = E["04.10"].judge(rows, variant)
+    assert verdict.mistake == "z-across-joint-axis" and "Joint 3 slides" in verdict.headline and "turn" not in str(verdict) and "stands still" not in str(verdict)
+
+
+def test_the_tools_own_frame_is_not_always_frame_n():
+    """What the lesson says of frame n: the tool's origin may be out of reach, and where axis n meets the tool's line one row arrives."""
+    given = E["04.4"].given(0)
+    rows, end = solved("04.4", given), np.array(given["end"])
+    rows[3] = [end[:3, 2], end[:3, 3], end[:3, 0]]
+    assert E["04.4"].judge(rows).place == "o3"
+    q, z = given["axes"][2][0], end[:3, 2]
+    rows[3][1] = [end[0, 3] - (end[0, 3] - q[0]) * z[0], end[1, 3], q[2]]
+    assert E["04.4"].judge(rows).status == "right"
+
+
 def test_ada_and_bo():
     """What the lesson says of their tables: no row the same, the step of 0.1 m, five changes for a reversed z."""
     axes = [([0, 0, 0], Z), ([0.1, -0.1, 0.4], Y), ([0.1, 0, 0.8], Y)]

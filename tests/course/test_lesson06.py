@@ -1,13 +1,17 @@
 """What lessons 01, 05 and 06 say of arms, by geometry that knows no table."""
 
 import json
-from itertools import product
+from itertools import permutations, product
 
 import numpy as np
 import pytest
 
+from dhlab.arm import Arm
 from dhlab.course import build
 from dhlab.course.exercises import exercises
+from dhlab.course.exercises.lesson06 import UPRIGHT
+from dhlab.robots import load
+from dhlab.table import DHTable
 from tests.oracles import chain_joints, shift, turn
 
 ARMS = {"ur5e": "a", "ar4_mk3": "b", "piper_2025": "b"}
@@ -69,3 +73,80 @@ def test_the_camera_is_found_from_the_tool_and_not_from_the_flange():
 
 def test_lengths_never_enter_the_rotation():
     assert "rotation the same when d and a change? True" in outputs("05-link-matrix", "longer")
+
+
+def test_matching_names_the_parts_and_where_to_look():
+    judge = exercises()["06.1"].judge
+    assert judge("bdace").headline == "d4 and d6 are exchanged" and "z3" in judge("bdace").next
+    assert judge("badec").headline == "a2 and a3 are exchanged" and judge("dbaec").mistake == "a-d-exchanged"
+    for letters in permutations("abcde"):
+        verdict = judge(list(letters))
+        assert verdict.status == "right" or verdict.next and "digit" not in str(verdict)
+
+
+def test_06_9_names_the_arm_and_the_numbers_to_read():
+    judge = exercises()["06.9"].judge
+    assert "Piper" in judge("cabd").headline and "a4, a5 and d5" in judge("cabd").next and "Craig" not in str(judge("cabd"))
+    assert "UR5e" in judge("ccbb").headline and "a4, a5 and d5" in judge("ccbb").next
+    assert "AR4" in judge("cacb").headline and "α2 and α3" in judge("cacb").next
+
+
+@pytest.mark.parametrize("variant", range(4))
+def test_two_slips_of_the_loop_have_words_of_their_own(variant):
+    def link(row, x):
+        theta, d, a, alpha = row
+        return shift([0, 0, d]) @ turn([0, 0, theta + x]) @ shift([a, 0, 0]) @ turn([alpha, 0, 0])
+
+    def thrown_away(rows, q):
+        T = np.eye(4)
+        for row, x in zip(rows, q):
+            T = link(row, x)
+        return T
+
+    def returns_at_once(rows, q):
+        return link(rows[0], q[0])
+    for key in ("06.2", "06.7"):
+        last, first = (exercises()[key].judge(f, variant) for f in (thrown_away, returns_at_once))
+        assert last.mistake == "product-starts-late" and "T = T @ A" in last.next and "range" not in str(last)
+        assert first.mistake == "product-stops-early" and "return" in first.next
+
+
+def upright(offset_2, offset_3):
+    rows = [list(row) for row in UPRIGHT]
+    rows[1][0], rows[2][0] = offset_2, offset_3
+    return rows
+
+
+@pytest.mark.parametrize("variant", range(3))
+def test_06_6_says_how_the_arm_stands(variant):
+    judge = exercises()["06.6"].judge
+    for radians in ((np.pi / 2, -np.pi / 2), (1.57, -1.57), (np.pi / 2, 0)):
+        assert judge(upright(*radians), variant).headline == "the offsets look like radians"
+    words = {(1, 0): "level, pointing forward", (0, 1): "straight up", (-1, 0): "level, pointing backward", (0, -1): "straight down"}
+    for offsets in product((0, 90, -90, 180), repeat=2):
+        verdict = judge(upright(*offsets), variant)
+        frames = Arm(DHTable.standard(upright(*offsets), angle="deg")).frames(np.zeros(6))
+        upper, fore = (words[tuple(np.round((b - a)[[0, 2]] / length).astype(int))]
+                       for a, b, length in ((frames[1][:3, 3], frames[2][:3, 3], 0.4), (frames[2][:3, 3], frames[3][:3, 3], 0.35)))
+        if offsets == (90, -90):
+            assert verdict.status == "right" and (upper, fore) == ("straight up", "level, pointing forward")
+        else:
+            assert verdict.status == "wrong" and verdict.mistake and (upper if offsets[0] != 90 else fore) in verdict.headline
+    assert judge(upright(90, 0), variant).mistake == "offset-missing" and "not from the floor" in judge(upright(90, 0), variant).next
+
+
+@pytest.mark.parametrize("variant", range(4))
+def test_the_rows_of_06_10_converted_twice(variant):
+    exercise = exercises()["06.10"]
+    q = np.deg2rad(exercise.given(variant)["q"])
+    rows = load("irb120").table.rows
+    twice = Arm(DHTable.standard(rows * [np.pi / 180, 1, 1, np.pi / 180], angle="rad")).forward(q)
+    assert exercise.judge(twice, variant).headline == "the rows were converted twice"
+    assert exercise.judge(load("irb120").forward(q), variant).status == "right"
+
+
+def test_the_axes_are_parallel_at_both_printed_poses():
+    for line in outputs("06-forward-kinematics", 'print("axes 2, 3, 4:"').splitlines():
+        axes = [part.split("]")[0] for part in line.split("[")[1:]]
+        assert len(axes) == 3 and len(set(axes)) == 1
+    assert len(outputs("06-forward-kinematics", 'print("axes 2, 3, 4:"').splitlines()) == 2

@@ -173,8 +173,9 @@ def test_only_one_matching_of_5040_passes_and_all_others_are_named():
     assert len(verdicts) == 5040 and len(right) == 1 and sum(v.mistake is not None for v in verdicts.values()) == 5039
     dressed = "".join(right[0])
     assert all(exercise.judge(answer).status == "right" for answer in (dressed, dressed.upper(), ", ".join(dressed), tuple(dressed), np.array(list(dressed))))
-    said = exercise.judge(["a", *right[0][1:3], right[0][0], *right[0][4:]])
-    assert "too low" in str(said) and "symptom 1" in said.place
+    for k, letter in ((0, "a"), (2, "f"), (4, "d")):
+        said = exercise.judge([*right[0][:k], letter, *right[0][k + 1:]])
+        assert said.headline == f"symptom {k + 1} is not {letter}" and f"Does symptom {k + 1} say that?" in said.why
 
 
 def test_the_program_from_two_sources():
@@ -207,6 +208,26 @@ def test_offsets_bring_the_points_back_and_nothing_else_does(variant):
     wrong = [value for _, _, value in exercise.mistakes(**task)] + [right + 1, right + [0, 0.5], right * 1.2, 2 * right - 1, [99, 99]]
     verdicts = [exercise.judge(value, variant) for value in wrong]
     assert len(wrong) >= 10 and all(v.status == "wrong" for v in verdicts) and sum(v.mistake is not None for v in verdicts) >= 10
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_offsets_as_the_library_gives_them_are_told_what_they_are(variant):
+    exercise = EX["07.7"]
+    task = exercise.given(variant)
+    found = dh.calibrate_offsets(dh.load("article-6r"), task["q"], task["points"], base="fixed").offsets
+    said = exercise.judge([found[1], found[2]], variant)
+    assert said.headline.startswith("these are radians") and "rad2deg" in said.next and "function" not in str(said)
+    for k, words in ((0, "joints 1 and 2"), (2, "joints 3 and 4")):
+        said = exercise.judge(np.rad2deg(found[k:k + 2]).tolist(), variant)
+        assert words in said.headline and said.mistake == "joint-index-off-by-one"
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_wrong_amount_is_not_told_of_other_arms(variant):
+    broken, right = EX["07.3"].given(variant)["rows"], np.array(ARTICLE)
+    tried = 2 * broken - right  # the residual added with the wrong sign
+    said = EX["07.3"].judge(tried, variant)
+    assert said.mistake == "length-value" and "not yet the right number" in said.headline and not said.why
 
 
 def test_the_story_is_lesson_1s_and_circles_and_doctor_solve_it():

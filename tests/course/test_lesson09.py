@@ -178,6 +178,36 @@ def test_what_lies_between_two_axes_by_geometry(variant):
     assert all(exercise.judge(answer, variant).status == "wrong" for answer in wrong)
 
 
+def half_moved():
+    """The KR6 in halves of a conversion, written out."""
+    craig = (dh.load("kr6_r700").table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).round(9)
+    kr6 = np.array(KR6)
+    return [("craig-rows-in-standard-matrix", "still Craig's rows", craig), ("a-alpha-from-previous-row", "move up", np.column_stack([craig[:, :2], np.vstack([[0, 0], craig[:-1, 2:]])])),
+            ("conversion-incomplete", "a moved, α did not", np.column_stack([craig[:, :2], kr6[:, 2], craig[:, 3]])),
+            ("conversion-incomplete", "α moved, a did not", np.column_stack([craig[:, :3], kr6[:, 3]])),
+            ("conversion-incomplete", "last row", np.vstack([kr6[:-1], craig[-1]])), ("angle-unit", "radians", dh.load("kr6_r700").to("standard").table.rows)]
+
+
+@pytest.mark.parametrize("variant", [0, 2])
+@pytest.mark.parametrize("mistake, words, rows", half_moved(), ids=lambda value: value if isinstance(value, str) else "")
+def test_half_a_conversion_of_the_kr6_is_named(mistake, words, rows, variant):
+    verdict = exercises()["09.7"].judge(rows.tolist(), variant)
+    assert verdict.mistake == mistake and words in verdict.headline and "DOWN" not in str(verdict) and "loop" not in str(verdict)
+
+
+@pytest.mark.parametrize("variant", [0, 2])
+def test_the_bare_sheet_put_in_as_it_stands(variant):
+    axes, end = PIPER
+    as_it_stands = dh.assign_frames([(np.multiply(1000, point), z) for point, z in axes], end=from_xyz_rpy(1000 * end[:3, 3], [0, 85, 0]))
+    verdict = exercises()["09.4"].judge(as_it_stands, variant)
+    assert verdict.mistake == "length-unit" and "both units" in verdict.headline
+    assert "nothing is changed" in exercises()["09.3"].judge([*REPAIRED[:5], [180, 0.041, 0, 180]], variant).headline
+
+
+def test_a_letter_twice_in_the_order_of_the_work():
+    assert exercises()["09.1"].judge(["d", "b", "c", "a", "a"]).headline == "a stands there twice"
+
+
 def test_the_hands_arrow_by_a_step_along_it():
     exercise = exercises()["09.5"]
     T = exercise.given(2)["T"]

@@ -1,9 +1,12 @@
 """Lesson 00, start here: one exercise to try the tools on, and the five questions of the pre-test."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...transform import rot_z
-from ..kinds import Option, Prediction, PreTest, Value
+from ..kinds import Option, Prediction, PreTest, Said
+from .shaped_value import ShapedValue, as_numbers, is_array_of
 
 __all__ = ["EXERCISES"]
 
@@ -13,23 +16,33 @@ def _draw_turn(rng):
     return {"R": R, "v": [float(value) for value in rng.choice(np.arange(2, 9), 3, replace=False)]}
 
 
+ENTRYWISE = Said("multiplied entry by entry, with * in place of @", next="@ takes each row of R against the whole of v, and adds up.")
+
+
 def _wrong_products(R, v):
     v = np.asarray(v)
-    yield "row-vector-convention", "this is v @ R", v @ R
-    yield "elementwise-product", "the sums of the columns of R * v", (R * v).sum(axis=0)
-    yield "elementwise-product", "only the diagonal of R was used", np.diag(R) * v
-    yield "product-starts-late", "this is v itself, R was not used", v
-    yield "rotation-block-misread", "this is the first column of R", R[:, 0]
-    yield "rotation-block-misread", "this is the first row of R", R[0]
-    yield "product-reversed", "R was applied twice", R @ R @ v
+    yield "row-vector-convention", Said("this is v @ R: it uses the columns of R where the rows belong", next="Put R on the left of @."), v @ R
+    yield "elementwise-product", replace(ENTRYWISE, place="the sums of the columns of R * v"), (R * v).sum(axis=0)
+    yield "elementwise-product", Said("only the diagonal of R was used", next="Each number of the result needs a whole row of R."), np.diag(R) * v
+    yield "product-starts-late", Said("this is v itself, R was not used", next="Multiply v by R, with @ between the two."), v
+    yield "rotation-block-misread", Said("this is the first column of R, v was not used", next="Multiply the whole R and v, with @ between the two."), R[:, 0]
+    yield "rotation-block-misread", Said("this is the first row of R, v was not used", next="Multiply the whole R and v, with @ between the two."), R[0]
+    yield "product-reversed", Said("R was applied twice", next="One product is enough."), R @ R @ v
+
+
+def _misshapen_product(answer, R, v):
+    array = as_numbers(answer)
+    if is_array_of(array, R * v) or is_array_of(array, (R.T * v).T):
+        return "elementwise-product", ENTRYWISE
+    return None
 
 
 EXERCISES = [
-    Value(id="00.1", title="A matrix and a vector", draw=_draw_turn, answer=lambda R, v: R @ np.asarray(v), mistakes=_wrong_products,
-          entries=("first number", "second number", "third number"), praise="That is all the mathematics you need to begin.", hints=(
+    ShapedValue(id="00.1", title="A matrix and a vector", draw=_draw_turn, answer=lambda R, v: R @ np.asarray(v), mistakes=_wrong_products,
+          misshapen=_misshapen_product, entries=("first number", "second number", "third number"), praise="That is all the mathematics you need to begin.", hints=(
               "Each number of the result is one row of R against the whole of v.", "numpy writes the matrix product as @, with the matrix on the left.")),
     Prediction(id="00.P1", title="The cosine of 90", options={"a": "0", "b": "about -0.45", "c": "an error"}, correct="b",
-               outcome="np.cos takes radians, and 90 radians are 14 turns and a bit. Degrees must be converted first: np.cos(np.deg2rad(90)) is 0."),
+               outcome="np.cos takes radians, and 90 radians are 14 turns and a bit. Degrees must be converted first: np.cos(np.deg2rad(90)) is 0 (printed as 6e-17)."),
     Prediction(id="00.P2", title="The same arm, another cup", options={
         "a": "by the same 15 cm", "b": "by more than that", "c": "not at all"}, correct="c",
         outcome="the second cup is hit. One arrow is reversed, and the arm is right at some poses and wrong at others. Now you see why it took two days."),

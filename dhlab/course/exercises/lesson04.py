@@ -1,9 +1,14 @@
 """Lesson 04, placing frames: z on the joint axes, origins and x on the common normals, what is free, and three beginner's mistakes."""
 
+from dataclasses import dataclass
+
+import numpy as np
+
 from ...arm import Arm
 from ...table import DHTable
-from ..kinds import Choice, Option, Order, Prediction, Table
+from ..kinds import Choice, Option, Order, Prediction, Said, Table
 from ..placements import Frames
+from ..verdict import RIGHT, WRONG
 
 __all__ = ["EXERCISES"]
 
@@ -60,9 +65,63 @@ def _explain_lines(letters):
     return "frame-at-other-end", wrong
 
 
+ABOUT = ("Thumb along z{0}: do the fingers turn x{0} into x{1}, and by how much?", "Go along z{0} from o{0}: how far, with or against the arrow, until you are level with x{1}?",
+         "Go along x{1}: how far from z{0} to o{1}, with or against the arrow?", "Thumb along x{1}: do the fingers turn z{0} into z{1}, and by how much?")
+NAMES, KINDS = ("θ", "d", "a", "α"), ("offset", "length", "length", "alpha")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadTable(Table):
+    """A table to be read off frames that are drawn; says which single numbers were misread, and when a right table is that of other frames.
+
+    ``read`` holds the rows of the frames that are drawn, degrees and metres.
+    """
+
+    read: tuple = ()
+
+    def compare(self, answer, variant):
+        verdict = super().compare(answer, variant)
+        rows = _numbers(answer, np.shape(self.read))
+        if rows is None or verdict.status not in (RIGHT, WRONG):
+            return verdict
+        off = np.abs(rows - self.read) > 1e-6
+        off[:, [0, 3]] = np.abs((rows - self.read + 180) % 360 - 180)[:, [0, 3]] > 1e-3
+        named = [f"{NAMES[k]}{i + 1}" for i, k in np.argwhere(off)]
+        if verdict.status == RIGHT:
+            return self.say(RIGHT, f"the same arm, yet these frames have another {', '.join(named)}. {self.praise}") if named else verdict
+        columns = np.flatnonzero(off.any(axis=0))
+        if len(columns) == 1:  # more columns than one: a slip of another kind, of which the doctor knows more
+            return self._misread(rows, off, int(columns[0]), named)
+        if verdict.mistake is None:
+            i, k = np.argwhere(off)[0]
+            return self.wrong(headline=f"these frames have another {', '.join(named)}", next=f"One number at a time. For {named[0]}: {ABOUT[k].format(i, i + 1)}")
+        return verdict
+
+    def _misread(self, rows, off, k, named):
+        given, right = rows[off], np.array(self.read, dtype=float)[off]
+        one, i = len(named) == 1, int(np.argwhere(off)[0][0])
+        sign = bool(np.allclose(given, -right))
+        slip = "sign" if sign else "missing" if k == 0 and not given.any() else "unit" if KINDS[k] == "length" and np.allclose(given, 1000 * right) else "value"
+        are, have = ("is", "has") if one else ("are", "have")
+        said = {"sign": f"{have} the wrong sign", "missing": f"{are} not 0: look at the x arrows", "unit": f"{are} in millimetres, and metres are asked", "value": f"{have} another value"}
+        return self.wrong(f"{KINDS[k]}-{slip}", place=Said(f"{' and '.join(named)} {said[slip]}", next=ABOUT[k].format(i, i + 1)))
+
+
+def _numbers(answer, shape):
+    """An answer's rows in degrees and metres, or None when they are not written in this shape or convention."""
+    table = getattr(answer, "table", answer)
+    if isinstance(table, DHTable):
+        return np.column_stack([np.rad2deg(table.theta), table.d, table.a, np.rad2deg(table.alpha)]) if table.convention == "standard" and len(table) == shape[0] else None
+    try:
+        rows = np.array(table, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    return rows if rows.shape == shape and np.isfinite(rows).all() else None
+
+
 EXERCISES = [
-    Order(id="04.1", title="Which line is which z", length=3, items={
-        "a": "the line along the upper arm", "b": "the axis of joint 3", "c": "the line along which the tool points", "d": "the axis of joint 1",
+    Order(id="04.1", title="Which line is which z", length=3, repeats=True, items={
+        "a": "the line from joint 2 to joint 3, along the upper arm", "b": "the axis of joint 3", "c": "the line along which the tool points", "d": "the axis of joint 1",
         "e": "the axis of joint 2", "f": "the line from the base to the tool"},
         accepts=lambda letters: letters == ["d", "e", "b"], explain=_explain_lines, praise="z0 is joint 1's, z1 joint 2's, z2 joint 3's: always one less.",
         hints=("z is never the metal. Which line stays where it is when a joint turns?",
@@ -91,7 +150,7 @@ EXERCISES = [
     Prediction(id="04.P2", title="Two learners, two tables", options={
         "a": "different poses: one of the two tables must be wrong", "b": "the same pose at q = 0, different ones elsewhere", "c": "the same pose for every q"},
         correct="c", outcome="every choice kept the rules, so both tables are the arm. More than half of the numbers differ, and no pose does."),
-    Table(id="04.5", title="Read the table off the frames", points=2, answer=Arm(DHTable.standard(READ, angle="deg")),
+    ReadTable(id="04.5", title="Read the table off the frames", points=2, answer=Arm(DHTable.standard(READ, angle="deg")), read=READ,
           praise="θ and d about and along the old z, a and α along and about the new x.",
           hints=("Row by row: turn about z_{i-1} from x_{i-1} to x_i, shift along z_{i-1}, shift along x_i, turn about x_i from z_{i-1} to z_i.",
                  "For each angle, thumb along the axis of the turn: do the fingers go from the old arrow to the new one? If not, it is negative.")),

@@ -9,7 +9,7 @@ from ...doctor.wrong_links import standard
 from ...doctor.wrong_products import product
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Choice, Function, Option, Order, Prediction, Value
+from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 from ..repairs import Impostor, Repair
 from .lesson06 import ARTICLE
 
@@ -22,6 +22,10 @@ CAUSES = {"a": ("the base's height is missing", "base-height-missing-or-twice"),
           "e": ("one length (a) has the wrong value", "length-value"), "f": ("a zero offset is left out", "offset-missing"),
           "g": ("a joint counts the other way", "joint-reversed")}
 OF_SYMPTOMS = ["b", "e", "g", "a", "c", "f"]
+TRACES = {"a": "seen from the base, every pose would be shifted by one and the same vector", "b": "a small turn of a joint would become a leap, since 1 would be taken for 57°",
+          "c": "seen from the last frame, every pose would be shifted by one and the same vector", "d": "no trace at all; forward kinematics has a pose for any q",
+          "e": "the rotation would be right, and the residual would lie along one arrow of the arm at every pose",
+          "f": "every pose would be right once a joint is turned by a constant", "g": "at q = 0 all is well, and one joint turns the wrong way from there"}
 
 
 def _article():
@@ -46,9 +50,10 @@ def _poses(rng, arm, q, noise, turn):
 
 
 def _explain_match(letters):
-    """The first wrong cause, in its own words: they tell what it would have looked like."""
-    k = next(k for k, (letter, right) in enumerate(zip(letters, OF_SYMPTOMS)) if letter != right)
-    return CAUSES[letters[k]][1], f"you gave this cause to symptom {k + 1}"
+    """The first wrong cause, and what it would have looked like."""
+    k, letter = next((k, letter) for k, (letter, right) in enumerate(zip(letters, OF_SYMPTOMS)) if letter != right)
+    cause, mistake = CAUSES[letter]
+    return mistake, Said(f"symptom {k + 1} is not {letter}", why=f"“{cause}” would look like this: {TRACES[letter]}. Does symptom {k + 1} say that?")
 
 
 def _two_sources(rows, q):
@@ -91,16 +96,17 @@ def _offsets_of(q, points):
 
 
 def _wrong_offsets(q, points):
-    right = _offsets_of(q, points)
+    from ...measure import calibrate_offsets
+    right, measured = _offsets_of(q, points), np.rad2deg(calibrate_offsets(_article(), q, points, base="fixed").offsets)
     yield "offset-sign", "model minus measurement, where measurement minus model was asked", -right
     yield "offset-on-wrong-joint", "joints 2 and 3 have changed places", right[::-1]
-    yield "offset-missing", "", np.zeros(2)
+    yield "offset-missing", Said("neither offset is 0", next="Look into found.offsets: one number per joint, joint 1 first."), np.zeros(2)
     yield "offset-counted-twice", "", 2 * right
-    yield "converted-to-radians-twice", "these are radians; degrees were asked", np.deg2rad(right)
-    yield "offset-missing", "joint 3", [right[0], 0]
-    yield "offset-missing", "joint 2", [0, right[1]]
-    yield "joint-index-off-by-one", "offsets[0] belongs to joint 1", [0, right[0]]
-    yield "joint-index-off-by-one", "offsets[0] belongs to joint 1", [right[1], 0]
+    yield "converted-to-radians-twice", Said("these are radians; degrees were asked", next="np.rad2deg turns the one into the other."), np.deg2rad(right)
+    yield "offset-missing", Said("joint 3 has an offset too"), [right[0], 0]
+    yield "offset-missing", Said("joint 2 has an offset too"), [0, right[1]]
+    for names, found in (("1 and 2", measured[:2]), ("1 and 2", [0, right[0]]), ("3 and 4", measured[2:4]), ("3 and 4", [right[1], 0])):
+        yield "joint-index-off-by-one", Said(f"these are joints {names}: offsets[0] belongs to joint 1", next="Count from 0: at which places do joints 2 and 3 stand?"), found
     yield "offset-sign", "joint 2", right * [-1, 1]
     yield "offset-sign", "joint 3", right * [1, -1]
 
@@ -150,7 +156,7 @@ EXERCISES = [
     Repair(id="07.6", title="The cup", points=3, answer=_article(), draw=_story, praise="That was it: z4, drawn with its arrow on the wrong side. Two days.",
            hints=("Which is the last joint whose axis is where the table has it, in place and in direction? Which is the first whose axis is not?",
                   "The row between the two axes is to blame, and of its four numbers the one that says how the next z axis is tilted.")),
-    Value(id="07.7", title="Zero offsets of shoulder and elbow", points=2, draw=_draw_offsets, answer=_offsets_of, mistakes=_wrong_offsets, tolerance=0.04,
+    Value(id="07.7", title="Zero offsets of shoulder and elbow", points=2, draw=_draw_offsets, answer=_offsets_of, mistakes=_wrong_offsets, turns=(0, 1), tolerance=0.04,
           entries=("joint 2", "joint 3"), praise="Added to θ, these two bring the model from centimetres down to the noise.",
           hints=("calibrate_offsets returns a Calibration; what is in its offsets?", "The offsets are in radians, one per joint; joints 2 and 3 stand at places 1 and 2.")),
     Repair(id="07.8", title="A table from a paper, for an arm you have not seen", points=3, answer=Arm(DHTable.standard(PUMA, angle="deg")), draw=_draw_pasted,

@@ -1,5 +1,7 @@
 """Lesson 09, your own arm: axes to a table, a check against data, the doctor; and the post-test, which mirrors the pre-test of lesson 00."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...arm import Arm
@@ -10,7 +12,7 @@ from ...frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy
-from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
+from ..kinds import Choice, Function, Option, Order, Prediction, Said, Table, Value
 
 __all__ = ["EXERCISES", "AR4", "PIPER"]
 
@@ -65,6 +67,39 @@ def _wrong_piper():
                                 ("roll-yaw-exchanged", "the end's angle was taken about another axis", [np.deg2rad(85), 0, 0]),
                                 ("roll-yaw-exchanged", "the end's angle was taken about another axis", [0, 0, np.deg2rad(85)])):
         yield mistake, place, assign_frames(axes, end=from_xyz_rpy(end[:3, 3], rpy))
+
+
+    thousand = [(np.multiply(point, 1000), z) for point, z in axes]
+    for points, place in ((thousand, "the points and the flange are in millimetres"), (axes, "the flange is in millimetres")):
+        wrong = assign_frames(points, end=from_xyz_rpy(1000 * end[:3, 3], [0, 85, 0]))
+        yield "length-unit", Said(f"both units: {place}, its angles in degrees", next="dh.assign_frames takes metres, transform.from_xyz_rpy metres and radians."), wrong
+    yield "length-unit", Said("both units: the points are in millimetres, the flange's angles in degrees", next="dh.assign_frames takes metres, transform.from_xyz_rpy radians."), \
+        assign_frames(thousand, end=from_xyz_rpy(end[:3, 3], [0, 85, 0]))
+
+
+def _unrepaired():
+    typed = [*MAKERS[:5], [*MAKERS[5][:3], 180]]
+    yield "alpha-value", Said("nothing is changed yet", next="Ask dh.diagnose about typed first: which number does it name?"), Arm(DHTable.craig(typed, angle="deg"), sign=load("ar4").sign)
+
+
+def _half_moved():
+    """What half a conversion of the KR6 looks like, put into the standard matrix."""
+    given, right = load("kr6_r700"), load("kr6_r700").to("standard")
+    rows, moved, still = given.table.rows, right.table.rows, "θ and d belong to the joint, a and α together to the link behind it."
+    down = np.column_stack([rows[:, :2], np.vstack([np.zeros(2), rows[:-1, 2:]])])
+    kept = np.vstack([moved[:-1], rows[-1]])
+    next_row = "In Craig's table row 2 leads from axis 1 to axis 2. Which standard row does that?"
+    known = [("craig-rows-in-standard-matrix", "these are still Craig's rows", rows), ("a-alpha-from-previous-row", "a and α moved down, and to the standard convention they move up", down),
+             ("conversion-incomplete", "a moved, α did not", np.column_stack([rows[:, :2], moved[:, 2], rows[:, 3]])),
+             ("conversion-incomplete", "α moved, a did not", np.column_stack([rows[:, :3], moved[:, 3]])),
+             ("conversion-incomplete", "the last row still holds a pair, and behind the last joint there is no link", kept)]
+    for mistake, headline, wrong in known:
+        yield mistake, Said(headline, why=still, next=next_row), _in(right, wrong)
+    yield "angle-unit", Said("the angles are in radians", next="This answer takes degrees, as the task says: np.rad2deg for θ and α."), _in(right, moved * [np.pi / 180, 1, 1, np.pi / 180])
+
+
+def _in(arm, rows):
+    return replace(arm, table=DHTable("standard", *rows.T, arm.table.joints))
 
 
 def _explain_work(letters):
@@ -138,7 +173,7 @@ EXERCISES = [
         "a": "less than a millimetre", "b": "about a centimetre", "c": "more than a metre"}, correct="c",
         outcome="the ROS file counts from a base that is turned by 180° about z. Each is right in its own base: name the base, and nothing is left."),
     Table(id="09.3", title="The smallest fix: a table from the maker's program", points=2,
-          answer=Arm(DHTable.craig(MAKERS, angle="deg"), sign=load("ar4").sign), praise="One number of 24. The maker's own program had it wrong in one place, and right in another.",
+          answer=Arm(DHTable.craig(MAKERS, angle="deg"), sign=load("ar4").sign), mistakes=_unrepaired, praise="One number of 24. The maker's own program had it wrong in one place, and right in another.",
           hints=("Read the poses, call dh.diagnose as before, and read its first two lines.", "It names a row and a number of that row. Is the convention's row 6 what you think it is?")),
     Table(id="09.4", title="A Piper from its sheet", points=3, answer=assign_frames(PIPER[0], end=PIPER[1]), mistakes=_wrong_piper,
           praise="From a sheet of paper to an arm, on your own.", hints=(
@@ -146,10 +181,10 @@ EXERCISES = [
     Value(id="09.5", title="A column of a pose", mirrors="00.2", draw=_draw_flange, answer=lambda T: T[:3, 2], mistakes=_misread_arrow, tolerance=2e-3,
           entries=("x0", "y0", "z0"), praise="The third column: the hand's z arrow, written in the base.", hints=(
               "Three columns are arrows, one is a place. In which order?", "Written in the base means: read downwards.")),
-    Value(id="09.6", title="What a row says of two axes", mirrors="00.3", draw=_draw_rows, answer=_between, mistakes=_misread_rows, entries=("angle", "distance"),
+    Value(id="09.6", title="What a row says of two axes", mirrors="00.3", draw=_draw_rows, answer=_between, mistakes=_misread_rows, entries=("angle", "distance"), turns=(0,),
           tolerance=1e-4, praise="α is the angle, a the distance; in Craig's table they stand in the later joint's row.", hints=(
               "Two of the four numbers speak of two axes, two of a single one. Which are which?", "The heading says a(i-1) and alpha(i-1). In which row is i - 1 your joint?")),
-    Table(id="09.7", title="Two tables of one arm", mirrors="00.4", points=2, answer=load("kr6_r700").to("standard"), praise="θ and d stay, a and α move up one row.",
+    Table(id="09.7", title="Two tables of one arm", mirrors="00.4", points=2, answer=load("kr6_r700").to("standard"), mistakes=_half_moved, praise="θ and d stay, a and α move up one row.",
           hints=("Which of the columns belong to the joint itself, and which to the way from one joint to another?",
                  "In Craig's table, row 2 holds what leads from axis 1 to axis 2. In which row does the standard convention keep it?")),
     Function(id="09.8", title="The order of a product", mirrors="00.5", draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",

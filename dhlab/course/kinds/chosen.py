@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..verdict import RECORDED, RIGHT, WRONG
-from .exercise import Exercise
+from ..verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
+from .exercise import Exercise, untouched
 
 __all__ = ["Choice", "Order", "PreTest", "Prediction", "Option", "UNDECIDED"]
 
@@ -107,6 +107,11 @@ class Prediction(Exercise):
     options: Mapping = field(default_factory=dict)
     correct: str = ""
     outcome: str = ""
+
+    def judge(self, answer, variant=0):
+        if untouched(answer):  # the dots stand in the very cell that asks
+            return self.say(NOT_ATTEMPTED, next="Replace the dots in this cell and run it again.")
+        return super().judge(answer, variant)
 
     def compare(self, answer, variant):
         letter = answer.strip().lower() if isinstance(answer, str) else ""

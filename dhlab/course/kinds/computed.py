@@ -27,13 +27,15 @@ class Value(Exercise):
     """A number or an array to be given.
 
     ``draw(rng)`` gives the task's numbers by name; ``answer(**given)`` the right value; ``mistakes(**given)`` yields
-    (mistake, place, wrong value); ``entries`` names the entries of a vector, for the place.
+    (mistake, place, wrong value); ``entries`` names the entries of a vector, for the place; ``turns`` are the positions of the entries that are
+    angles in degrees: these are compared modulo 360, with the right value and with the wrong ones.
     """
 
     answer: Callable
     draw: Callable = _no_draw
     mistakes: Callable = lambda **given: ()
     entries: tuple = ()
+    turns: tuple = ()
     tolerance: float = 1e-3
 
     def given(self, variant):
@@ -51,15 +53,22 @@ class Value(Exercise):
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
-        off = np.abs(array - expected) > self.tolerance * (1 + np.abs(expected))
+        off = self._off(array, expected)
         if not off.any():
             return self.right()
         for mistake, place, value in self.mistakes(**given):
-            if np.shape(value) == array.shape and np.allclose(array, value, rtol=self.tolerance, atol=self.tolerance):
+            if np.shape(value) == array.shape and not self._off(array, np.asarray(value, dtype=float)).any():
                 return self.wrong(mistake, place=place)
         if np.array_equal(array, np.trunc(expected)) and array.dtype.kind == "i":
             return self.wrong("integer-arrays")
         return self.wrong(headline="these are not the numbers", place=self._place(off))
+
+    def _off(self, array, value):
+        """Which entries differ, whole turns of the angles apart."""
+        difference = np.asarray(array - value)
+        angles = np.isin(np.arange(difference.size), self.turns).reshape(difference.shape)
+        difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
+        return ~(np.abs(difference) <= self.tolerance * (1 + np.abs(value)))
 
     def _place(self, off):
         if off.ndim == 2:
@@ -116,7 +125,7 @@ class Function(Exercise):
         except CallFault as fault:
             return self.wrong(fault.mistake, headline=fault.headline, place=fault.place, next=fault.next)
         if self.handed_out and all(np.allclose(a, self.handed_out(*case)) for a, case in zip(answers, cases)):
-            return self.judge(None)
+            return self.say(NOT_ATTEMPTED, "the program answers as it did when it was handed out", next="If you have changed something, it makes no difference: look elsewhere.")
         expected = [self.answer(*case) for case in cases]
         off = [not np.allclose(a, e, rtol=self.tolerance, atol=self.tolerance) for a, e in zip(answers, expected)]
         if not any(off):
@@ -142,7 +151,7 @@ class Function(Exercise):
         if len(self.shape) == 2 and self.shape != (4, 4):
             return "wrong in column " + ", ".join(str(j + 1) for j in np.flatnonzero(difference.max(axis=0) > 1e-9))
         if self.shape != (4, 4):
-            return "look at each entry"
+            return f"numbers {', '.join(str(k + 1) for k in np.flatnonzero(difference > 1e-9))} differ" if len(self.shape) == 1 else ""
         R, p = difference[:3, :3].max() > 1e-9, difference[:3, 3].max() > 1e-9
         return "rotation and position" if R and p else "only the rotation" if R else "only the position"
 

@@ -1,0 +1,110 @@
+"""The functions of lesson 08: what their wrong answers are told beyond what the doctor knows of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import product
+
+import numpy as np
+
+from ...doctor.calling import Called, CallFault, call_all, is_stub
+from ...doctor.wrong_branches import branches, in_order
+from ...doctor.wrong_jacobians import geometric_jacobian, pose_error
+from ...doctor.wrong_solvers import chain, wrapped
+from ..kinds import Function, Said
+from ..kinds.computed import CASES
+from ..verdict import RIGHT
+
+__all__ = ["MISREAD", "UNDAMPED", "Program"]
+
+MOST = 0.75  # of the calls: steps of the plain inverse leap near a singularity, and there rounding makes two right versions differ
+NEAR = 1e-5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Program(Function):
+    """A function whose answers are angles, with more wrong versions than the doctor's.
+
+    ``more`` holds (mistake, Said, version), each compared with most of the answers; ``needs`` names functions of earlier exercises that must be
+    written, with the exercise; ``places`` other words for a place; ``unknown`` is said of a version that nobody knows.
+    """
+
+    more: tuple = ()
+    needs: Mapping = field(default_factory=dict)
+    places: Mapping = field(default_factory=dict)
+    unknown: Said
+
+    def compare(self, answer, variant):
+        missing = self._missing(answer)
+        if missing:
+            return self.wrong(place=Said(f"{missing} returned nothing", next=f"Finish {self.needs[missing]} first."))
+        verdict = super().compare(answer, variant)
+        if verdict.status == RIGHT or verdict.mistake or not (callable(answer) or isinstance(answer, Called)):
+            return replace(verdict, place=self.places.get(verdict.place, verdict.place))
+        return self._known(answer, variant) or verdict
+
+    def _missing(self, answer):
+        """The first function of an earlier exercise that this one calls and that is still unwritten; None."""
+        code, around = getattr(answer, "__code__", None), getattr(answer, "__globals__", {})
+        return next((name for name in self.needs if code and name in code.co_names and is_stub(around.get(name))), None)
+
+    def _known(self, answer, variant):
+        """The verdict on one of ``more``, or on answers that nobody knows; None where the calls say more."""
+        cases = self.cases(variant)[:CASES]
+        try:
+            answers = [self.read(given) for given in call_all(answer, self.cases(variant), self.shape, self.names)][:CASES]
+        except CallFault:
+            return None
+        if all(np.array_equal(given, answers[0]) for given in answers):
+            return None
+        for mistake, said, version in self.more:
+            if np.mean([_near(version(*case), given) for case, given in zip(cases, answers)]) >= MOST:
+                return self.wrong(mistake, place=said)
+        off = sum(not _near(self.answer(*case), given) for case, given in zip(cases, answers))
+        return self.wrong(place=replace(self.unknown, place=f"{off} of {len(cases)} calls")) if off else None
+
+
+def _near(a, b):
+    return np.shape(a) == np.shape(b) and np.abs(wrapped(a - b)).max() < NEAR
+
+
+# ---- 08.6: damped least squares without the damping
+
+def _undamped(rows, T_goal, q, damping, steps):
+    for _ in range(steps):
+        frames = chain(rows, q)
+        q = q + np.linalg.solve(geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool)), pose_error(frames[-1], T_goal))
+    return wrapped(q)
+
+
+UNDAMPED = (("damping-missing", Said("the damping is missing: the steps are those of the plain inverse", why="Near a singularity the plain inverse asks for enormous joint steps.",
+                                     next="Add damping**2 times the unit matrix to what you invert."), _undamped),)
+
+
+# ---- 08.8: angles of the wrist read off with other signs; θ4 and θ6 enter both wrists alike
+
+READINGS = (  # (mistake, what is said of the angle, what becomes of it), the right one first
+    ("", "", lambda angle: angle),
+    ("atan-for-atan2", "is off by 180°: both signs go into arctan2", lambda angle: angle + np.pi),
+    ("joint-reversed", "runs the wrong way: look at the sign of the first argument of arctan2", lambda angle: -angle),
+    ("atan-for-atan2", "runs the wrong way: look at the sign of the second argument of arctan2", lambda angle: np.pi - angle),
+    ("atan-for-atan2", "is off: the arguments of arctan2 have changed places", lambda angle: np.pi / 2 - angle))
+
+
+def _read(changes):
+    """All branches with angles of the wrist changed where arctan2 reads them off; ``changes``: (place, function of the first wrist's angle)."""
+    def version(T):
+        Q = branches(T)
+        half_turn = np.where(np.sin(Q[:, 4]) > 0, 0, np.pi)
+        for k, change in changes:
+            Q[:, k] = change(Q[:, k] - half_turn) + half_turn
+        return in_order(Q)
+    return version
+
+
+def _misread():
+    for (mistake_4, words_4, change_4), (mistake_6, words_6, change_6) in list(product(READINGS, repeat=2))[1:]:
+        headline = "; ".join(f"{name} {words}" for name, words in (("θ4", words_4), ("θ6", words_6)) if words)
+        yield mistake_4 or mistake_6, Said(headline, next="Compare with the last column and the last row: each entry has a sign of its own."), _read(((3, change_4), (5, change_6)))
+
+
+MISREAD = tuple(_misread())
