@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -12,6 +13,7 @@ from .progress import MARKER
 
 __all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]
 
+OWN_NUMBERS = re.compile(r'"variant"\s*:\s*[1-9]')  # in the metadata of a notebook that dhlab release wrote
 PACKAGE = Path(__file__).parents[1]
 SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
             "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}  # the explorer is still there when the notebook is opened again
@@ -33,6 +35,8 @@ def handed_out():
 
 def prepare(folder):
     """Copy the lessons into the learner's folder; what is there stays, a newer lesson arrives beside the old one.
+
+    A folder that a teacher handed out, with a student's own numbers in it, gets no lessons: theirs would have the numbers that are the same for all.
 
     Parameters
     ----------
@@ -56,7 +60,8 @@ def prepare(folder):
         raise ValueError(f"lab: {folder}: expected a folder to put the lessons in, found that it cannot be made ({error.strerror}); choose another") from None
     given = _given(folder)
     added = []
-    for source in sorted(p for p in handed_out().iterdir() if p.suffix in (".ipynb", ".md") and p.name != "LICENSE.md"):
+    kinds = (".md",) if _has_own_numbers(folder) else (".ipynb", ".md")
+    for source in sorted(p for p in handed_out().iterdir() if p.suffix in kinds and p.name != "LICENSE.md"):
         text = source.read_text(encoding="utf-8")
         target = _free_name(folder / source.name, text, given.get(source.name))
         if target:
@@ -65,6 +70,11 @@ def prepare(folder):
         given[source.name] = _fingerprint(text)
     write_text(folder / MARKER / "lessons.json", json.dumps(given, indent=1) + "\n", overwrite=True)
     return added
+
+
+def _has_own_numbers(folder):
+    """Whether a notebook of the folder was handed out with a student's own numbers."""
+    return any(OWN_NUMBERS.search(path.read_text(encoding="utf-8", errors="replace")) for path in folder.glob("*.ipynb"))
 
 
 def _free_name(target, text, given_before):

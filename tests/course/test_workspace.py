@@ -109,3 +109,12 @@ def test_dhlab_lab_works_from_an_installed_package(tmp_path):
     answer = subprocess.run([sys.executable, "-I", "-c", script, str(tmp_path / "site"), str(tmp_path / "mine")], capture_output=True, text=True, cwd=tmp_path)
     assert answer.returncode == 0 and str(tmp_path / "site") in answer.stdout, answer.stderr
     assert json.loads((tmp_path / "mine" / "06-forward-kinematics.ipynb").read_text())["cells"]
+
+
+def test_a_handed_out_folder_gets_no_lessons_of_other_numbers(tmp_path):
+    from dhlab.grading.release import with_variant
+    own = with_variant((workspace.handed_out() / "05-link-matrix.ipynb").read_text(encoding="utf-8"), 17)
+    (tmp_path / "05-link-matrix.ipynb").write_text(own, encoding="utf-8")
+    workspace.prepare(tmp_path)
+    assert [path.name for path in tmp_path.glob("*.ipynb")] == ["05-link-matrix.ipynb"] and (tmp_path / "glossary.md").exists()
+    assert (tmp_path / "05-link-matrix.ipynb").read_text(encoding="utf-8") == own
