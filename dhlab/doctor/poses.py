@@ -147,7 +147,7 @@ def _measured(arm, q, poses, noise, base, tool):
     full = poses.ndim == 3
     if full and (fault := pose_fault(poses, 0.02)):
         raise ValueError(f"diagnose: poses: expected poses, but one is none: {fault}; give positions (m, 3) if the rotations are not known")
-    level = EXACT if noise is None else _noise(noise, arm, full)
+    level = EXACT if noise is None else _noise(noise, arm, poses, full)
     R = _orthonormal(poses[:, :3, :3]) if full else None
     return Measured(q, poses[:, :3, 3] if full else poses.astype(float), R, level, base == "free", tool == "free")
 
@@ -157,14 +157,15 @@ def _orthonormal(R):
     return U @ Vt
 
 
-def _noise(noise, arm, full):
+def _noise(noise, arm, poses, full):
     values = np.atleast_1d(np.asarray(noise, dtype=float))
     if values.shape not in ((1,), (2,)) or not (np.isfinite(values).all() and (values >= 0).all()):
         raise ValueError(f"diagnose: noise: expected (m, rad), two numbers from 0, found {noise!r}")
     if full and values.size == 1:
         raise ValueError(f"diagnose: noise: expected two numbers, since the poses have rotations, found {noise!r}; add the angle's, such as 1mm,0.2deg or (0.001, 0.0035)")
-    reach = float(np.abs(arm.table.rows[:, 1:3]).sum() + np.linalg.norm(arm.tool[:3, 3]))
-    if values[0] > COARSEST * max(reach, 0.01) or full and values[1] > COARSEST:
+    seen = np.ptp(poses[:, :3, 3] if full else poses, axis=0).max()
+    reach = float(max(np.abs(arm.table.rows[:, 1:3]).sum() + np.linalg.norm(arm.tool[:3, 3]), seen, 0.1))  # either may be in another unit
+    if values[0] > COARSEST * reach or full and values[1] > COARSEST:
         raise ValueError(f"diagnose: noise: expected metres and radians, much smaller than the arm ({number(reach, 3)} m), found {noise!r}; 4 mm are 0.004")
     return max(values[0], EXACT[0] / 10), max(values[-1], EXACT[1] / 10)
 

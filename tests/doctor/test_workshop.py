@@ -110,3 +110,13 @@ def test_noise_that_cannot_be_meant_is_refused(noise, words):
     q = general(right, 10, 1)
     with pytest.raises(ValueError, match=words):
         diagnose(right, q, right.forward(q), noise=noise)
+
+
+@pytest.mark.parametrize("factor", [1e-3, 1e3])
+def test_noise_is_not_measured_by_a_table_in_another_unit(factor):
+    right = dh.load("article-6r")
+    q = general(right, 10, 1)
+    p = right.forward(q)[:, :3, 3] + np.random.default_rng(2).normal(0, 4e-3, (10, 3))
+    wrong = dh.Arm(dh.DHTable.standard(right.table.rows * [1, factor, factor, 1], angle="rad"))
+    assert [f.mistake for f in diagnose(wrong, q, p, noise=4e-3).findings] == ["length-unit"]
+    assert [f.mistake for f in diagnose(right, q, p * factor, noise=4e-3 * factor).findings] == ["length-unit"]
