@@ -161,7 +161,7 @@ def _exercise(exercise):
 def _named(exercise):
     """The ids of the mistakes that an exercise may name."""
     options = getattr(exercise, "options", {}).values()
-    found = {*exercise.words, *(option.mistake for option in options if not isinstance(option, str))}
+    found = {*(key[0] if isinstance(key, tuple) else key for key in exercise.words), *(option.mistake for option in options if not isinstance(option, str))}
     if isinstance(exercise, Value):
         given = exercise.given(0)
         exercise.answer(**given)

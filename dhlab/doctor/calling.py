@@ -177,9 +177,9 @@ def _as_array(answer, shape, case, names):
             array = array.astype(float)
         except (TypeError, ValueError):
             array = np.asarray("")
-    if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
-        raise CallFault("there are still three dots in what the function returns", "", "Put a number or a formula in place of every ...")
     if array.dtype.kind not in "iufb":
+        if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
+            raise CallFault("there are still three dots in what the function returns", "", "Put a number or a formula in place of every ...")
         wanted = "×".join(map(str, shape))
         raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers", _shown(case, names))
     if array.shape != shape:

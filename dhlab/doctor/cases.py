@@ -41,8 +41,13 @@ def general_chain(rng, n=None):
 
 
 def _angle(rng):
-    return float(rng.choice([rng.uniform(0.2, 1.4), rng.uniform(1.75, 2.9)]) * rng.choice([-1, 1]))
+    size = rng.uniform(0.2, 2.55)
+    return _signed(rng, size if size < 1.4 else size + 0.35)  # not between 1.4 and 1.75, where cosines are small
 
 
 def _length(rng):
-    return float(rng.uniform(0.05, 0.6) * rng.choice([-1, 1]))
+    return _signed(rng, rng.uniform(0.05, 0.6))
+
+
+def _signed(rng, size):
+    return size if rng.random() < 0.5 else -size

@@ -53,10 +53,10 @@ def _last(answers, exercise):
 
 def _is_right(exercise, variants, given):
     """For which of the variants the answer is right."""
-    expected = [_expected(exercise, variant) for variant in variants]
-    if not expected or given.shape != expected[0].shape:
+    expected = np.array([_expected(exercise, variant) for variant in variants])
+    if not variants or given.shape != expected.shape[1:]:
         return np.zeros(len(variants), dtype=bool)
-    return np.isclose(given, expected, rtol=exercise.tolerance, atol=exercise.tolerance).reshape(len(variants), -1).all(axis=1)
+    return ~exercise.differs(given, expected).reshape(len(variants), -1).any(axis=1)
 
 
 def _share(exercise, given, fits):

@@ -6,14 +6,12 @@ from itertools import combinations, permutations
 import numpy as np
 
 from ...arm import Arm
-from ...doctor.calling import Called, CallFault, call_all
 from ...doctor.cases import SPECIAL, general_row
 from ...doctor.wrong_craig import craig, in_order
 from ...doctor.wrong_links import standard
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
-from ..verdict import WRONG
 from .drawn_table import DrawnTable, numbers
 
 __all__ = ["EXERCISES"]
@@ -213,20 +211,14 @@ def _wrong_points(rows, q_check, p_check, q):
 class CraigsMatrix(Function):
     """The function of 03.3; says which of the four moves is missing where one is."""
 
-    def compare(self, answer, variant):
-        verdict = super().compare(answer, variant)
-        if verdict.status != WRONG or verdict.mistake not in (None, "matrix-entry-mistyped") or not (callable(answer) or isinstance(answer, Called)):
-            return verdict
-        cases = self.cases(variant)
-        try:
-            answers = call_all(answer, cases, self.shape, self.names)
-        except CallFault:
-            return verdict
+    def refine(self, mistake, answers, cases):
+        if mistake not in (None, "matrix-entry-mistyped"):
+            return None
         for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):
             without = [craig(*(0 if i == k else value for i, value in enumerate(case))) for case in cases]
             if np.allclose(answers, without, rtol=0, atol=1e-9):
-                return self.wrong(headline=f"{name} has no effect", next=f"Is {move} missing in the product?")
-        return verdict
+                return None, Said(f"{name} has no effect", next=f"Is {move} missing in the product?")
+        return None
 
 
 EXERCISES = [

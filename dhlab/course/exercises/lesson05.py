@@ -5,7 +5,6 @@ from itertools import product
 
 import numpy as np
 
-from ...doctor.calling import call_all
 from ...doctor.cases import SPECIAL, general_row
 from ...doctor.slipsearch import wrong_entries
 from ...doctor.wrong_links import WRONG_LINKS, standard
@@ -93,14 +92,12 @@ def _explain_order(letters):
 class _ClosedForm(Function):
     """A link matrix typed entry by entry: what is wrong is said of its entries and columns."""
 
-    def compare(self, answer, variant):
-        verdict = super().compare(answer, variant)
-        if verdict.mistake not in ("matrix-entry-mistyped", "not-rigid"):
-            return verdict
-        cases = self.cases(variant)
-        answers = np.array(call_all(answer, cases, self.shape, self.names), dtype=float)
-        said = _wrong_columns(answers[:, :3, :3]) if verdict.mistake == "not-rigid" else _wrong_entries(wrong_entries(answers, cases))
-        return self.wrong(verdict.mistake, place=said) if said else verdict
+    def refine(self, mistake, answers, cases):
+        if mistake not in ("matrix-entry-mistyped", "not-rigid"):
+            return None
+        answers = np.array(answers, dtype=float)
+        said = _wrong_columns(answers[:, :3, :3]) if mistake == "not-rigid" else _wrong_entries(wrong_entries(answers, cases))
+        return said and (mistake, said)
 
 
 NEXT = {2: "Turn y by θ, then tip it towards z by α.", 3: "Take z = x × y: z is at right angles to both."}  # by column

@@ -117,15 +117,7 @@ def _seen(offset_2, offset_3):
                 next="θ3 is measured from the upper arm, not from the floor. With the arm up, which θ3 makes the forearm level?")
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Loop(Function):
-    """A loop over the rows: two slips of Python have words of their own, by the place that the doctor names."""
-
-    def wrong(self, mistake_id=None, headline="", place="", next=""):
-        return super().wrong(mistake_id, headline, IN_THE_LOOP.get((mistake_id, place), place), next)
-
-
-IN_THE_LOOP = {
+IN_THE_LOOP = {  # two slips of Python, by the place that the doctor names
     ("product-starts-late", "only the last row is used"): Said("only the last row's matrix comes out", next="Each turn of the loop throws the product away: write T = T @ A."),
     ("product-stops-early", "only the first row is used"): Said("only the first row's matrix comes out", next="Is the return inside the loop? It belongs behind it."),
 }
@@ -137,8 +129,8 @@ EXERCISES = [
         accepts=lambda letters: letters == ["b", "d", "a", "e", "c"], explain=_explain_labels, praise="d runs along a joint axis, a across from one axis to the next.",
         hints=("d is measured along z, a along x. Which of the five parts lie along a joint's axis?",
                "Walk along the chain from the base: up, out, out, sideways, out to the tool.")),
-    _Loop(id="06.2", title="Forward kinematics", points=3, draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
-             praise="One loop, one product, any number of joints.", hints=(
+    Function(id="06.2", title="Forward kinematics", points=3, draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
+             praise="One loop, one product, any number of joints.", words=IN_THE_LOOP, hints=(
                  "Start from np.eye(4) and walk over rows and q together.",
                  "A row's θ is its offset plus its q. Each new link is seen from the last frame, so its matrix joins on the right.")),
     Value(id="06.3", title="The zero pose", answer=_zero_pose, mistakes=_wrong_zero_poses, tolerance=1e-6,
@@ -172,8 +164,8 @@ EXERCISES = [
           praise="Offsets go into the θ column, and every right table passes, this one or another.",
           hints=("Where does θ2 stand when the upper arm points straight up?",
                  "Turn your article arm to the encoder's zero: which q2 and q3 lift the upper arm and keep the forearm level? Those are the offsets.")),
-    _Loop(id="06.7", title="The smallest fix: right at zero only", draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
-             handed_out=lambda rows, q: product(rows, np.roll(q, 1)), praise="One index. At q = 0 nobody would have noticed.", hints=(
+    Function(id="06.7", title="The smallest fix: right at zero only", draw=general_chain, special=SPECIAL["forward_kinematics"], answer=product, names=("rows", "q"), family="forward_kinematics",
+             handed_out=lambda rows, q: product(rows, np.roll(q, 1)), praise="One index. At q = 0 nobody would have noticed.", words=IN_THE_LOOP, hints=(
                  "The program is right when all q are equal. What could be mixed up, then?",
                  "Print i and the q it uses, for the first row.")),
     Choice(id="06.8", title="Far outside the limits", correct="a", hints=("Does any matrix of the product know about end stops?", "Put q2 = 500° into your function."),

@@ -6,13 +6,11 @@ from itertools import product
 
 import numpy as np
 
-from ...doctor.calling import Called, CallFault, call_all, is_stub
+from ...doctor.calling import is_stub
 from ...doctor.wrong_branches import branches, in_order
 from ...doctor.wrong_jacobians import geometric_jacobian, pose_error
 from ...doctor.wrong_solvers import chain, wrapped
 from ..kinds import Function, Said
-from ..kinds.computed import CASES
-from ..verdict import RIGHT
 
 __all__ = ["MISREAD", "UNDAMPED", "Program"]
 
@@ -38,29 +36,21 @@ class Program(Function):
         if missing:
             return self.wrong(place=Said(f"{missing} returned nothing", next=f"Finish {self.needs[missing]} first."))
         verdict = super().compare(answer, variant)
-        if verdict.status == RIGHT or verdict.mistake or not (callable(answer) or isinstance(answer, Called)):
-            return replace(verdict, place=self.places.get(verdict.place, verdict.place))
-        return self._known(answer, variant) or verdict
+        return replace(verdict, place=self.places.get(verdict.place, verdict.place))
 
     def _missing(self, answer):
         """The first function of an earlier exercise that this one calls and that is still unwritten; None."""
         code, around = getattr(answer, "__code__", None), getattr(answer, "__globals__", {})
         return next((name for name in self.needs if code and name in code.co_names and is_stub(around.get(name))), None)
 
-    def _known(self, answer, variant):
-        """The verdict on one of ``more``, or on answers that nobody knows; None where the calls say more."""
-        cases = self.cases(variant)[:CASES]
-        try:
-            answers = [self.read(given) for given in call_all(answer, self.cases(variant), self.shape, self.names)][:CASES]
-        except CallFault:
+    def refine(self, mistake, answers, cases):
+        if mistake or all(np.array_equal(given, answers[0]) for given in answers):
             return None
-        if all(np.array_equal(given, answers[0]) for given in answers):
-            return None
-        for mistake, said, version in self.more:
+        for known, said, version in self.more:
             if np.mean([_near(version(*case), given) for case, given in zip(cases, answers)]) >= MOST:
-                return self.wrong(mistake, place=said)
+                return known, said
         off = sum(not _near(self.answer(*case), given) for case, given in zip(cases, answers))
-        return self.wrong(place=replace(self.unknown, place=f"{off} of {len(cases)} calls")) if off else None
+        return (None, replace(self.unknown, place=f"{off} of {len(cases)} calls")) if off else None
 
 
 def _near(a, b):

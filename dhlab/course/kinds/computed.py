@@ -53,20 +53,20 @@ class Value(Exercise):
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
-        off = self._off(array, expected)
+        off = self.differs(array, expected)
         if not off.any():
             return self.right()
         for mistake, place, value in self.mistakes(**given):
-            if np.shape(value) == array.shape and not self._off(array, np.asarray(value, dtype=float)).any():
+            if np.shape(value) == array.shape and not self.differs(array, np.asarray(value, dtype=float)).any():
                 return self.wrong(mistake, place=place)
         if np.array_equal(array, np.trunc(expected)) and array.dtype.kind == "i":
             return self.wrong("integer-arrays")
         return self.wrong(headline="these are not the numbers", place=self._place(off))
 
-    def _off(self, array, value):
-        """Which entries differ, whole turns of the angles apart."""
+    def differs(self, array, value):
+        """Which entries of an array differ from those of a value, or of a stack of values; whole turns apart where they are angles."""
         difference = np.asarray(array - value)
-        angles = np.isin(np.arange(difference.size), self.turns).reshape(difference.shape)
+        angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
         difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
         return ~(np.abs(difference) <= self.tolerance * (1 + np.abs(value)))
 
@@ -135,11 +135,18 @@ class Function(Exercise):
                               next="Look for a special case in the program: an if, a division, or a rounding of small numbers to 0.")
         answers, expected, cases, off = answers[:CASES], expected[:CASES], cases[:CASES], off[:CASES]
         finding = explain_function(answers, expected, cases, self.family)
+        known = self.refine(finding and finding.mistake, answers, cases)
+        if known:
+            return self.wrong(known[0], place=known[1])
         if finding:
             return self.wrong(finding.mistake, place="; ".join(filter(None, (finding.place, finding.detail))))
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(headline="the answer is the same whatever goes in", next="Does the function use its arguments, and return what the loop made?")
         return self.wrong(headline="the answers differ from the right ones", place=f"{sum(off)} of {len(off)} calls; {self._parts(answers, expected)}")
+
+    def refine(self, mistake, answers, cases):
+        """(mistake, place or Said) where the exercise knows more of wrong answers than the doctor, who found ``mistake`` or None; else None."""
+        return None
 
     def _call(self, case):
         """The arguments of a call, where they are few enough to be read."""

@@ -29,8 +29,8 @@ class Said:
 class Exercise:
     """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right.
 
-    ``words`` holds a :class:`Said` for the mistakes, by id, that have other words here than in the catalogue; a single wrong answer has its own
-    where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
+    ``words`` holds a :class:`Said` for the mistakes that have other words here than in the catalogue, by id, or by (id, place) for one place of
+    them; a single wrong answer has its own where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
     """
 
     id: str
@@ -70,9 +70,11 @@ class Exercise:
     def wrong(self, mistake_id=None, headline="", place="", next=""):
         """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the mistake is known."""
         hint = f'hint("{self.id}") gives a first hint.'
-        said = place if isinstance(place, Said) else self.words.get(mistake_id)
+        said, shown = place if isinstance(place, Said) else self.words.get((mistake_id, place)), ""
+        if said is None:
+            said, shown = self.words.get(mistake_id), place
         if said and not headline:
-            return self.say(WRONG, said.headline, place=said.place or ("" if place is said else place), why=said.why, next=said.next or hint, mistake=mistake_id)
+            return self.say(WRONG, said.headline, place=said.place or shown, why=said.why, next=said.next or hint, mistake=mistake_id)
         if mistake_id is None:
             return self.say(WRONG, headline, place=place, next=next or hint)
         mistake = catalogue()[mistake_id]
