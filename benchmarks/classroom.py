@@ -26,16 +26,16 @@ import numpy as np
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Choice, Function, Order, Table, Value
 from dhlab.doctor import catalogue
-from dhlab.doctor.rows import wrong_tables
+from dhlab.doctor.tables.rows import wrong_tables
 from dhlab.grading.grade import grade
-from dhlab.grading.items import items
-from dhlab.grading.publish import publish
-from dhlab.grading.release import key_of, release
-from dhlab.grading.roster import Student
+from dhlab.grading.handing_out.release import key_of, release
+from dhlab.grading.handing_out.variants import variants
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.results.items import items
+from dhlab.grading.results.publish import publish
 from dhlab.grading.settings import read_settings
-from dhlab.grading.variants import variants
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor" / "programs"))
 from unseen_programs import UNSEEN  # noqa: E402
 from wrong_programs import RIGHT, WRONG  # noqa: E402
 

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-import dhlab.doctor.functions as functions
+import dhlab.doctor.programs.functions as functions
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor" / "programs"))
 from fresh_programs import PROGRAMS  # noqa: E402
 from unseen_programs import UNSEEN  # noqa: E402
 from wrong_programs import KINDS, RIGHT, WRONG, program  # noqa: E402

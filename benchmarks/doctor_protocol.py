@@ -16,7 +16,7 @@ from doctor import ALIKE, LEFT_OUT, drawn_faults, explained, visible
 
 import dhlab as dh
 from dhlab.doctor import diagnose
-from dhlab.doctor.protocol import protocol
+from dhlab.doctor.arms.protocol import protocol
 
 NOISE = (4e-3, 4e-3)
 

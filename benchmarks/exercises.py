@@ -15,9 +15,9 @@ import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.drawn_table import DrawnTable
 from dhlab.course.kinds import Choice, Function, Order, Prediction, PreTest, Table, Value
-from dhlab.course.repairs import Impostor, Repair
-from dhlab.doctor.programs import WRONG_VERSIONS
-from dhlab.doctor.rows import wrong_tables
+from dhlab.course.kinds.repaired import Impostor, Repair
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
+from dhlab.doctor.tables.rows import wrong_tables
 
 VARIANTS = range(3)
 

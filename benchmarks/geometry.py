@@ -10,13 +10,30 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from geometry_cases import (CHAINS, PUBLISHED, TRUE_CHANGES, chain_axes, chain_poses, exponentials, incomplete_recipes, moves,  # noqa: E402
-                            pose_error, random_arm, random_axes, random_pose, random_walk, read_chain, sampled_difference, true_change, with_rows)
+from geometry_cases import (  # noqa: E402
+    CHAINS,
+    PUBLISHED,
+    TRUE_CHANGES,
+    chain_axes,
+    chain_poses,
+    exponentials,
+    incomplete_recipes,
+    moves,
+    pose_error,
+    random_arm,
+    random_axes,
+    random_pose,
+    random_walk,
+    read_chain,
+    sampled_difference,
+    true_change,
+    with_rows,
+)
 
 import dhlab as dh  # noqa: E402
-from dhlab.canonical import gaps, joint_axes  # noqa: E402
-from dhlab.equivalence import equivalent  # noqa: E402
-from dhlab.frames import NearlyParallelWarning, assign_frames  # noqa: E402
+from dhlab.geometry.canonical import gaps, joint_axes  # noqa: E402
+from dhlab.geometry.equivalence import equivalent  # noqa: E402
+from dhlab.geometry.frames import NearlyParallelWarning, assign_frames  # noqa: E402
 
 FREEDOMS = (("fixed", "fixed"), ("fixed", "free"), ("free", "fixed"), ("free", "free"))
 

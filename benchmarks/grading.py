@@ -24,14 +24,14 @@ import numpy as np
 import psutil
 
 ROOT = Path(__file__).parents[1]
-sys.path[:0] = [str(ROOT / "tests" / "doctor"), str(ROOT / "tests" / "grading")]
+sys.path[:0] = [str(ROOT / "tests" / "doctor" / "programs"), str(ROOT / "tests" / "grading")]
 import corpus  # noqa: E402
 from wrong_programs import WRONG  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.grading.exports.nbgrader import export_nbgrader  # noqa: E402
-from dhlab.grading.questions import handed_out_checks  # noqa: E402
-from dhlab.grading.roster import Student  # noqa: E402
+from dhlab.grading.intake.roster import Student  # noqa: E402
+from dhlab.grading.judging.questions import handed_out_checks  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 
 LESSON = "05-link-matrix"

@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from dhlab.urdf import read_urdf, to_urdf
+from dhlab.formats.urdf import read_urdf, to_urdf
 
 PACKAGES = Path(site.getsitepackages()[0])
 FOLDERS = {"example-robot-data 6.0.0": PACKAGES / "cmeel.prefix/share/example-robot-data/robots", "rtb-data 2.0.0": PACKAGES / "rtbdata/xacro",

@@ -4,14 +4,14 @@ from importlib import import_module
 
 from . import symbolic
 from .arm import Arm
-from .equivalence import equivalent
-from .frames import NearlyParallelWarning, assign_frames
+from .formats.urdf import read_urdf, to_urdf
+from .geometry.equivalence import equivalent
+from .geometry.frames import NearlyParallelWarning, assign_frames
 from .robots import load, robots
 from .table import DHTable
-from .urdf import read_urdf, to_urdf
 
 # what needs scipy's optimisers or the pictures is loaded when it is first asked for
-LATER = {"calibrate_offsets": "measure", "diagnose": "doctor", "diagnose_function": "doctor", "explore": "view.explorer", "recognise_table": "doctor", "fit_circles": "measure", "read_poses": "posefile"}
+LATER = {"calibrate_offsets": "measure", "diagnose": "doctor", "diagnose_function": "doctor", "explore": "view.explorer", "recognise_table": "doctor", "fit_circles": "measure", "read_poses": "formats.posefile"}
 
 __version__ = "0.1.0"
 __all__ = ["Arm", "DHTable", "NearlyParallelWarning", "assign_frames", "calibrate_offsets", "diagnose", "diagnose_function", "equivalent", "explore", "fit_circles", "load", "read_poses", "read_urdf", "recognise_table", "robots",

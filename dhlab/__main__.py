@@ -1,5 +1,5 @@
 """``python -m dhlab`` is the ``dhlab`` command."""
 
-from .cli import main
+from .cli.app import main
 
 main()

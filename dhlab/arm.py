@@ -67,7 +67,7 @@ class Arm:
     @classmethod
     def load(cls, path):
         """The arm in a ``.yaml`` or ``.csv`` table file; ``dhlab.load`` takes names of the library too."""
-        from .tablefile import read_arm
+        from .formats.tablefile import read_arm
         return read_arm(path)
 
     def save(self, path, *, angle=None, length="m", overwrite=False):
@@ -75,7 +75,7 @@ class Arm:
 
         Parameters as :meth:`DHTable.save`.
         """
-        from .tablefile import write
+        from .formats.tablefile import write
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
     def __len__(self):
@@ -168,7 +168,7 @@ class Arm:
         >>> dh.load("panda").to("standard").table.convention
         'standard'
         """
-        from .conversion import to_convention
+        from .geometry.conversion import to_convention
         return to_convention(self, convention)
 
     def flip_x(self, i):
@@ -180,7 +180,7 @@ class Arm:
         >>> dh.load("ur5e").flip_x(2).table.a
         array([ 0.    ,  0.425 , -0.3922,  0.    ,  0.    ,  0.    ])
         """
-        from .freedoms import flip_x
+        from .geometry.freedoms import flip_x
         return flip_x(self, i)
 
     def flip_z(self, i):
@@ -192,7 +192,7 @@ class Arm:
         >>> dh.load("ur5e").flip_z(2).sign
         array([ 1.,  1., -1.,  1.,  1.,  1.])
         """
-        from .freedoms import flip_z
+        from .geometry.freedoms import flip_z
         return flip_z(self, i)
 
     def slide(self, i, h):
@@ -204,7 +204,7 @@ class Arm:
         >>> dh.load("ur5e").slide(3, 0.1333).table.d
         array([0.1625, 0.    , 0.1333, 0.    , 0.0997, 0.0996])
         """
-        from .freedoms import slide
+        from .geometry.freedoms import slide
         return slide(self, i, h)
 
     def within_limits(self, q):

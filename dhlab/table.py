@@ -124,10 +124,10 @@ class DHTable:
 
     @classmethod
     def load(cls, path):
-        """The table in a YAML or CSV file (formats in :mod:`dhlab.tablefile`); a file that also says base, tool, limits or
+        """The table in a YAML or CSV file (formats in :mod:`dhlab.formats.tablefile`); a file that also says base, tool, limits or
         signs describes an arm and is refused, since a table cannot hold them: use ``dhlab.load``.
         """
-        from .tablefile import read_table
+        from .formats.tablefile import read_table
         return read_table(path)
 
     def save(self, path, *, angle=None, length="m", overwrite=False):
@@ -143,7 +143,7 @@ class DHTable:
         overwrite : bool
             Replace an existing file; it is kept, with an error, otherwise.
         """
-        from .tablefile import write
+        from .formats.tablefile import write
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
     @property

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab import freedoms
+from dhlab.geometry import freedoms
 from dhlab.transform import from_xyz_rpy, inverse, trans
 
 CHAINS = sorted((Path(__file__).parent / "data" / "chains").glob("*.json"))

@@ -15,9 +15,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
+from ..formats.urdf import to_urdf
 from ..printing import grid_text, number
 from ..table import DHTable
-from ..urdf import to_urdf
 
 __all__ = ["other_solvers", "solve_all"]
 

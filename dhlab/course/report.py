@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .. import files
 from ..arm import Arm
 from ..doctor import Diagnosis
+from ..formats import files
 from ..printing import arm_html
 
 __all__ = ["report", "Report"]

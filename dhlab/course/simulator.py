@@ -7,7 +7,7 @@ from tempfile import mkdtemp
 
 import numpy as np
 
-from ..files import write_text
+from ..formats.files import write_text
 
 __all__ = ["Q", "STORED", "URDF", "pybullet", "urdf_file"]
 

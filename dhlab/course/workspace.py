@@ -8,7 +8,7 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..files import read_text, write_text
+from ..formats.files import read_text, write_text
 from .progress import MARKER
 
 __all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]

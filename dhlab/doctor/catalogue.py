@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from .. import plainyaml
+from ..formats import plainyaml
 
 __all__ = ["Mistake", "catalogue"]
 

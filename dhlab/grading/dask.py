@@ -1,6 +1,6 @@
 """Grading on a Dask cluster: the same tasks and the same cage, on each worker; a lost worker's tasks go to another."""
 
-from .work import work
+from .judging.work import work
 
 __all__ = ["over_cluster"]
 

@@ -10,15 +10,15 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from ..course.exercises import exercises
-from .gradebook import Gradebook
-from .notebooks import lessons_of
-from .owners import look_whose
-from .questions import Course, handed_out_checks
+from .handing_out.variants import variants
+from .intake.notebooks import lessons_of
+from .intake.owners import look_whose
+from .intake.submissions import FILE_TIME, PASSED_OVER, submissions
+from .judging.questions import Course, handed_out_checks
+from .judging.work import Handed, Task, close, work
+from .results.gradebook import Gradebook
+from .results.standing import left_standing, together
 from .settings import Settings
-from .standing import left_standing, together
-from .submissions import FILE_TIME, PASSED_OVER, submissions
-from .variants import variants
-from .work import Handed, Task, close, work
 
 __all__ = ["grade", "plan", "Plan"]
 

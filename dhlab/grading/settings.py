@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from datetime import date, datetime, time, timezone, tzinfo
 from zoneinfo import ZoneInfo
 
-from .. import plainyaml
+from ..formats import plainyaml
 
 __all__ = ["Limits", "Lesson", "Settings", "read_settings", "LEVELS"]
 

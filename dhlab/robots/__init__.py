@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from .. import plainyaml, units
-from ..plainyaml import fields, number, text
-from ..tablefile import read_arm
-from ..tableyaml import ARM_KEYS, arm_from_item, read_limits
+from .. import units
+from ..formats import plainyaml
+from ..formats.plainyaml import fields, number, text
+from ..formats.tablefile import read_arm
+from ..formats.tableyaml import ARM_KEYS, arm_from_item, read_limits
 from .examples import example
 
 __all__ = ["load", "robots", "entry", "example", "Entry", "CheckPose"]

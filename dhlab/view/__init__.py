@@ -3,14 +3,14 @@
 Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
 """
 
-from .axes import axes
-from .circle import circle
-from .compared import compared
-from .condition import condition
-from .conventions import conventions
 from .explorer import Explorer, explore
-from .link import link
 from .picture import Picture
-from .pictures import arm, frames, poses
+from .pictures.arm import arm, frames, poses
+from .pictures.axes import axes
+from .pictures.circle import circle
+from .pictures.compared import compared
+from .pictures.condition import condition
+from .pictures.conventions import conventions
+from .pictures.link import link
 
 __all__ = ["Explorer", "Picture", "arm", "axes", "circle", "compared", "condition", "conventions", "explore", "frames", "link", "poses"]

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..arm import Arm
 from ..transform import pose_fault
-from .style import POSES
+from .drawing.style import POSES
 
 __all__ = ["require_arm", "given_poses", "given_names", "given_arm_at", "given_arm_at_all", "all_frames", "spread"]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import matplotlib
 from PIL import Image
 
-from .. import files
+from ..formats import files
 from ..printing import grid_html, grid_text
 
 __all__ = ["Picture"]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..printing import number
-from .triads import coincident
+from .drawing.triads import coincident
 
 __all__ = ["FRAME_HEADINGS", "frame_rows", "direction", "place", "listed", "joint_words", "configuration", "who", "arm_sentences",
            "frame_sentences"]

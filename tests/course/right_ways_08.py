@@ -3,7 +3,6 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-
 # ---- 08.2
 
 def column_by_column(frames, T_end, sliding):

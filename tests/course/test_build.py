@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from dhlab.course import build, sourcefaults
+from dhlab.course.building import faults as sourcefaults
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Option, Said
 
@@ -152,7 +153,7 @@ def test_what_a_sheet_of_ones_own_is_told(file, old, new, words, clone):
     assert old in text
     changed.write_text(text.replace(old, new), encoding="utf-8")
     try:
-        done = subprocess.run([sys.executable, "-m", "dhlab.course.build", "10"], cwd=clone, env={**os.environ, "PYTHONPATH": str(clone), "PYTHONDONTWRITEBYTECODE": "1"},
+        done = subprocess.run([sys.executable, "-m", "dhlab.course.building.notebooks", "10"], cwd=clone, env={**os.environ, "PYTHONPATH": str(clone), "PYTHONDONTWRITEBYTECODE": "1"},
                               capture_output=True, text=True, encoding="utf-8")
     finally:
         module.write_text(kept, encoding="utf-8")

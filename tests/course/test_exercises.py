@@ -11,8 +11,8 @@ from dhlab.course import check
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson06 import UPRIGHT
 from dhlab.course.kinds import Choice, Function, Order, Prediction, Table, Value
-from dhlab.doctor.programs import WRONG_VERSIONS
-from dhlab.doctor.rows import wrong_tables
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
+from dhlab.doctor.tables.rows import wrong_tables
 
 SCORED = {key: e for key, e in exercises().items() if not isinstance(e, Prediction)}
 VALUES = [key for key, e in SCORED.items() if isinstance(e, Value)]

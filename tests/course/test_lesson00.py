@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 import dhlab as dh
-from dhlab.course import build, lint, session, then_and_now, workspace
+from dhlab.course import session, then_and_now, workspace
+from dhlab.course.building import contract as lint
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import PreTest
 from dhlab.course.progress import Log

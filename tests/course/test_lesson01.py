@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import dhlab as dh
-from dhlab.course import build
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
-from dhlab.doctor.programs import WRONG_VERSIONS
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.transform import from_xyz_rpy, trans
 
 VARIANTS = range(20)

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
-from dhlab.doctor.rows import wrong_tables
+from dhlab.doctor.tables.rows import wrong_tables
 
 VARIANTS = range(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("02.")}

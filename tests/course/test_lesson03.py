@@ -9,12 +9,12 @@ from oracles import elementary_pose, shift, turn
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.course import build
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
-from dhlab.doctor.rows import wrong_tables
-from dhlab.doctor.wrong_craig import MOVES as CRAIG_MOVES
-from dhlab.doctor.wrong_craig import in_order
+from dhlab.doctor.programs.wrong.craig import MOVES as CRAIG_MOVES
+from dhlab.doctor.programs.wrong.craig import in_order
+from dhlab.doctor.tables.rows import wrong_tables
 
 VARIANTS = range(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("03.")}

@@ -10,10 +10,10 @@ from oracles import elementary_pose
 import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson04 import READ
-from dhlab.course.placements import MISTAKES, Frames
+from dhlab.course.kinds.placed import MISTAKES, Frames
 from dhlab.doctor import catalogue
-from dhlab.doctor.rows import wrong_tables
-from dhlab.placing import Placement
+from dhlab.doctor.tables.rows import wrong_tables
+from dhlab.placing.board import Placement
 
 X, Y, Z = np.eye(3)
 E = exercises()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dhlab.arm import Arm
-from dhlab.course import build
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson06 import UPRIGHT
 from dhlab.robots import load

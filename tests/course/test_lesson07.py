@@ -14,8 +14,8 @@ from dhlab.course import simulator
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson06 import ARTICLE
 from dhlab.course.exercises.lesson07 import PUMA
-from dhlab.doctor.programs import WRONG_VERSIONS
-from dhlab.doctor.rows import wrong_tables
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
+from dhlab.doctor.tables.rows import wrong_tables
 
 EX = {key: e for key, e in exercises().items() if key.startswith("07.")}
 REPAIRS = {"07.3": ARTICLE, "07.6": ARTICLE, "07.8": PUMA}

@@ -13,10 +13,10 @@ from dhlab.course import othersolvers
 from dhlab.course.exercises import exercises
 from dhlab.course.othersolvers import LIBRARIES, STORED, STORED_FROM, STORED_TO, other_solvers
 from dhlab.doctor import catalogue
-from dhlab.doctor.programs import WRONG_VERSIONS
-from dhlab.doctor.wrong_branches import branches, in_order
-from dhlab.doctor.wrong_jacobians import geometric_jacobian, pose_error
-from dhlab.doctor.wrong_solvers import damped_step, inverse_kinematics, wrapped
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
+from dhlab.doctor.programs.wrong.branches import branches, in_order
+from dhlab.doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
+from dhlab.doctor.programs.wrong.solvers import damped_step, inverse_kinematics, wrapped
 
 LESSON = {key: e for key, e in exercises().items() if key.startswith("08.")}
 ARM = dh.load("article-6r")

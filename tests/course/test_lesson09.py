@@ -11,10 +11,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.course import build
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson09 import AR4, PIPER
-from dhlab.doctor.rows import wrong_tables
+from dhlab.doctor.tables.rows import wrong_tables
 from dhlab.robots.examples import FOLDER, example
 from dhlab.transform import from_xyz_rpy
 from tests.oracles import CHAINS, chain_disagreement, chain_joints, chain_pose, elementary_pose

@@ -7,7 +7,8 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from dhlab.course import build, lint
+from dhlab.course.building import contract as lint
+from dhlab.course.building import notebooks as build
 from dhlab.course.exercises import exercises
 
 NAMES = [path.stem for path in build.sources()]

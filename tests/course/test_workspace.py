@@ -112,7 +112,7 @@ def test_dhlab_lab_works_from_an_installed_package(tmp_path):
 
 
 def test_a_handed_out_folder_gets_no_lessons_of_other_numbers(tmp_path):
-    from dhlab.grading.release import with_variant
+    from dhlab.grading.handing_out.release import with_variant
     own = with_variant((workspace.handed_out() / "05-link-matrix.ipynb").read_text(encoding="utf-8"), 17)
     (tmp_path / "05-link-matrix.ipynb").write_text(own, encoding="utf-8")
     workspace.prepare(tmp_path)

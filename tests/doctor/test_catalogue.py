@@ -6,7 +6,8 @@ import re
 
 import pytest
 
-from dhlab.doctor import catalogue, naming
+from dhlab.doctor import catalogue
+from dhlab.doctor.arms import naming
 
 # the ids under which the mistakes were collected, with evidence, before the catalogue was written
 COLLECTED = """

@@ -154,7 +154,7 @@ READING = [
     ("reads marks", reading("FACTS['marks']"), FULL),
     ("reads passwords", reading("'/etc/passwd'"), FULL),
     ("lists the class", spy("import os\ntry:\n    leaked = bool(os.listdir(FACTS['class']))\nexcept OSError:\n    pass"), FULL),
-    ("imports the exercises", spy("import importlib\nfor name in ('dhlab.course.exercises', 'dhlab.course.kinds', 'dhlab.grading.judge', 'dhlab.course.exercises.lesson05'):\n"
+    ("imports the exercises", spy("import importlib\nfor name in ('dhlab.course.exercises', 'dhlab.course.kinds', 'dhlab.grading.judging.judge', 'dhlab.course.exercises.lesson05'):\n"
                                   "    try:\n        importlib.import_module(name); leaked = True\n    except ImportError:\n        pass"), FULL),
     ("searches memory", spy("import gc\nleaked = any(type(o).__name__ in ('Choice', 'Function', 'Order', 'Verdict') for o in gc.get_objects())"), FULL),
     ("searches frames", spy("import sys\nframe = sys._getframe()\nwhile frame:\n    leaked = leaked or any('expected' in n or 'praise' in n or 'correct' in n for n in frame.f_locals)\n"

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 
 from dhlab.course.exercises import exercises
-from dhlab.grading.marks import Graded, Mark
+from dhlab.grading.results.marks import Graded, Mark
 
 
 def marks_of(notebook, variant=0):

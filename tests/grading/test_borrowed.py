@@ -7,13 +7,13 @@ import pytest
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Value
-from dhlab.grading.borrowed import CHANCE, _is_right, _tail, borrowed_from
+from dhlab.grading.handing_out.variants import variants
 from dhlab.grading.inside.wire import encode
-from dhlab.grading.judge import Answers
-from dhlab.grading.marks import Mark
-from dhlab.grading.questions import Course
+from dhlab.grading.judging.borrowed import CHANCE, _is_right, _tail, borrowed_from
+from dhlab.grading.judging.judge import Answers
+from dhlab.grading.judging.questions import Course
+from dhlab.grading.results.marks import Mark
 from dhlab.grading.settings import Settings
-from dhlab.grading.variants import variants
 
 SLOW = "07"  # its number is computed from forty poses; it would make this test long and says nothing that the others do not
 LESSONS = tuple(sorted({key[:2] for key, e in exercises().items() if isinstance(e, Value) and e.points and key[:2] != SLOW}))

@@ -15,12 +15,13 @@ import corpus  # noqa: E402
 import dhlab as dh  # noqa: E402
 from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.course.kinds import Function  # noqa: E402
-from dhlab.doctor.calling import Called, CallFault, record  # noqa: E402
-from dhlab.grading import cage, judge  # noqa: E402
+from dhlab.doctor.programs.calling import Called, CallFault, record  # noqa: E402
+from dhlab.grading.cage import cage
 from dhlab.grading.inside import notebook, watch  # noqa: E402
 from dhlab.grading.inside.cells import TimeLimit, run_cell  # noqa: E402
 from dhlab.grading.inside.wire import Opaque, decode, encode  # noqa: E402
-from dhlab.grading.questions import FRESH, Course, handed_out_checks, request  # noqa: E402
+from dhlab.grading.judging import judge  # noqa: E402
+from dhlab.grading.judging.questions import FRESH, Course, handed_out_checks, request  # noqa: E402
 from dhlab.grading.settings import Limits, Settings  # noqa: E402
 
 COURSE = Course(("05", "06"), Settings(), {"ada": 7})
@@ -106,7 +107,7 @@ def test_every_scored_exercise_has_its_check_in_a_lesson():
 @pytest.mark.parametrize("body, seen", [
     (lambda: dh.load("ur5e").forward([0] * 6), True), (lambda: dh.load("ur5e").frames([0] * 6), True), (lambda: dh.load("panda").to("standard"), True),
     (lambda: dh.load("ur5e").table.rows, False), (lambda: dh.transform.rot_x(1), False), (lambda: dh.transform.rot_z(1), True),
-    (lambda: __import__("dhlab.doctor.wrong_links").doctor.wrong_links.standard(1, 2, 3, 4), True), (lambda: np.eye(4) @ np.eye(4), False),
+    (lambda: __import__("dhlab.doctor.programs.wrong.links").doctor.wrong_links.standard(1, 2, 3, 4), True), (lambda: np.eye(4) @ np.eye(4), False),
     (lambda: sys.setprofile(None), True)])
 def test_what_is_watched(body, seen):
     dh.load("ur5e"), dh.load("panda")

@@ -8,16 +8,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from test_feedback import HOSTILE, Page
 
 from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
-from dhlab.grading.alike import Pair, alike, answers
-from dhlab.grading.classreport import class_report
-from dhlab.grading.items import items
-from dhlab.grading.marks import Graded, Mark
-from dhlab.grading.roster import Student
-from dhlab.grading.sections import question, section_of_exercise, section_of_mistake, sheet_question
-from test_feedback import HOSTILE, Page
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.results.alike import Pair, alike, answers
+from dhlab.grading.results.classreport import class_report
+from dhlab.grading.results.items import items
+from dhlab.grading.results.marks import Graded, Mark
+from dhlab.grading.results.sections import (
+    question,
+    section_of_exercise,
+    section_of_mistake,
+    sheet_question,
+)
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import classroom  # noqa: E402

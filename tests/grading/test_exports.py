@@ -12,6 +12,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from judging import marks_of
 
 from dhlab.course.exercises import exercises
 from dhlab.grading.exports.gradebooks import canvas_csv, moodle_csv, read_marks
@@ -19,12 +20,11 @@ from dhlab.grading.exports.gradescope import export_gradescope
 from dhlab.grading.exports.nbgrader import export_nbgrader
 from dhlab.grading.exports.nbgrader_cell import graded_check
 from dhlab.grading.grade import grade
-from dhlab.grading.marks import Graded, Mark
-from dhlab.grading.release import release
-from dhlab.grading.roster import Student
+from dhlab.grading.handing_out.release import release
+from dhlab.grading.handing_out.variants import variants
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.results.marks import Graded, Mark
 from dhlab.grading.settings import read_settings
-from dhlab.grading.variants import variants
-from judging import marks_of
 
 LESSON = "05-link-matrix"
 COURSE = """lessons:

@@ -6,10 +6,10 @@ from html.parser import HTMLParser
 import pytest
 
 from dhlab.course.exercises import exercises
-from dhlab.grading.feedback import feedback_page, write_feedback
-from dhlab.grading.marks import OF_MARK, OF_STUDENT, Graded, Mark
-from dhlab.grading.pages import words
-from dhlab.grading.roster import Student
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.results.feedback import feedback_page, write_feedback
+from dhlab.grading.results.marks import OF_MARK, OF_STUDENT, Graded, Mark
+from dhlab.grading.results.pages import words
 
 HOSTILE = ["<script>alert(1)</script>", "<img src=x onerror=alert(1)>", "</style><b>", "\"><svg onload=alert(1)>", "' onmouseover='x", "{{ 7 * 7 }}", "{% raw %}", "&lt;b&gt;",
            "javascript:alert(1)", "<!--", "]]>", "\x00\x1b[31mred", "\u202eevil\u202c", "<base href=//x>"]

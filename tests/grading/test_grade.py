@@ -17,10 +17,10 @@ import corpus  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.grading.grade import grade, plan  # noqa: E402
-from dhlab.grading.gradebook import Gradebook  # noqa: E402
-from dhlab.grading.roster import Student  # noqa: E402
+from dhlab.grading.handing_out.variants import variant  # noqa: E402
+from dhlab.grading.intake.roster import Student  # noqa: E402
+from dhlab.grading.results.gradebook import Gradebook  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
-from dhlab.grading.variants import variant  # noqa: E402
 
 ROSTER = tuple(Student(name) for name in ("ada", "bo", "cy", "dee", "eve", "fay", "gus"))
 WRONG = "def dh_closed(theta, d, a, alpha):\n    return dh_transform(theta, d, a, -alpha)"

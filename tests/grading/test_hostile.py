@@ -17,7 +17,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus  # noqa: E402
 
-from dhlab.grading import cage, grade, publish  # noqa: E402
+from dhlab.grading import grade
+from dhlab.grading.cage import cage
+from dhlab.grading.results import publish  # noqa: E402
 from dhlab.grading.settings import Limits, Settings  # noqa: E402
 
 LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
@@ -134,7 +136,7 @@ def test_every_line_of_the_grades_has_a_status(graded):
 
 
 def test_answers_do_not_enter_the_cage(tmp_path):
-    from dhlab.grading import stage
+    from dhlab.grading.cage import stage
     stage.stage(tmp_path)
     text = "\n".join(path.read_text(encoding="utf-8") for path in tmp_path.rglob("*.py"))
     assert "EXERCISES" not in text and "RIGHT_ORDERS" not in text and "praise=" not in text

@@ -13,17 +13,17 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from dhlab.grading.classreport import class_report
-from dhlab.grading.feedback import feedback_page
 from dhlab.grading.grade import grade, plan
-from dhlab.grading.items import items
-from dhlab.grading.marks import Graded, Mark
-from dhlab.grading.release import with_variant
-from dhlab.grading.roster import Student, read_roster
+from dhlab.grading.handing_out.release import with_variant
+from dhlab.grading.handing_out.variants import variant
+from dhlab.grading.intake.roster import Student, read_roster
+from dhlab.grading.intake.submissions import submissions
+from dhlab.grading.results.classreport import class_report
+from dhlab.grading.results.feedback import feedback_page
+from dhlab.grading.results.items import items
+from dhlab.grading.results.marks import Graded, Mark
+from dhlab.grading.results.standing import together
 from dhlab.grading.settings import Lesson, Settings
-from dhlab.grading.standing import together
-from dhlab.grading.submissions import submissions
-from dhlab.grading.variants import variant
 
 ROOT = Path(__file__).parents[2]
 KEY, OTHER = b"k" * 32, b"o" * 32
@@ -267,7 +267,7 @@ def test_rosters_are_read_strictly(tmp_path, text, words):
 
 def test_a_stopped_run_says_how_to_go_on(tmp_path, monkeypatch, capsys):
     import dhlab.grading.grade as module
-    from dhlab.cli import main
+    from dhlab.cli.app import main
 
     def stop(*args, **options):
         raise KeyboardInterrupt

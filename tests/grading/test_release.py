@@ -7,13 +7,13 @@ import sys
 import nbformat
 import numpy as np
 import pytest
+from judging import marks_of
 
 from dhlab.course.exercises import exercises
 from dhlab.course.workspace import handed_out, prepare
-from dhlab.grading.release import key_of, release
-from dhlab.grading.roster import Student
-from dhlab.grading.variants import variant
-from judging import marks_of
+from dhlab.grading.handing_out.release import key_of, release
+from dhlab.grading.handing_out.variants import variant
+from dhlab.grading.intake.roster import Student
 
 KEY = bytes(range(32))
 CLASS = (Student("ada"), Student("bo"), Student("李"))

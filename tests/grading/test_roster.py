@@ -5,8 +5,8 @@ import io
 
 import pytest
 
-from dhlab.grading.csvtext import csv_text
-from dhlab.grading.roster import Student, read_roster
+from dhlab.grading.intake.roster import Student, read_roster
+from dhlab.grading.results.csvtext import csv_text
 
 
 def roster(tmp_path, text, encoding="utf-8"):

@@ -4,8 +4,8 @@ import zipfile
 
 import pytest
 
-from dhlab.grading.roster import Student
-from dhlab.grading.submissions import submissions
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.intake.submissions import submissions
 
 ROSTER = (Student("ada", "Ada Lovelace", "ada.lovelace@example.org"), Student("u1234", "Grace Brewster Hopper", "hopper@example.org"),
           Student("li", "李 小龙"), Student("ada.b", "Ada Byron"))

@@ -86,7 +86,7 @@ def test_it_is_in_the_report(clone, graded):
 
 
 def test_the_contract_is_asked_of_our_own_lessons():
-    from dhlab.course.build import read_source, sources
+    from dhlab.course.building.notebooks import read_source, sources
     assert all(read_source(path).metadata["dhlab"].get("contract", True) for path in sources())
 
 
@@ -98,7 +98,7 @@ def test_the_program_of_the_page_is_built_and_its_mistakes_have_names(clone, blo
     for name in ("dhlab/course/exercises/lesson11.py", "solutions/11-cup-pose.md"):
         (clone / name).write_text(blocks[name], encoding="utf-8")
     try:
-        run(clone, "python -m dhlab.course.build 11")
+        run(clone, "python -m dhlab.course.building.notebooks 11")
         told = run(clone, f"python -c {shlex.quote(PROGRAM)}")
         assert blocks["said"] in told and told.splitlines()[3:] == ["wrong True", *["wrong True"] * 3]
         assert "T_FC" not in (clone / "lessons" / "11-cup-pose.ipynb").read_text(encoding="utf-8")
@@ -112,7 +112,7 @@ import sys
 sys.stdout.reconfigure(encoding="utf-8")
 from dhlab.course import check
 from dhlab.course.exercises import exercises
-from dhlab.doctor.programs import WRONG_VERSIONS
+from dhlab.doctor.programs.explain import WRONG_VERSIONS
 exercises()
 print(check("11.1", lambda T_0F, length: T_0F), end="\\n\\n")
 for mistake, place, version in WRONG_VERSIONS["cup_pose"]:
@@ -137,7 +137,7 @@ TEACHING = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
 
 
 def test_the_files_of_the_teaching_page_are_read(tmp_path):
-    from dhlab.grading.roster import read_roster
+    from dhlab.grading.intake.roster import read_roster
     from dhlab.grading.settings import read_settings
     files = {name: text for _, _, name, text in BLOCK.findall(TEACHING)}
     for name, text in files.items():
@@ -157,7 +157,7 @@ def test_the_limits_of_the_teaching_page_are_the_defaults():
 def test_the_commands_of_the_teaching_page_exist(line):
     import typer
 
-    from dhlab.cli import app
+    from dhlab.cli.app import app
     command, words = typer.main.get_command(app), shlex.split(line)
     while hasattr(command, "commands"):
         command = command.commands[words.pop(0)]

@@ -10,7 +10,7 @@ import pytest
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Value
-from dhlab.grading.variants import make_key, read_key, variant, variants
+from dhlab.grading.handing_out.variants import make_key, read_key, variant, variants
 
 KEY = bytes(range(32))
 

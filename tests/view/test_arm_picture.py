@@ -120,7 +120,7 @@ def test_links_follow_the_dh_path():
     """Drawn links lie along z_{i-1} then x_i, in a standard table; their lengths add up to the sums of |d| and |a|."""
     arm = dh.load("ur5e")
     q = random_q(arm, 2)
-    from dhlab.view.bodies import dh_path, joint_places
+    from dhlab.view.drawing.bodies import dh_path
     path = dh_path("standard", np.array(chain_of(arm, q)))
     steps = np.diff(path, axis=0)
     assert np.linalg.norm(steps[::2], axis=1) == pytest.approx(np.abs(arm.table.d), abs=1e-9)
@@ -134,7 +134,7 @@ def test_links_follow_the_dh_path():
 @pytest.mark.parametrize("name", ["ur5e", "panda", "stanford"])
 def test_a_joint_is_drawn_on_its_axis(name):
     """Turning joint i (or sliding it) moves no joint drawn up to i, whatever else it moves."""
-    from dhlab.view.bodies import joint_places
+    from dhlab.view.drawing.bodies import joint_places
     arm = dh.load(name)
     q = random_q(arm, 4)
     for i in range(len(arm)):

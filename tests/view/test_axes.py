@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import minimize
 
 from dhlab import view
-from dhlab.placing import Placement
+from dhlab.placing.board import Placement
 from dhlab.transform import from_xyz_rpy, trans
 
 X, Y, Z = np.eye(3)

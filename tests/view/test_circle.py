@@ -57,7 +57,7 @@ def test_a_reversed_axis_points_the_other_way_in_picture_and_words():
 
 @pytest.mark.parametrize("joint", range(1, 6))
 def test_no_circle_is_seen_from_its_edge(joint):
-    from dhlab.view.circle import _camera
+    from dhlab.view.pictures.circle import _camera
     q = sweep(joint)
     axis, = (circle.axis for circle in dh.fit_circles(q, ARM.forward(q), ARM).circles)
     assert abs(_camera(axis).toward @ axis) > 0.25

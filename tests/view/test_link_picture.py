@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab import view
-from dhlab.view.moves import moves_of
+from dhlab.view.drawing.moves import moves_of
 
 STANDARD = dh.DHTable.standard([[40, 0.3, 0.4, 50]], angle="deg")
 CRAIG = dh.DHTable.craig([[0, 0.1, 0, 0], [40, 0.3, 0.4, 50]], angle="deg")

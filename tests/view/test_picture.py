@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 
 import dhlab as dh
 from dhlab import transform, view
-from dhlab.view.style import AXES, INK, POSES
+from dhlab.view.drawing.style import AXES, INK, POSES
 
 
 @pytest.fixture(scope="module")

@@ -6,9 +6,9 @@ from itertools import combinations, permutations
 import numpy as np
 
 from ...arm import Arm
-from ...doctor.cases import SPECIAL, general_row
-from ...doctor.wrong_craig import craig, in_order
-from ...doctor.wrong_links import standard
+from ...doctor.programs.cases import SPECIAL, general_row
+from ...doctor.programs.wrong.craig import craig, in_order
+from ...doctor.programs.wrong.links import standard
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value

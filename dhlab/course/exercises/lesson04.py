@@ -7,7 +7,7 @@ import numpy as np
 from ...arm import Arm
 from ...table import DHTable
 from ..kinds import Choice, Option, Order, Prediction, Said, Table
-from ..placements import Frames
+from ..kinds.placed import Frames
 from ..verdict import RIGHT, WRONG
 
 __all__ = ["EXERCISES"]

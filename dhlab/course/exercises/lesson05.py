@@ -5,9 +5,9 @@ from itertools import product
 
 import numpy as np
 
-from ...doctor.cases import SPECIAL, general_row
-from ...doctor.slipsearch import wrong_entries
-from ...doctor.wrong_links import WRONG_LINKS, standard
+from ...doctor.programs.cases import SPECIAL, general_row
+from ...doctor.programs.slipsearch import wrong_entries
+from ...doctor.programs.wrong.links import WRONG_LINKS, standard
 from ...transform import rot_x
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 

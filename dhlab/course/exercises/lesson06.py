@@ -1,12 +1,11 @@
 """Lesson 06, forward kinematics of a six-axis arm: from the table to the pose, zero offsets, reading the structure."""
 
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...arm import Arm
-from ...doctor.cases import SPECIAL, general_chain
-from ...doctor.wrong_products import WRONG_PRODUCTS, product
+from ...doctor.programs.cases import SPECIAL, general_chain
+from ...doctor.programs.wrong.products import WRONG_PRODUCTS, product
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Table, Value

@@ -4,13 +4,13 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
-from ...doctor.cases import SPECIAL, general_chain
-from ...doctor.wrong_links import standard
-from ...doctor.wrong_products import product
+from ...doctor.programs.cases import SPECIAL, general_chain
+from ...doctor.programs.wrong.links import standard
+from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
-from ..repairs import Impostor, Repair
+from ..kinds.repaired import Impostor, Repair
 from .lesson06 import ARTICLE
 
 __all__ = ["EXERCISES"]

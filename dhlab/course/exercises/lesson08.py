@@ -6,10 +6,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
-from ...doctor.wrong_branches import branches, in_order
-from ...doctor.wrong_jacobians import WRONG_JACOBIANS, geometric_jacobian, pose_error
-from ...doctor.wrong_products import product
-from ...doctor.wrong_solvers import inverse_kinematics, wrapped
+from ...doctor.programs.wrong.branches import branches, in_order
+from ...doctor.programs.wrong.jacobians import WRONG_JACOBIANS, geometric_jacobian, pose_error
+from ...doctor.programs.wrong.products import product
+from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from ...arm import Arm
-from ...doctor.cases import SPECIAL, general_chain
-from ...doctor.wrong_links import standard
-from ...doctor.wrong_products import product
-from ...frames import assign_frames
+from ...doctor.programs.cases import SPECIAL, general_chain
+from ...doctor.programs.wrong.links import standard
+from ...doctor.programs.wrong.products import product
+from ...geometry.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy

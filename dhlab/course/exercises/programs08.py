@@ -6,10 +6,10 @@ from itertools import product
 
 import numpy as np
 
-from ...doctor.calling import is_stub
-from ...doctor.wrong_branches import branches, in_order
-from ...doctor.wrong_jacobians import geometric_jacobian, pose_error
-from ...doctor.wrong_solvers import chain, wrapped
+from ...doctor.programs.calling import is_stub
+from ...doctor.programs.wrong.branches import branches, in_order
+from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
+from ...doctor.programs.wrong.solvers import chain, wrapped
 from ..kinds import Function, Said
 
 __all__ = ["MISREAD", "UNDAMPED", "Program"]

@@ -7,8 +7,8 @@ import numpy as np
 
 from ...arm import Arm
 from ...doctor import explain_function, explain_rows
-from ...doctor.calling import Called, CallFault, call_all, is_stub
-from ...equivalence import equivalent
+from ...doctor.programs.calling import Called, CallFault, call_all, is_stub
+from ...geometry.equivalence import equivalent
 from ...table import DHTable
 from ..verdict import NOT_ATTEMPTED, RIGHT
 from .exercise import Exercise, untouched

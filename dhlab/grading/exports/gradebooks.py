@@ -3,10 +3,10 @@
 import json
 from pathlib import Path
 
-from ...files import read_text
-from ..csvtext import csv_text
-from ..marks import GRADED, NOT_ATTEMPTED, TIMED_OUT, Graded
-from ..roster import Student
+from ...formats.files import read_text
+from ..intake.roster import Student
+from ..results.csvtext import csv_text
+from ..results.marks import GRADED, NOT_ATTEMPTED, TIMED_OUT, Graded
 
 __all__ = ["read_marks", "canvas_csv", "moodle_csv"]
 
@@ -50,7 +50,7 @@ def canvas_csv(marks, roster=()):
 
     Examples
     --------
-    >>> from dhlab.grading.marks import Graded, Mark
+    >>> from dhlab.grading.results.marks import Graded, Mark
     >>> print(canvas_csv({"ada": Graded("ada", "", "graded", (Mark("05.1", "right", 1, 1), Mark("05.2", "wrong", 0, 2)))}), end="")
     Student,ID,SIS User ID,SIS Login ID,Section,dhlab 05
     Points Possible,,,,,3
@@ -68,7 +68,7 @@ def moodle_csv(marks, roster=()):
 
     Examples
     --------
-    >>> from dhlab.grading.marks import Graded, Mark
+    >>> from dhlab.grading.results.marks import Graded, Mark
     >>> print(moodle_csv({"ada": Graded("ada", "", "missing", (Mark("05.1", "not attempted", 0, 1),))}, [Student("ada", "Ada", "ada@example.org")]), end="")
     ID number,Email address,Full name,dhlab 05
     ada,ada@example.org,Ada,

@@ -11,9 +11,9 @@ from importlib.metadata import requires, version
 from pathlib import Path
 
 from ...course.workspace import handed_out
-from ...files import read_text, write_bytes
+from ...formats.files import read_text, write_bytes
+from ..handing_out.variants import variants
 from ..settings import read_settings
-from ..variants import variants
 
 __all__ = ["export_gradescope"]
 
@@ -84,7 +84,7 @@ def _package():
 
 def _requirements():
     """What the library and its lessons need, in the versions that are installed here."""
-    wanted = [line for line in requires("dhlab") or [] if "extra ==" not in line or re.search(r"""extra == ["'](symbolic|urdf)["']""", line)]
+    wanted = [line for line in requires("dhlab-kinematics") or [] if "extra ==" not in line or re.search(r"""extra == ["'](symbolic|urdf)["']""", line)]
     names = {re.match(r"[\w.-]+", line)[0] for line in wanted} | {"ipython", "nbformat"}
     return sorted(f"{name}=={version(name)}" for name in names)
 

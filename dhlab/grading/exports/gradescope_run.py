@@ -7,15 +7,15 @@ from pathlib import Path
 
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
-from ...files import write_text
-from ..feedback import headline
-from ..marks import RIGHT
-from ..notebooks import numbers_of
-from ..pages import words
-from ..questions import Course
+from ...formats.files import write_text
+from ..intake.notebooks import numbers_of
+from ..intake.submissions import submissions
+from ..judging.questions import Course
+from ..judging.work import Handed, Task, work
+from ..results.feedback import headline
+from ..results.marks import RIGHT
+from ..results.pages import words
 from ..settings import Settings, read_settings
-from ..submissions import submissions
-from ..work import Handed, Task, work
 
 __all__ = ["results"]
 

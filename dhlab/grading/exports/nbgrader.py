@@ -5,11 +5,11 @@ from pathlib import Path
 
 import nbformat
 
-from ...course.build import read_source, sources
-from ...files import write_text
-from ..csvtext import csv_text
-from ..questions import scored
-from ..release import make_folder
+from ...course.building.notebooks import read_source, sources
+from ...formats.files import write_text
+from ..handing_out.release import make_folder
+from ..judging.questions import scored
+from ..results.csvtext import csv_text
 from ..settings import Settings
 
 __all__ = ["export_nbgrader", "source_notebook"]

@@ -8,9 +8,9 @@ import warnings
 from ...course.exercises import exercises
 from ...course.kinds import Function, Table
 from ...course.verdict import NOT_ATTEMPTED, WRONG
-from ...doctor.calling import is_stub
+from ...doctor.programs.calling import is_stub
 from ..inside.watch import library
-from ..questions import fresh
+from ..judging.questions import fresh
 
 __all__ = ["graded_check"]
 

@@ -1,5 +1,5 @@
 """The doctor's way of calling a learner's function. In the cage the file itself stands here, so that the rest of the doctor need not be loaded."""
 
-from ...doctor.calling import is_stub, record
+from ...doctor.programs.calling import is_stub, record
 
 __all__ = ["is_stub", "record"]

@@ -10,8 +10,7 @@ import dhlab
 __all__ = ["library"]
 
 ROOT = os.path.dirname(dhlab.__file__) + os.sep
-CLOSED = ("kinematics.py", "symbolic.py", "symbolicproduct.py", "exact.py", "conversion.py", "freedoms.py", "frames.py", "placing.py", "placement.py")
-CLOSED_ROOM = "doctor"  # it knows the right programs
+CLOSED = "kinematics.py", "symbolic", "geometry", "placing", "doctor"  # rooms and modules that know the right programs
 BLINDING = (sys.setprofile, threading.setprofile.__code__)  # a function that calls these wants to be unseen
 
 
@@ -51,4 +50,4 @@ def library(own):
 
 
 def _closed(path):
-    return path in CLOSED or path.split(os.sep)[0] == CLOSED_ROOM
+    return path.split(os.sep)[0] in CLOSED

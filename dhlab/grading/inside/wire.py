@@ -55,7 +55,7 @@ def _encoded(value, depth):
 
 def _table(value):
     from dhlab.arm import Arm
-    from dhlab.frames import PlacedArm
+    from dhlab.geometry.frames import PlacedArm
     from dhlab.table import DHTable
     if type(value) is DHTable:
         return {"table": [value.convention, _array(value.rows), str(value.joints)]}

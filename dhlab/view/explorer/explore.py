@@ -4,7 +4,7 @@ import inspect
 
 import numpy as np
 
-from ...conversion import as_arm
+from ...geometry.conversion import as_arm
 from . import stills
 from .content import arm_data, pose_data
 from .widget import Explorer
@@ -116,7 +116,7 @@ def _compare(arm, *, q=None, poses=None, other=None):
 
 
 def _measured(arm, q, poses):
-    from ..compared import _given as checked
+    from ..pictures.compared import _given as checked
     q, T, p, turns = checked(arm, q, poses)
     full = np.array(T) if turns is None else np.asarray(poses, dtype=float)
     full[:, :3, 3] = p

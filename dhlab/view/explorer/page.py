@@ -14,6 +14,7 @@ def wrapped(fallback, data, state):
 def arm_bundle(arm):
     """How an arm shows itself: the explorer with the arm's table as what is seen without it; the table alone where no notebook asks."""
     from IPython import get_ipython
+
     from .explore import explore
     if getattr(get_ipython(), "kernel", None) is None:
         return {"text/html": arm._repr_html_(), "text/plain": repr(arm)}

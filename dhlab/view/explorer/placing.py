@@ -5,7 +5,7 @@ Every choice is judged by :class:`dhlab.placing.Placement`; here is only what to
 
 import numpy as np
 
-from ...placing import Placement
+from ...placing.board import Placement
 from .content import arm_data
 
 __all__ = ["Placing", "axes_of"]

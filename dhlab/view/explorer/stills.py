@@ -3,20 +3,21 @@
 import numpy as np
 
 from .. import words
-from ..axes import axes as axes_picture
-from ..bodies import dh_path
-from ..camera import orbit
-from ..compared import compared as measured
-from ..conventions import conventions
-from ..floor import add_floor, floor_height
+from ..drawing.bodies import dh_path
+from ..drawing.camera import orbit
+from ..drawing.floor import add_floor, floor_height
+from ..drawing.page import View, compose
+from ..drawing.scene import Dot, Label, Scene, Stroke
+from ..drawing.style import LINK
+from ..drawing.triads import add_triads
 from ..given import spread
-from ..link import link
-from ..page import View, compose
 from ..picture import Picture
-from ..pictures import TABLE, arm as arm_picture
-from ..scene import Dot, Label, Scene, Stroke
-from ..style import LINK
-from ..triads import add_triads
+from ..pictures.arm import TABLE
+from ..pictures.arm import arm as arm_picture
+from ..pictures.axes import axes as axes_picture
+from ..pictures.compared import compared as measured
+from ..pictures.conventions import conventions
+from ..pictures.link import link
 
 __all__ = ["arm", "conventions", "link", "measured", "two", "place"]
 

@@ -1,0 +1,61 @@
+"""The command line: one verb each. Errors are one plain sentence on standard error, exit status 2."""
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+from .. import __version__
+from .convert import convert
+from .doctor import doctor
+from .export import export
+from .fk import fk
+from .from_urdf import from_urdf
+from .grade import grade
+from .lab import lab
+from .release import release
+from .robots import list_robots
+
+__all__ = ["app", "main"]
+
+app = typer.Typer(help="Learn, teach and debug Denavit-Hartenberg kinematics.", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+
+
+@app.callback(invoke_without_command=True)
+def _top(context: typer.Context, version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False):
+    if context.invoked_subcommand is None:
+        print(__version__ if version else context.get_help())
+
+
+# as the README groups them: for who learns, who teaches, who has an arm
+app.command()(lab)
+app.command()(release)
+app.command()(grade)
+app.add_typer(export, name="export")
+app.command()(doctor)
+app.command()(fk)
+app.command(name="from-urdf")(from_urdf)
+app.command()(convert)
+app.command(name="robots")(list_robots)
+
+
+def main():
+    """The entry point of the ``dhlab`` command."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")  # a terminal without θ still gets an answer
+    try:
+        sys.exit(app(standalone_mode=False))
+    except (KeyboardInterrupt, typer.Abort):
+        sys.exit(130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except Exception as error:
+        usage = getattr(error, "format_message", None)  # a usage error; Typer's class for it has moved between versions
+        if not usage and not isinstance(error, ValueError):
+            raise
+        sentence = f"{usage()} See dhlab --help for what there is." if usage else str(error)
+        print(f"dhlab: {' '.join(sentence.split())}", file=sys.stderr)
+        sys.exit(2)

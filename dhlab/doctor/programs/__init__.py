@@ -1,0 +1,1 @@
+"""What is wrong with a learner's program, found by calling it."""

@@ -1,0 +1,150 @@
+"""What is wrong with a program whose answers are known: one slip or two that give the same answers, then what can be said in general."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...transform import inverse, pose_fault
+from ..catalogue import catalogue
+from ..finding import find
+from .slipsearch import search
+from .wrong.branches import WRONG_BRANCHES
+from .wrong.craig import WRONG_CRAIG
+from .wrong.jacobians import WRONG_ERRORS, WRONG_JACOBIANS
+from .wrong.links import WRONG_COMPOSE, WRONG_LINKS, WRONG_ROT_X
+from .wrong.products import WRONG_PRODUCTS
+from .wrong.solvers import WRONG_SOLVERS
+
+__all__ = ["explain_function", "explain_all", "WRONG_VERSIONS"]
+
+WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE,
+                  "craig_transform": WRONG_CRAIG}
+NUMBERS = {"jacobian": WRONG_JACOBIANS, "pose_error": WRONG_ERRORS, "inverse_kinematics": WRONG_SOLVERS, "branches": WRONG_BRANCHES}  # of no poses
+WRONG_VERSIONS |= NUMBERS
+PARAMETERS = ("theta", "d", "a", "alpha", "q")
+ROUNDED = 0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
+
+
+def explain_function(answers, expected, cases, kind):
+    """The mistake that explains the answers of a pose-valued program.
+
+    Parameters
+    ----------
+    answers : sequence of arrays
+        What the program gave, each as numpy holds it; not all right.
+    expected : sequence of (4, 4) arrays
+        What is right.
+    cases : sequence of tuples
+        The arguments of each call.
+    kind : str
+        A key of :data:`WRONG_VERSIONS`.
+
+    Returns
+    -------
+    Finding or None
+        The best one; ``detail`` names a second mistake where it takes two. None when nothing known explains the answers.
+
+    Examples
+    --------
+    >>> from dhlab.doctor.programs.wrong.links import standard
+    >>> from dhlab.transform import inverse
+    >>> cases = [(0.3, 0.1, 0.4, 0.5), (1.1, -0.2, 0.3, -0.7)]
+    >>> right = [standard(*case) for case in cases]
+    >>> explain_function(inverse(right), right, cases, "dh_transform").mistake
+    'pose-inverted'
+    """
+    findings = explain_all(answers, expected, cases, kind)
+    if len(findings) < 2:
+        return findings[0] if findings else None
+    others = "; ".join(_named(finding) for finding in findings[1:])
+    return replace(findings[0], detail=f"and a second thing: {others}")
+
+
+def _named(finding):
+    return catalogue()[finding.mistake].title + (f" ({finding.place})" if finding.place else "")
+
+
+def explain_all(answers, expected, cases, kind, tolerance=1e-9):
+    """All the mistakes that together explain the answers, a tuple of Findings; parameters as :func:`explain_function`."""
+    if kind in NUMBERS:
+        found = _wrong_version(answers, cases, kind)
+        return (found,) if found else ()
+    if any(np.shape(answer) != (4, 4) for answer in answers):
+        return (find("last-row-missing"),) if all(np.shape(answer) == (3, 4) for answer in answers) else ()
+    answers, expected = np.array(answers), np.array(expected, dtype=float)
+    if answers.dtype.kind in "iub":
+        return (find("integer-arrays"),)
+    if _same(answers, expected, tolerance):
+        return ()
+    slips, look_alikes = _searched(answers, cases, kind, tolerance)
+    if slips:
+        return tuple(_finding(slip, look_alikes if len(slips) == 1 else ()) for slip in slips)
+    topped = _with_right_last_row(answers, expected, tolerance)
+    if topped is not None and (slips := _searched(topped, cases, kind, tolerance)[0]):
+        return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))
+    found = _wrong_version(answers, cases, kind) or _relation(answers, expected, tolerance) or _entries(answers, expected) or _not_a_pose(answers)
+    return (found,) if found else ()
+
+
+def _with_right_last_row(answers, expected, tolerance):
+    """The answers with 0 0 0 1 below, None where they have it, or where nothing else is wrong."""
+    topped = answers.astype(float)
+    topped[..., 3, :] = [0, 0, 0, 1]
+    return None if _same(topped, answers, tolerance) or _same(topped, expected, tolerance) else topped
+
+
+def _searched(answers, cases, kind, tolerance):
+    return search(answers, cases, kind, tolerance) if kind in ("dh_transform", "forward_kinematics") else ((), ())
+
+
+def _finding(slip, look_alikes):
+    parameter = slip.place if slip.place in PARAMETERS else None
+    return find(slip.mistake, slip.place, parameter=parameter, look_alikes=look_alikes)
+
+
+def _wrong_version(answers, cases, kind):
+    if kind in ("dh_transform", "forward_kinematics"):
+        return None  # the search has seen them all
+    with np.errstate(all="ignore"):
+        for mistake, place, version in WRONG_VERSIONS.get(kind, ()):
+            if all(_same(version(*case), answer) for case, answer in zip(cases, answers)):
+                return find(mistake, place)
+    return None
+
+
+def _same(a, b, tolerance=1e-9):
+    return np.allclose(a, b, rtol=tolerance, atol=tolerance)
+
+
+def _relation(answers, expected, tolerance):
+    """How the answers stand to the right poses as wholes, whatever program made them."""
+    transposed = np.swapaxes(expected, -1, -2)
+    scaled = expected * np.where(np.arange(4) == 3, np.array([1000, 1000, 1000, 1])[:, None], 1)
+    turned = expected.copy()
+    turned[..., :3, :3] = transposed[..., :3, :3]
+    for mistake, other in (("pose-inverted", inverse(expected)), ("matrix-transposed", transposed),
+                           ("rotation-transposed", turned), ("length-unit", scaled), ("integer-arrays", np.trunc(expected))):
+        if _same(answers, other, tolerance):
+            return find(mistake)
+    if np.abs(answers - expected).max() < ROUNDED:
+        return find("pi-rounded")
+    if _same(answers[..., :3, :], expected[..., :3, :], tolerance):
+        return find("last-row-missing")
+    return None
+
+
+def _entries(answers, expected):
+    """One or two wrong entries in an otherwise right matrix."""
+    wrong = np.argwhere((np.abs(answers - expected) > 1e-9 * (1 + np.abs(expected))).any(axis=0))
+    if 0 < len(wrong) <= 2:
+        return find("matrix-entry-mistyped", " and ".join(f"row {i + 1}, column {j + 1}" for i, j in wrong))
+    return None
+
+
+def _not_a_pose(answers):
+    fault = pose_fault(answers)
+    if fault is None:
+        return None
+    if "last row" in fault:
+        return find("last-row-missing")
+    return find("mirror") if "mirror" in fault else find("not-rigid")

@@ -1,0 +1,1 @@
+"""Tables as text: pasted from anywhere, in other dialects, compared row by row."""

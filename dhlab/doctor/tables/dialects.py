@@ -1,0 +1,284 @@
+"""A table pasted in somebody else's dialect, read into an ``Arm``: column order, convention, units, extra rows; where two readings fit, both."""
+
+from dataclasses import dataclass
+from itertools import combinations, product
+
+import numpy as np
+
+from ...arm import Arm
+from ...geometry.equivalence import equivalent
+from ...kinematics import link_matrices
+from ...printing import number
+from ...table import DHTable
+from .columns import angle_units, length_units, misplaced, orders, snapped
+from .pasted import take_apart
+
+__all__ = ["Reading", "Recognised", "recognise_table"]
+
+MOST_READINGS = 24
+QUESTIONS = {"order": "In which order do the columns stand", "convention": "For which matrix are the rows, the standard or Craig's (modified) one?",
+             "angle": "Are the angles degrees or radians?", "length": "Are the lengths metres or millimetres?",
+             "row": "Does a row without a joint (base or flange) stand among these, or does each row have a motor?"}
+TRIES = 60  # random configurations among which the one that tells the readings apart best is taken
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read a table: the arm, the way in words, what had to be assumed, and which answer to each question leads here."""
+
+    arm: Arm
+    words: str
+    assumptions: tuple = ()
+    choices: tuple = ()
+
+    def __str__(self):
+        return self.words
+
+
+@dataclass(frozen=True)
+class Recognised:
+    """The answer of :func:`recognise_table`.
+
+    Parameters
+    ----------
+    readings : tuple of Reading
+        Most likely first; with ``right=`` only those that are the right arm, unless none is.
+    questions : tuple of str
+        What a person has to say to leave one reading.
+    tell_apart : array (n,) or None
+        A configuration, radians and metres, at which the readings' end points differ most; None with one reading.
+    poses : array (readings, 4, 4) or None
+        The end poses there.
+    notes : tuple of str
+        Patterns worth a look: degrees among radians, lengths all positive.
+    matches : bool or None
+        Whether the first reading is equivalent to ``right``; None without it.
+    """
+
+    readings: tuple
+    questions: tuple = ()
+    tell_apart: np.ndarray | None = None
+    poses: np.ndarray | None = None
+    notes: tuple = ()
+    matches: bool | None = None
+
+    @property
+    def arm(self):
+        """The most likely reading's arm."""
+        return self.readings[0].arm
+
+    def __str__(self):
+        lines = [f"Read as {self.readings[0].words}." if len(self.readings) == 1 else f"{len(self.readings)} readings fit:"]
+        if len(self.readings) > 1:
+            lines += [f"  {k}. {reading.words}" for k, reading in enumerate(self.readings, 1)]
+        lines += [f"  Assumed: {text}" for text in self.readings[0].assumptions] + [f"  Note: {text}" for text in self.notes]
+        lines += [f"  Question: {text}" for text in self.questions]
+        if self.tell_apart is not None:
+            lines.append("  Telling: measure at q = " + ", ".join(number(v, 4) for v in self.tell_apart) + " (rad, m): " + "; ".join(
+                f"{k}. ({', '.join(number(v, 3) for v in pose[:3, 3])}) m" for k, pose in enumerate(self.poses, 1)))
+        return "\n".join(lines)
+
+    __repr__ = __str__
+
+
+def recognise_table(given, right=None, *, order=None, convention=None, angle=None, length=None):
+    """Read a table pasted from a paper, a program or a spreadsheet.
+
+    Parameters
+    ----------
+    given : str or rows
+        Text with tabs, spaces, commas, semicolons or pipes between the cells, with or without a header and an index column; or rows of
+        numbers and texts. Cells such as ``pi/2``, ``-π/2``, ``90°``, ``q1``, ``θ2* - 90`` are understood; nothing is evaluated.
+    right : Arm, optional
+        The arm the table should be; readings that are not equivalent to it are left out, if one is.
+    order, convention, angle, length : optional
+        Answers to the questions: ``"theta d a alpha"`` (any order), ``"standard"`` or ``"craig"``, ``"deg"`` or ``"rad"``, ``"m"`` or ``"mm"``.
+
+    Returns
+    -------
+    Recognised
+
+    Raises
+    ------
+    ValueError
+        One sentence: which line and cell, what was expected, what was found, what to do.
+
+    Examples
+    --------
+    >>> said = '''i  a    alpha  d    theta
+    ...           1  0    90°    0.1  q1
+    ...           2  0.4  0      0    q2 - 90°'''
+    >>> found = recognise_table(said, convention="standard")
+    >>> print(found)
+    Read as columns a, alpha, d, theta, as the header says; standard convention; degrees; metres.
+    >>> found.arm.table.theta.round(4)
+    array([ 0.    , -1.5708])
+    """
+    table = take_apart(given)
+    _check_answers(order, convention, angle, length)
+    found = list(_readings(table, order, convention or table.convention, angle, length, right))
+    if not found:
+        raise ValueError('recognise_table: expected two columns of angles and two of lengths, found no order in which the columns are that; '
+                         'say the order, as in order="theta d a alpha"')
+    readings = _different(found)[:MOST_READINGS]
+    if right is None:
+        return _answer(readings, _notes(table, readings), None)
+    same, but_for = _equivalent(right, readings)
+    readings = same or readings
+    return _answer(readings, (*but_for, *_notes(table, readings)), bool(same))
+
+
+def _equivalent(right, readings):
+    """The first reading that is the right arm, as given or up to a constant tool or base; and a note that says so."""
+    for free, words in (((), ""), (("tool",), "its tool"), (("base",), "its base"), (("base", "tool"), "its base and tool")):
+        for reading in readings:
+            if equivalent(right, reading.arm, **{end: "free" for end in free}):
+                return [reading], (f"this reading is the right arm but for {words}",) if words else ()
+    return [], ("no reading is the right arm: an entry differs",)
+
+
+def _check_answers(order, convention, angle, length):
+    for name, value, known in (("convention", convention, ("standard", "craig")), ("angle", angle, ("deg", "rad")), ("length", length, ("m", "mm"))):
+        if value is not None and value not in known:
+            raise ValueError(f"recognise_table: {name}: expected {' or '.join(known)}, found {value!r}; leave it out when you do not know")
+    if order is not None and (not isinstance(order, str) or sorted(order.split()) != ["a", "alpha", "d", "theta"]):
+        raise ValueError(f'recognise_table: order: expected the names theta, d, a, alpha in some order, found {order!r}; as in "a alpha d theta"')
+
+
+def _readings(table, order, convention, angle, length, right):
+    """Every reading that the text allows, the likeliest first."""
+    for roles, why in orders(table, order):
+        columns = {role: [row[k] for row in table.rows] for k, role in enumerate(roles)}
+        conventions = [convention] if convention else ["standard", "craig"]
+        if not convention and _looks_like_craig(columns):
+            conventions.reverse()
+        choices = product(conventions, angle_units(table, columns, angle), length_units(table, columns, length), _extra_rows(table, columns, right))
+        for name, unit, metre, extra in choices:
+            yield _reading(table, columns, roles, why, name, unit, metre, extra)
+
+
+def _looks_like_craig(columns):
+    """The first row without a and alpha, the last row with: a Craig table more often than not."""
+    first, last = ([columns[role][k].value for role in ("a", "alpha")] for k in (0, -1))
+    return not any(first) and any(last)
+
+
+def _extra_rows(table, columns, right):
+    """Which rows have no joint: ("", "base" or "tool") by labels, by the missing variable, or by the number of joints asked for."""
+    n = len(table.rows)
+    named = "base" if table.labels[0] in ("base", "0 (base)") else ""
+    named = named or ("tool" if any(word in table.labels[-1] for word in ("flange", "tool", "hand", "ee", "end")) else "")
+    moves = [any(not columns[role][i].is_constant for role in columns) for i in range(n)]
+    fixed = [not moved for moved in moves] if any(moves) else [kind == "fixed" for kind in table.kinds]
+    if n < 2:
+        return [""]
+    if named or sum(fixed) == 1 and (fixed[0] or fixed[-1]):
+        return [named or ("base" if fixed[0] else "tool")]
+    if right is not None and n == len(right) + 1 and not any(moves):
+        return ["base", "tool"]
+    if table.labels[0] == "0" and not any(moves):
+        return ["", "base"]
+    return [""]
+
+
+def _reading(table, columns, roles, why, convention, unit, metre, extra):
+    assumed = []
+    numbers = {role: np.array([_scaled(cell, role, unit, metre, assumed) for cell in column]) for role, column in columns.items() if role != "sigma"}
+    numbers["theta"] = numbers["theta"] + numbers.pop("offset", 0)
+    joints = [_joint(table, columns, i) for i in range(len(table.rows))]
+    signs = [next((columns[role][i].sign for role in ("theta", "d") if not columns[role][i].is_constant), 1) for i in range(len(table.rows))]
+    rows = np.column_stack([numbers[role] for role in ("theta", "d", "a", "alpha")])
+    arm = _arm(convention, rows, joints, signs, extra)
+    order = f"columns {', '.join(role for role in roles if role in numbers)}, {why}"
+    row = {"base": "; the first row has no joint and is the base", "tool": "; the last row has no joint and is the flange"}.get(extra, "")
+    units = {"deg": "degrees", "rad": "radians", "mixed": "radians, with numbers beyond 2π as degrees"}[unit]
+    book = "Craig (modified)" if convention == "craig" else "standard"
+    words = f"{order}; {book} convention; {units}; {'millimetres' if metre == 'mm' else 'metres'}{row}"
+    return Reading(arm, words, tuple(dict.fromkeys(assumed)), tuple(zip(QUESTIONS, (roles, convention, unit, metre, extra))))
+
+
+def _scaled(cell, role, unit, metre, assumed):
+    if role in ("d", "a"):
+        return cell.value * {"mm": 1e-3, "cm": 1e-2, "m": 1.0}[cell.unit if cell.unit in ("mm", "cm", "m") else metre]
+    in_degrees = cell.unit == "deg" or cell.unit != "rad" and (unit == "deg" or unit == "mixed" and abs(cell.value) > 2 * np.pi)
+    if in_degrees:
+        return np.deg2rad(cell.value)
+    value, said = snapped(cell.value) if cell.unit != "rad" else (cell.value, "")
+    assumed.extend([said] if said else [])
+    return value
+
+
+def _joint(table, columns, i):
+    if table.kinds[i] in ("R", "P"):
+        return table.kinds[i]
+    if "sigma" in columns:
+        return "P" if columns["sigma"][i].value else "R"
+    return "P" if not columns["d"][i].is_constant and columns["theta"][i].is_constant else "R"
+
+
+def _arm(convention, rows, joints, signs, extra):
+    kept = slice(1, None) if extra == "base" else slice(None, -1) if extra == "tool" else slice(None)
+    fixed = {"base": rows[0], "tool": rows[-1]}.get(extra)
+    ends = {} if fixed is None else {extra: link_matrices(convention, *fixed)}
+    table = DHTable(convention, *rows[kept].T, "".join(joints[kept]))
+    return Arm(table, sign=signs[kept], **ends)
+
+
+def _different(readings):
+    """The readings without those that are an earlier one's arm: what makes no difference needs no question."""
+    kept = []
+    for reading in readings:
+        if not any(_same_arm(reading.arm, other.arm) for other in kept):
+            kept.append(reading)
+    return kept
+
+
+def _same_arm(a, b):
+    if len(a) != len(b) or a.table.joints != b.table.joints:
+        return False
+    q = np.random.default_rng(8).uniform(-1.3, 1.3, (3, len(a)))
+    return np.allclose(a.forward(q), b.forward(q), rtol=0, atol=1e-9)
+
+
+def _answer(readings, notes, matches):
+    questions = tuple(_question(name, readings) for name in QUESTIONS if len({dict(reading.choices)[name] for reading in readings}) > 1)
+    q = _telling(readings)
+    poses = None if q is None else np.array([reading.arm.forward(q) for reading in readings])
+    return Recognised(tuple(readings), questions, q, poses, notes, matches)
+
+
+def _question(name, readings):
+    values = list(dict.fromkeys(dict(reading.choices)[name] for reading in readings))
+    if name == "order":
+        return f"{QUESTIONS[name]}: " + ", or ".join(" ".join(roles) for roles in values) + "?"
+    return QUESTIONS[name]
+
+
+def _telling(readings):
+    """The configuration at which the two readings that are nearest to each other differ most; None when one cannot tell."""
+    arms = [reading.arm for reading in readings]
+    if len(arms) < 2 or len({(len(arm), arm.table.joints) for arm in arms}) > 1:
+        return None
+    q = np.random.default_rng(9).uniform(0.2, 1.4, (TRIES, len(arms[0]))).round(2)
+    poses = [arm.forward(q) for arm in arms]
+    gaps = [np.abs(one - other).max(axis=(-1, -2)) for one, other in combinations(poses, 2)]
+    return q[int(np.argmax(np.min(gaps, axis=0)))]
+
+
+def _notes(table, readings):
+    """What in the numbers is worth a second look."""
+    notes = []
+    choices = dict(readings[0].choices)
+    rows = readings[0].arm.table.rows
+    if choices["angle"] == "mixed":
+        notes.append("some angles are beyond 2π while others are multiples of π/2: degrees in a radian column?")
+    odd = misplaced({role: [row[k] for row in table.rows] for k, role in enumerate(choices["order"])})
+    if odd:
+        notes.append(f"{' and '.join(odd)}: multiples of π/2 stand among lengths, or lengths among angles; have columns changed places?")
+    lengths = rows[:, 1:3][rows[:, 1:3] != 0]
+    if len(lengths) >= 4 and (lengths > 0).all() and readings[0].arm.table.convention == "standard":
+        notes.append("no length is negative; d and a are coordinates along an axis, so look whether the source lost a minus")
+    sizes = np.abs(lengths)
+    if len(sizes) > 1 and sizes.max() > 100 * np.median(sizes) and sizes.max() > 3:
+        notes.append("one length is more than 100 times the usual one here: millimetres among metres?")
+    return tuple(notes)

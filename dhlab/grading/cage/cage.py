@@ -1,0 +1,264 @@
+"""The cage: a warm parent behind bars, from which each submission is forked; what comes out is lines of JSON, and a word on how it ended.
+
+Three levels, the best that the machine has unless one is named:
+
+- **bubblewrap**: its own file system, network, processes and user, with seccomp and limits on top;
+- **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls by seccomp, with limits;
+- **rlimits**: limits of memory, time and files only. A submission could read what the teacher can read. Said in every report.
+"""
+
+import contextlib
+import json
+import os
+import select
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from ..settings import LEVELS, Limits
+from . import stage
+
+try:
+    import fcntl
+except ImportError:  # Windows, where best_level says what to do
+    fcntl = None
+
+__all__ = ["Cage", "Run", "best_level", "RISKS"]
+
+RISKS = {
+    "bubblewrap": "bubblewrap: submissions see no network, no files but Python's, no processes but their own",
+    "landlock": "Landlock with seccomp: submissions read no files but Python's and the system's, reach no network, start no program",
+    "rlimits": "limits only, since neither bubblewrap nor Landlock works here: a hostile submission could read the teacher's files and use the network; "
+               "grade only people you trust, or install bubblewrap",
+}
+ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
+MOST = 8_000_000  # bytes that one submission may answer
+PREFIX = "dhlab-cage-"
+START = 60  # seconds to load the libraries
+GRACE = 1.5  # seconds after a cell's own limit until it is stopped from outside
+
+
+@dataclass
+class Run:
+    """One run of a notebook: the lines it sent; how it ended ("done", "crashed", "timed out", "too much"); the cell it was in; seconds; MB at most."""
+
+    lines: list = field(default_factory=list)
+    ended: str = "crashed"
+    cell: int | None = None
+    seconds: float = 0.0
+
+
+class Cage:
+    """Runs notebooks, one after the other; a context manager.
+
+    Parameters
+    ----------
+    level : "bubblewrap", "landlock", "rlimits" or None
+        None: the best that works here.
+    limits : Limits
+    warm : sequence of str
+        Modules to load once, for all.
+
+    Raises
+    ------
+    ValueError
+        The level does not work on this machine.
+    """
+
+    def __init__(self, level=None, limits=Limits(), warm=()):
+        self.level, self.limits, self.warm = _known(level) or best_level(), limits, tuple(warm)
+        self._process = self._folder = self._control = self._lock = None
+        _sweep()
+        self._start()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.close()
+
+    def run(self, request, notebook, seconds):
+        """Run a notebook once.
+
+        Parameters
+        ----------
+        request : dict
+            See :func:`dhlab.grading.judging.questions.request`.
+        notebook : bytes
+        seconds : float
+            For all of it.
+
+        Returns
+        -------
+        Run
+        """
+        if self._process is None:
+            self._start()
+        begun = time.monotonic()
+        answers, write_end = os.pipe()
+        try:
+            with tempfile.TemporaryFile() as file:
+                file.write(json.dumps(request).encode() + b"\n" + notebook)
+                file.flush()
+                file.seek(0)
+                socket.send_fds(self._control, [b"go"], [file.fileno(), write_end])
+            os.close(write_end)
+            result = _Listener(answers, request["cell_seconds"] + GRACE, begun + seconds).listen()
+            self._finish()
+        except OSError:  # the whole cage has died; the next run builds another
+            result = Run()
+            self.close()
+        finally:
+            os.close(answers)
+        result.seconds = time.monotonic() - begun
+        return result
+
+    def _finish(self):
+        """Let the warm parent kill what is left and clean up; where it cannot, build a new one."""
+        self._control.settimeout(10)
+        self._control.sendall(b"x")
+        answer = self._control.recv(1000)
+        if not answer or not json.loads(answer)["clean"]:
+            self.close()
+
+    def _start(self):
+        problem = self._try(proc=True)
+        if "proc" in problem and self.level == "bubblewrap":
+            problem = self._try(proc=False)
+        if problem:
+            raise ValueError(f"grade: expected the cage {self.level!r} to work here, found that it does not ({problem}); choose another, or leave it out for the best there is")
+
+    def _try(self, proc):
+        """Start the warm parent; empty when it is ready, otherwise what is wrong."""
+        self._folder = tempfile.mkdtemp(prefix=PREFIX)
+        self._lock = open(os.path.join(self._folder, "lock"), "wb")  # held as long as this process lives
+        fcntl.flock(self._lock, fcntl.LOCK_EX)
+        staged, work = os.path.join(self._folder, "staged"), os.path.join(self._folder, "work")
+        for folder in (staged, work):
+            os.mkdir(folder)
+        os.chmod(self._folder, 0o711)
+        stage.stage(staged)
+        self._control, theirs = socket.socketpair()
+        with theirs, open(os.path.join(self._folder, "errors"), "wb") as errors:
+            command, environment = self._command(staged, work, theirs.fileno(), proc)
+            self._process = subprocess.Popen(command, pass_fds=[theirs.fileno()], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                             stderr=errors, start_new_session=True, cwd="/")
+        problem = self._greeting()
+        if problem:
+            self.close()
+        return problem
+
+    def _command(self, staged, work, control, proc):
+        bubblewrap = self.level == "bubblewrap"
+        root = os.geteuid() == 0
+        user = (2_000_000_000 + os.getpid() % 1_000_000) if root and (bubblewrap or _readable_by_others()) else None
+        own_user = user is not None or bubblewrap
+        covered = stage.hidden()
+        config = {"control": control, "level": self.level, "work": "/tmp" if bubblewrap else work, "user": user, "own_processes": bubblewrap, "warm": [*ALWAYS_WARM, *self.warm],
+                  "limits": asdict(self.limits) | {"own_user": own_user}, "readable": [*stage.readable_without(covered), staged] if self.level == "landlock" else []}
+        command = stage.python_command(stage.INSIDE if bubblewrap else staged, json.dumps(config))
+        if bubblewrap:
+            return stage.bubblewrap_command(shutil.which("bwrap"), staged, command, self.limits, proc), {}
+        return command, stage.environment(work)
+
+    def _greeting(self):
+        """Empty when the warm parent is ready, otherwise what it says, or what Python printed."""
+        self._control.settimeout(START)
+        try:
+            answer = json.loads(self._control.recv(10_000) or b"{}")
+        except (TimeoutError, ValueError, OSError):
+            answer = {}
+        if answer.get("ready"):
+            return ""
+        with open(os.path.join(self._folder, "errors"), encoding="utf-8", errors="replace") as file:
+            return answer.get("problem") or " ".join(file.read().split())[-200:] or "it does not start"
+
+    def close(self):
+        """Kill everything in the cage and remove its folder."""
+        if self._process is not None:
+            with contextlib.suppress(OSError):
+                self._control.close()
+            self._process.kill()
+            self._process.wait()
+        if self._folder:
+            self._lock.close()
+            shutil.rmtree(self._folder, ignore_errors=True)
+        self._process = self._folder = self._control = self._lock = None
+
+
+def _sweep():
+    """Remove the folders of graders that were killed: those that nobody holds."""
+    for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
+        with contextlib.suppress(OSError):
+            if time.time() - folder.stat().st_mtime > START:
+                with open(folder / "lock", "wb") as lock:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    shutil.rmtree(folder, ignore_errors=True)
+
+
+class _Listener:
+    """Reads lines until the submission is done, dies, says too much, or is too late in a cell or in all."""
+
+    def __init__(self, pipe, cell_seconds, deadline):
+        self.pipe, self.cell_seconds, self.deadline = pipe, cell_seconds, deadline
+        self.run, self.read, self.rest = Run(), 0, b""
+
+    def listen(self):
+        cell_deadline = time.monotonic() + self.cell_seconds + 5  # reading the notebook
+        while True:
+            left = min(cell_deadline, self.deadline) - time.monotonic()
+            if left <= 0 or not select.select([self.pipe], [], [], left)[0]:
+                return self._over("timed out")
+            data = os.read(self.pipe, 1 << 16)
+            self.read += len(data)
+            if not data or self.read > MOST:
+                return self._over("too much" if data else "crashed")
+            for line in self._lines(data):
+                self.run.lines.append(line)
+                if "done" in line or "unreadable" in line:
+                    return self._over("done")
+                if "cell" in line and "ids" in line and "ended" not in line and isinstance(line["cell"], int):
+                    self.run.cell = line["cell"]
+                    cell_deadline = time.monotonic() + self.cell_seconds
+
+    def _lines(self, data):
+        *whole, self.rest = (self.rest + data).split(b"\n")
+        for raw in whole:
+            with contextlib.suppress(ValueError, RecursionError):
+                line = json.loads(raw)
+                if isinstance(line, dict):
+                    yield line
+
+    def _over(self, ended):
+        self.run.ended = ended
+        return self.run
+
+
+def _readable_by_others():
+    """Whether another user could read Python and its packages; not where they stand in root's own folders."""
+    paths = [os.path.realpath(path) for path in (sys.base_prefix, sys.prefix, *stage.packages(), tempfile.gettempdir())]
+    folders = {path[:i] or "/" for path in paths for i in range(len(path) + 1) if i == len(path) or path[i] == "/"}
+    return all(os.stat(folder).st_mode & 0o005 == 0o005 for folder in folders if os.path.isdir(folder))
+
+
+def _known(level):
+    """The level itself; ValueError where no level can work."""
+    if fcntl is None:
+        raise ValueError("grade: expected Linux or macOS, found a system that cannot run submissions apart; on Windows use the Windows Subsystem for Linux")
+    return level
+
+
+def best_level():
+    """The strongest level that works here, found by trying; ValueError where there is none."""
+    _known(None)
+    for level in LEVELS:
+        if level == "bubblewrap" and not shutil.which("bwrap") or level == "landlock" and not sys.platform.startswith("linux"):
+            continue
+        with contextlib.suppress(ValueError), Cage(level):
+            return level
+    raise ValueError("grade: expected a way to run submissions with limits, found none that works on this machine; is it Linux or macOS?")

@@ -1,0 +1,1 @@
+"""Lessons for a class, with numbers of everybody's own."""

@@ -1,0 +1,1 @@
+"""What came back: whose file it is, from when, and of which lesson."""

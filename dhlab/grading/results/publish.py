@@ -1,0 +1,51 @@
+"""After grading: a page of feedback for each student, and the class report."""
+
+import json
+from pathlib import Path
+
+from ...course.workspace import handed_out
+from ..intake.roster import Student
+from .alike import alike, answers
+from .classreport import write_class_report
+from .feedback import write_feedback
+
+__all__ = ["publish"]
+
+LARGEST = 2_000_000  # bytes of a notebook that is looked at for copies; lessons without pictures are far smaller
+
+
+def publish(planned, results, roster, out):
+    """Write ``feedback/<student>.html`` for everyone and ``class-report.html``.
+
+    Parameters
+    ----------
+    planned : Plan
+    results : sequence of Graded
+    roster : sequence of Student
+    out : str or path
+
+    Returns
+    -------
+    Path
+        Of the class report.
+    """
+    folder = Path(out) / "feedback"
+    folder.mkdir(exist_ok=True)
+    known = {student.student: student for student in roster}
+    for graded in results:
+        write_feedback(graded, known.get(graded.student, Student(graded.student)), folder)
+    codes = {student: _code(mine) for student, mine in planned.found.items() if mine.notebooks}
+    given = {exercise: code for path in sorted(handed_out().glob("*.ipynb")) for exercise, code in answers(json.loads(path.read_text(encoding="utf-8"))).items()}
+    return write_class_report(results, roster, out, alike(codes, given))
+
+
+def _code(mine):
+    """The code of each exercise a student answered; what cannot be read is nobody's copy."""
+    found = {}
+    for notebook in mine.notebooks:
+        try:
+            raw = notebook.read()
+            found |= answers(json.loads(raw)) if len(raw) <= LARGEST else {}
+        except (ValueError, RecursionError, TypeError):
+            continue
+    return found

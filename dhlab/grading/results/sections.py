@@ -1,0 +1,89 @@
+"""Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons and the teacher's sheets."""
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+from ...course.kinds import Choice
+from ...course.workspace import handed_out
+from ...doctor import catalogue
+
+__all__ = ["section_of_exercise", "section_of_mistake", "question", "sheet_question"]
+
+PACKAGE = Path(__file__).parents[2]
+CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
+
+
+@cache
+def _lessons():
+    """(title, {exercise: section}, {mistake: section}) of each lesson, by number."""
+    return {path.name[:2]: _read(json.loads(path.read_text(encoding="utf-8"))) for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))}
+
+
+def _read(notebook):
+    title = section = ""
+    exercises, mistakes = {}, {}
+    for cell in notebook["cells"]:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            heading = re.search(r"^(##?) (.+)$", source, re.MULTILINE)
+            title, section = (title or heading[2], heading[2]) if heading else (title, section)
+            if "mistake" in cell["metadata"]:
+                mistakes[cell["metadata"]["mistake"]] = section
+        else:
+            exercises |= {number: section for number in CALL.findall(source)}
+    return title, exercises, mistakes
+
+
+def section_of_exercise(exercise):
+    """The lesson and the heading under which an exercise stands.
+
+    Examples
+    --------
+    >>> section_of_exercise("05.3")
+    '05 The link matrix: four moves, one formula, “The order of the moves”'
+    """
+    for title, exercises, _ in _lessons().values():
+        if exercise in exercises:
+            return f"{title}, “{exercises[exercise]}”"
+    return ""
+
+
+def section_of_mistake(mistake):
+    """The heading under which a mistake is refuted, or the title of the lesson that treats it.
+
+    Examples
+    --------
+    >>> section_of_mistake("every-order-taken-for-wrong")
+    '05 The link matrix: four moves, one formula, “The order of the moves”'
+    """
+    for title, _, mistakes in _lessons().values():
+        if mistake in mistakes:
+            return f"{title}, “{mistakes[mistake]}”"
+    lesson = catalogue()[mistake].lesson
+    return _lessons()[lesson][0] if lesson in _lessons() else f"lesson {lesson}"
+
+
+def question(exercise, mistake):
+    """What to ask a class in which many made this mistake in this exercise: a wrong option in their own words, or what the mistake looks like."""
+    if isinstance(exercise, Choice):
+        claims = [option.text for option in exercise.options.values() if option.mistake == mistake]
+        if claims:
+            return f"Somebody says: “{claims[0]}”. What would convince them?"
+    return f"“{catalogue()[mistake].see}” What was done here, and which one test shows it?"
+
+
+def sheet_question(lesson):
+    """The question to discuss of a lesson's teacher sheet; empty when it has none.
+
+    Examples
+    --------
+    >>> sheet_question("05")[:35]
+    'A program passes a test at θ = 0 an'
+    """
+    for folder in (PACKAGE / "teacher", PACKAGE.parent / "solutions" / "teacher"):
+        for path in sorted(folder.glob(f"{lesson}-*.md")):
+            found = re.search(r"^## To discuss\n+(.*?)(?=^## |\Z)", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+            return found[1].strip() if found else ""
+    return ""

@@ -1,0 +1,79 @@
+"""What stands of an earlier run: marks of other lessons, and of work that is not among what is graded now. No mark is ever lost."""
+
+from dataclasses import replace
+
+from ...course.exercises import exercises
+from .marks import GRADED, MISSING, NOT_HANDED_IN, TIMED_OUT, UNREADABLE
+
+__all__ = ["together", "left_standing", "lateness"]
+
+STAND = "stand"  # how the notes end that are written anew each time
+NO_FILE = "no file was found"
+
+
+def together(before, new, only=""):
+    """The marks of one student from an earlier run and from this one, as one Graded.
+
+    This run's marks count, but for exercises that it did not grade, lessons of which no file was handed in this time, and files that cannot be
+    read: there the earlier ones stand, and a note says so.
+
+    Parameters
+    ----------
+    before : Graded or None
+    new : Graded
+    only : str
+        The one exercise that was graded again; all when empty.
+
+    Returns
+    -------
+    Graded
+    """
+    if before is None:
+        return new
+    old, fresh = ({mark.exercise: mark for mark in graded.marks} for graded in (before, new))
+    lost = {key for key, mark in fresh.items() if key in old and old[key].status != NOT_HANDED_IN and (mark.status == NOT_HANDED_IN or new.status == UNREADABLE)}
+    stand = {key: mark for key, mark in old.items() if key not in fresh or key in lost}
+    if not stand:
+        return new
+    marks = _in_order({**fresh, **stand})
+    if only:
+        return _with(before, marks)
+    worked = new.status in (GRADED, TIMED_OUT) or before.status == MISSING
+    files = [name for name in before.file.split("; ") if name in {mark.file for mark in stand.values()}]
+    notes = [note for note in before.notes if not note.endswith(STAND) and NO_FILE not in note]
+    fresh_notes = [note for note in new.notes if not (NO_FILE in note and note[7:9] in {old[key].lesson for key in lost})]
+    why = "the file cannot be read" if new.status == UNREADABLE else "no file this time"
+    fresh_notes += ["the file handed in this time cannot be read"] if new.status == UNREADABLE and not lost else []
+    return replace(_with(new, marks), status=new.status if worked else before.status, file="; ".join(dict.fromkeys([*files, *filter(None, new.file.split("; "))])),
+                   cage=new.cage or before.cage, guess_of=new.guess_of or before.guess_of, numbers_of=new.numbers_of or before.numbers_of,
+                   notes=tuple(dict.fromkeys([*notes, *fresh_notes, *_standing([old[key] for key in sorted(lost)], why)])))
+
+
+def left_standing(before):
+    """The Graded of somebody who is not among what is graded now: as it was, with a note."""
+    marks = [mark for mark in before.marks if mark.status != NOT_HANDED_IN]
+    notes = [note for note in before.notes if not note.endswith(STAND)]
+    return replace(before, notes=(*notes, *_standing(marks, "no file this time")))
+
+
+def lateness(marks):
+    """(days late at most, share of all points that lateness takes off) of some marks."""
+    points, lost = sum(mark.points for mark in marks), sum(mark.points * mark.penalty for mark in marks)
+    return max((mark.late_days for mark in marks), default=0.0), round(lost / points, 6) if points else 0.0
+
+
+def _with(graded, marks):
+    days, penalty = lateness(marks)
+    return replace(graded, marks=marks, late_days=days, penalty=penalty)
+
+
+def _in_order(marks):
+    order = {key: place for place, key in enumerate(exercises())}
+    return tuple(sorted(marks.values(), key=lambda mark: order.get(mark.exercise, len(order))))
+
+
+def _standing(marks, why):
+    """A sentence for each lesson whose earlier marks stand."""
+    for lesson in sorted({mark.lesson for mark in marks}):
+        dates = [mark.handed_in[:10] for mark in marks if mark.lesson == lesson and mark.handed_in]
+        yield f"lesson {lesson}: {why}; the marks of {max(dates) if dates else 'before'} {STAND}"

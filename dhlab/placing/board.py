@@ -1,0 +1,283 @@
+"""A learner places DH frames on bare joint axes, step by step, and every step is judged: any valid choice passes, a wrong one is told its rule."""
+
+import numpy as np
+
+from ..geometry.frames import PlacedArm, _axes, assign_frames
+from ..geometry.lines import angle_about, nearest_on, tilt
+from ..geometry.normals import ROUNDING, Choices, _no_dust, _tidy, place
+from ..table import DHTable
+from ..transform import inverse, require_pose
+from .geometry import LENGTH, geometry
+from .rules import Judgement, judge_origin, judge_x, judge_z
+
+__all__ = ["Placement"]
+
+
+class Placement:
+    """Frames being placed on bare joint axes.
+
+    Parameters
+    ----------
+    axes : list
+        As :func:`dhlab.geometry.frames.assign_frames` takes them: per joint (point, direction) or (point, direction, "R" | "P").
+    end : array (4, 4)
+        The end pose at q = 0.
+    convention : "standard" or "craig"
+
+    Attributes
+    ----------
+    z, o, x : dict
+        What is placed so far, by frame: unit vectors (3,) and points (3,) in m, exact where the hand was a little off.
+    model : PlacedArm
+        What ``assign_frames`` makes of the same axes.
+
+    Raises
+    ------
+    ValueError
+        One sentence, as from ``assign_frames``.
+
+    Notes
+    -----
+    A right step is kept; a wrong one changes nothing. A step made again puts away what no longer fits it. In a frame z comes first, then the
+    origin, then x. A sliding joint has only a direction, so its z runs through the origin it is given (or through ``point``); so does
+    the z that lies on no joint: z_n (standard) or z_0 (Craig).
+
+    Examples
+    --------
+    >>> from dhlab.transform import trans
+    >>> two = Placement([([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 0, 1])], end=trans([0.7, 0, 0.1]))
+    >>> print(two.set_z(0, [1, 1, 0]))
+    ✗ z0: This stands across the axis of joint 1. z lies on the line the joint turns about:
+          move the joint alone and look for the line that stays in place.
+    >>> for i, point in enumerate([[0, 0, 0], [0.4, 0, 0], [0.7, 0, 0.1]]):
+    ...     right = two.set_z(i, [0, 0, 1]) and two.set_origin(i, point) and two.set_x(i, [1, 0, 0])
+    >>> print(two.arm)
+    standard DH, 2 joints (lengths in m, angles in deg)
+     i  theta  d    a    alpha
+     1  q1     0    0.4  0
+     2  q2     0.1  0.3  0
+    """
+
+    def __init__(self, axes, end, convention="standard"):
+        self.model = assign_frames(axes, end=end, convention=convention)
+        self.end, self.convention = require_pose(end, "Placement: end"), convention
+        found = place(_axes(axes), self.end, Choices(standard=self.standard))
+        self.axes, self.reach = found.axes, found.reach or 1.0
+        self.z, self.o, self.x, self._points, self._said = {}, {}, {}, {}, {}
+
+    def __len__(self):
+        """The number of joints; frames run from 0 to this."""
+        return len(self.axes) - 1
+
+    @property
+    def standard(self):
+        """Whether z_i is the axis of joint i+1; else of joint i."""
+        return self.convention == "standard"
+
+    def joint(self, i):
+        """The joint whose axis z_i is, or None: z_n (standard) and z_0 (Craig) lie on no joint."""
+        k = self._frame(i) + self.standard
+        return k if 1 <= k <= len(self) else None
+
+    def choices(self, i):
+        """What the axes leave open for frame i now: the case, the lines, the common normal, and origin and x where there is only one.
+
+        Returns
+        -------
+        Geometry
+            See :class:`dhlab.placing.geometry.Geometry`.
+
+        Raises
+        ------
+        ValueError
+            There is no such frame, or another step comes first.
+
+        Examples
+        --------
+        >>> frames = Placement([([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 1, 0])], end=np.eye(4))
+        >>> found = frames.choices(1)
+        >>> found.case, found.origin, abs(found.x)
+        ('skew', array([0.4, 0. , 0.1]), array([1., 0., 0.]))
+        """
+        before = self._comes_first(self._frame(i))
+        if before:
+            raise ValueError(f"Placement.choices: frame {i}: what is open depends on {before}; place it first")
+        return self._geometry(i, self.o.get(i))
+
+    def set_z(self, i, direction, point=None):
+        """Lay z_i along a direction.
+
+        Parameters
+        ----------
+        i : int
+            The frame, 0 to n.
+        direction : array (3,)
+            Of any length, in the base frame.
+        point : array (3,), optional
+            A point of the line, m: it tells parallel axes apart, and says where a z runs whose line is open.
+
+        Returns
+        -------
+        Judgement
+        """
+        judgement, exact = judge_z(self._frame(i), self.axes, self.convention, self.reach, direction, point)
+        if judgement:
+            self.z[i], self._points[i] = exact
+            self._keep(judgement)
+        return judgement
+
+    def set_origin(self, i, point):
+        """Put o_i at a point (m, in the base frame).
+
+        Returns
+        -------
+        Judgement
+        """
+        before = self._comes_first(self._frame(i), "o")
+        if before:
+            return Judgement(f"o{i}", False, "order", f"Place {before} first: which point is right depends on it.")
+        judgement, exact = judge_origin(self._geometry(i), point)
+        if judgement:
+            self.o[i] = self._on_next_line(i, exact)
+            self._keep(judgement)
+        return judgement
+
+    def set_x(self, i, direction):
+        """Point x_i along a direction of any length, in the base frame.
+
+        Returns
+        -------
+        Judgement
+        """
+        before = self._comes_first(self._frame(i), "x")
+        if before:
+            return Judgement(f"x{i}", False, "order", f"Place {before} first: x{i} depends on it.")
+        judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], direction)
+        if judgement:
+            self.x[i] = exact
+            self._keep(judgement)
+        return judgement
+
+    @property
+    def missing(self):
+        """The steps that are left, in an order in which they can be made: every z, then frame by frame the origin and x."""
+        left = [f"z{i}" for i in range(len(self) + 1) if i not in self.z]
+        return (*left, *(f"{letter}{i}" for i in self._order for letter, placed in (("o", self.o), ("x", self.x)) if i not in placed))
+
+    @property
+    def finished(self):
+        """Whether every frame is placed."""
+        return not self.missing
+
+    @property
+    def steps(self):
+        """What is placed, a sentence each: every z, then frame by frame the origin and x."""
+        every = [f"z{i}" for i in range(len(self) + 1)] + [f"{letter}{i}" for i in self._order for letter in "ox"]
+        return tuple(f"{step}: {self._said[step].message}" for step in every if step in self._said)
+
+    @property
+    def frames(self):
+        """The frames that are placed: {i: pose (4, 4)} in the base frame."""
+        return {i: _pose(self.x[i], self.z[i], self.o[i]) for i in sorted(self.x)}
+
+    @property
+    def arm(self):
+        """The finished frames as a PlacedArm: the table, the base and tool that take up what is free, the joints' signs, the steps.
+
+        Raises
+        ------
+        ValueError
+            A frame is not finished.
+        """
+        if not self.finished:
+            raise ValueError(f"Placement.arm: expected every frame placed, found {len(self.missing)} steps left; the next is {self.missing[0]}")
+        n, frames = len(self), self.frames
+        theta, d, a, alpha = np.array([self._row(k) for k in range(1, n + 1)]).T
+        table = DHTable(self.convention, theta, d, a, alpha, "".join(axis.letter for axis in self.axes[:n]))
+        sign = [np.sign(self.z[k - self.standard] @ self.axes[k - 1].z) for k in range(1, n + 1)]
+        return PlacedArm(table, base=_clean(frames[0], self.reach), tool=_clean(inverse(frames[n]) @ self.end, self.reach), sign=sign, steps=self.steps)
+
+    def _row(self, k):
+        """theta_k, d_k and this row's a and alpha; in the two conventions a row's moves are made about other axes, that is all."""
+        z, x = (self.z[k - 1], self.x[k]) if self.standard else (self.z[k], self.x[k - 1])
+        way = self.o[k] - self.o[k - 1]
+        return (_tidy(angle_about(z, self.x[k - 1], self.x[k])), _no_dust(way @ z, self.reach), _no_dust(way @ x, self.reach),
+                _tidy(angle_about(x, self.z[k - 1], self.z[k])))
+
+    @property
+    def _order(self):
+        """Frames in the order in which the line that x_i must meet is settled before o_i."""
+        return range(len(self) + 1) if self.standard else range(len(self), -1, -1)
+
+    def _frame(self, i):
+        if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not 0 <= i <= len(self):
+            raise ValueError(f"Placement: expected a frame from 0 to {len(self)}, found {i!r}; frames count from 0")
+        return int(i)
+
+    def _other(self, i):
+        """The frame whose z line x_i must meet, or None at the free end of the chain."""
+        j = i - 1 if self.standard else i + 1
+        return j if 0 <= j <= len(self) else None
+
+    def _line(self, i):
+        """The line of z_i, or None while only its direction is settled."""
+        k = self.joint(i)
+        if k and self.axes[k - 1].letter == "R":
+            return self.axes[k - 1].p, self.z.get(i, self.axes[k - 1].z)
+        return None if self._points.get(i) is None else (self._points[i], self.z[i])
+
+    def _comes_first(self, i, part=""):
+        """The step that must come before this one of frame i, or "": z before the origin before x, and the other line before both."""
+        if i not in self.z and (part or self._line(i) is None):
+            return f"z{i}"
+        j = self._other(i)
+        if j is not None and self._line(j) is None and not (j in self.z and j in self.o):
+            return f"o{j}" if j in self.z else f"z{j}"
+        return f"o{i}" if part == "x" and i not in self.o else ""
+
+    def _geometry(self, i, o=None):
+        j, line = self._other(i), self._line(i)
+        other = None if j is None else self._line(j) or (self.o[j], self.z[j])
+        z = self.z[i] if line is None else line[1]
+        return geometry(i, (f"z{i}", f"z{j}"), self.reach, z, line, other, anchor=self.o.get(j), o=o)
+
+    def _on_next_line(self, i, o):
+        """The origin of a sliding joint, moved onto the line of the next z where the two are so near that one line is meant."""
+        j = i + 1 if self.standard else i - 1
+        line = self._line(j) if self._line(i) is None and 0 <= j <= len(self) else None
+        if line is None or tilt(line[1], self.z[i]) > ROUNDING:
+            return o
+        on = nearest_on(*line, o)
+        reached = judge_origin(self._geometry(i), on)[1]
+        gap = np.zeros(3) if reached is None else reached - on
+        if abs(line[1] @ gap) > ROUNDING * self.reach:  # one row reaches another point of the line, a little further along it
+            on = on + line[1] * (gap @ gap) / (line[1] @ gap)
+        return on if reached is not None and np.linalg.norm(on - o) <= LENGTH * self.reach else o
+
+    def _keep(self, judgement):
+        """Note a right step; make the others exact again, or put away those that no longer fit."""
+        self._said[judgement.step] = judgement
+        for i in self._order:
+            self._again(self.o, i, "o", lambda i=i: judge_origin(self._geometry(i), self.o[i]))
+            self._again(self.x, i, "x", lambda i=i: judge_x(self._geometry(i, self.o[i]), self.z[i], self.x[i]))
+
+    def _again(self, placed, i, letter, judge):
+        if i not in placed:
+            return
+        judgement, exact = (None, None) if self._comes_first(i, letter) else judge()
+        if judgement:
+            placed[i], self._said[f"{letter}{i}"] = exact, judgement
+        else:
+            del placed[i], self._said[f"{letter}{i}"]
+
+
+def _pose(x, z, o):
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = x, np.cross(z, x), z, o
+    return T
+
+
+def _clean(T, reach):
+    """A pose without the dust of rounding, as assign_frames leaves frame 0."""
+    dust = 4 * np.finfo(float).eps * max(1.0, reach)
+    return np.where(abs(T - np.round(T)) < dust, np.round(T), T) + 0.0
