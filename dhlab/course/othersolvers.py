@@ -1,7 +1,7 @@
 """The same inverse kinematics by other people's libraries, each run in a process of its own; their stored answers where they are not installed.
 
 Robotics Toolbox (Levenberg-Marquardt), PyBullet (damped least squares, on the arm's URDF) and TRAC-IK, which runs KDL's Newton beside a
-sequential quadratic program (on the URDF too). ``pip install dhlab[oracles]`` brings them on Linux.
+sequential quadratic program (on the URDF too). ``pip install dhlab-kinematics[oracles]`` brings them on Linux.
 """
 
 import json

@@ -125,7 +125,7 @@ def lab_command(folder, *, port=None, browser=True):
 def open_lab(folder, *, port=None, browser=True):
     """Prepare the folder and run JupyterLab on it until it is closed; returns its exit status."""
     if find_spec("jupyterlab") is None:
-        raise ValueError('lab: expected JupyterLab, found that it is not installed; run: pip install "dhlab[lab]"')
+        raise ValueError('lab: expected JupyterLab, found that it is not installed; run: pip install "dhlab-kinematics[lab]"')
     folder = Path(folder).expanduser().resolve()
     for sentence in prepare(folder):
         print(sentence)

@@ -45,7 +45,7 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     ------
     ValueError
         Not a URDF file, xacro, mimic joints, floating or planar joints, loops, several leaves, a tip that is not below the base: one
-        sentence each. Also when the library that parses URDF is missing: ``pip install dhlab[urdf]`` brings it (yourdfpy).
+        sentence each. Also when the library that parses URDF is missing: ``pip install dhlab-kinematics[urdf]`` brings it (yourdfpy).
 
     Warns
     -----

@@ -206,7 +206,7 @@ def _numbers(chain, path):
     try:
         import yourdfpy
     except ImportError:
-        raise ValueError("read_urdf: expected the library yourdfpy, found it is not installed; run pip install dhlab[urdf]") from None
+        raise ValueError("read_urdf: expected the library yourdfpy, found it is not installed; run pip install dhlab-kinematics[urdf]") from None
     robot, names = ElementTree.Element("robot", name="chain"), []
     for joint in chain:
         names += [joint.find(end).get("link") for end in ("parent", "child")]

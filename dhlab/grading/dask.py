@@ -54,7 +54,7 @@ def _client(address):
     try:
         from distributed import Client
     except ImportError:
-        raise ValueError('grade: --scheduler: expected Dask, found that it is not installed; run: pip install "dhlab[teach]"') from None
+        raise ValueError('grade: --scheduler: expected Dask, found that it is not installed; run: pip install "dhlab-kinematics[teach]"') from None
     try:
         return Client(address, timeout=10)
     except (OSError, ValueError, TypeError):

@@ -1,6 +1,6 @@
 """The derivation in SymPy: the link matrix from its four elementary moves, the product of a whole arm, its derivatives; all as LaTeX in a notebook.
 
-Needs the extra ``symbolic`` (``pip install dhlab[symbolic]``). Angles are radians and lengths metres, as exact numbers or as symbols.
+Needs the extra ``symbolic`` (``pip install dhlab-kinematics[symbolic]``). Angles are radians and lengths metres, as exact numbers or as symbols.
 """
 
 from dataclasses import dataclass

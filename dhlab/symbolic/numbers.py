@@ -18,7 +18,7 @@ def the_sympy():
     try:
         import sympy
     except ImportError:
-        raise ValueError("dhlab.symbolic: expected SymPy, found it is not installed; run pip install dhlab[symbolic]") from None
+        raise ValueError("dhlab.symbolic: expected SymPy, found it is not installed; run pip install dhlab-kinematics[symbolic]") from None
     return sympy
 
 

@@ -29,7 +29,7 @@ def _environment():
     try:
         import jinja2
     except ImportError:
-        raise ValueError('expected Jinja2 for the pages, found that it is not installed; run: pip install "dhlab[teach]"') from None
+        raise ValueError('expected Jinja2 for the pages, found that it is not installed; run: pip install "dhlab-kinematics[teach]"') from None
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True, finalize=_readable)
     environment.filters["number"] = lambda value: f"{round(value, 2):g}"
