@@ -1,4 +1,5 @@
-"""How well the doctor does: faults drawn over the catalogue on every arm of the library, as a Markdown table.
+"""How well the doctor does: faults drawn over the catalogue on every arm of the library, as a
+Markdown table.
 
     python benchmarks/doctor.py                  # everything (a good half hour)
     python benchmarks/doctor.py --draws 3 --arms ur5e,panda --only 1,2
@@ -36,13 +37,21 @@ def drawn_faults(arm, rng):
         rows = arm.table.rows
         rows[i, 0] += rng.choice([-1, 1]) * rng.uniform(0.1, 1)
         yield "offset-missing", with_rows(arm, rows)
-    tool = trans(rng.uniform(-0.15, 0.15, 3)) @ rot_x(rng.uniform(-1, 1)) @ rot_y(rng.uniform(-1, 1))
+    tool = (
+        trans(rng.uniform(-0.15, 0.15, 3)) @ rot_x(rng.uniform(-1, 1)) @ rot_y(rng.uniform(-1, 1))
+    )
     yield "tool-missing", replace(arm, tool=arm.tool @ tool)
     yield "base-turned", replace(arm, base=rot_z(rng.uniform(0.3, 3)) @ arm.base)
-    yield "base-height-missing-or-twice", replace(arm, base=trans([0, 0, rng.uniform(0.05, 0.5)]) @ arm.base)
+    yield (
+        "base-height-missing-or-twice",
+        replace(arm, base=trans([0, 0, rng.uniform(0.05, 0.5)]) @ arm.base),
+    )
 
 
-ALIKE = {"offset-value": "offset-missing", "alpha-value": "alpha-sign"}  # the same entry and the same repair: whether the number has a reason decides the word
+ALIKE = {
+    "offset-value": "offset-missing",
+    "alpha-value": "alpha-sign",
+}  # the same entry and the same repair: whether the number has a reason decides the word
 
 
 def measure(arm, rng, m, noise, positions=False, free=False):
@@ -55,12 +64,16 @@ def measure(arm, rng, m, noise, positions=False, free=False):
     T = T.copy()
     if noise:
         T[:, :3, 3] += rng.normal(0, noise[0], (m, 3))
-        T[:, :3, :3] = T[:, :3, :3] @ Rotation.from_rotvec(rng.normal(0, noise[1], (m, 3))).as_matrix()
+        T[:, :3, :3] = (
+            T[:, :3, :3] @ Rotation.from_rotvec(rng.normal(0, noise[1], (m, 3))).as_matrix()
+        )
     return q, T[:, :3, 3] if positions else T
 
 
 def visible(wrong, right, q, noise, positions, free):
-    """Whether the fault changes one of the poses by 5 σ (1e-6 without noise), through the best base when it is free."""
+    """Whether the fault changes one of the poses by 5 σ (1e-6 without noise), through the best base
+    when it is free.
+    """
     T = right.forward(q)
     level = noise or (2e-7, 2e-7)
     sample = Measured(q, T[:, :3, 3], None if positions else T[:, :3, :3], level, free)
@@ -70,7 +83,9 @@ def visible(wrong, right, q, noise, positions, free):
 
 
 def explained(answer, right, q, noise, positions, free):
-    """Whether the repaired arm is the right one: to 1e-6 without noise, within 5 σ at other poses with noise."""
+    """Whether the repaired arm is the right one: to 1e-6 without noise, within 5 σ at other poses
+    with noise.
+    """
     if answer.verdict != "explained" or answer.findings[0].repair is None:
         return False
     repair = answer.findings[0].repair
@@ -92,13 +107,15 @@ def run(title, arms, draws, *, m, noise, positions=False, free=False, pair=False
             cases = list(drawn_faults(right, rng))
             if pair:
                 cases = [_pair(right, cases, rng) for _ in range(pair)]
-            for mistake, wrong in cases[:: every]:
+            for mistake, wrong in cases[::every]:
                 if not visible(wrong, right, q, noise, positions, free):
                     continue
                 begun = time.perf_counter()
                 answer = diagnose(wrong, q, poses, noise=noise, base="free" if free else "fixed")
                 times.append(time.perf_counter() - begun)
-                told = {f.mistake for f in answer.findings} | {a for f in answer.findings for a in f.look_alikes}
+                told = {f.mistake for f in answer.findings} | {
+                    a for f in answer.findings for a in f.look_alikes
+                }
                 told |= {ALIKE.get(name) for name in told}
                 good = explained(answer, right, q, noise, positions, free)
                 named = bool(told & set(mistake.split(" + ")))
@@ -107,7 +124,11 @@ def run(title, arms, draws, *, m, noise, positions=False, free=False, pair=False
                 if not (good and named):
                     missed.setdefault((mistake, answer.verdict, good), []).append(name)
     for left_out, (total, good, named) in sorted(counts.items()):
-        print(f"| {title}{' *' if left_out else ''} | {total} | {good / total:.2%} | {named / total:.2%} | {np.median(times):.2f} | {max(times):.2f} |", flush=True)
+        print(
+            f"| {title}{' *' if left_out else ''} | {total} | {good / total:.2%} |"
+            f" {named / total:.2%} | {np.median(times):.2f} | {max(times):.2f} |",
+            flush=True,
+        )
     return missed
 
 
@@ -140,7 +161,12 @@ def alarms(arms, draws):
         _count(said, "garbage", diagnose(right, rng.permutation(q), poses, noise=NOISE))
     for title, verdicts in said.items():
         total = sum(verdicts.values())
-        print(f"| {title} | {total} | " + ", ".join(f"{v} {c / total:.1%}" for v, c in sorted(verdicts.items())) + " |", flush=True)
+        print(
+            f"| {title} | {total} | "
+            + ", ".join(f"{v} {c / total:.1%}" for v, c in sorted(verdicts.items()))
+            + " |",
+            flush=True,
+        )
 
 
 def _count(said, title, answer):
@@ -151,7 +177,9 @@ def _count(said, title, answer):
 def main():
     """The whole benchmark, or a part of it."""
     warnings.simplefilter("ignore")
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--draws", type=int, default=1)
     parser.add_argument("--arms", default=",".join(dh.robots()))
     parser.add_argument("--only", default="1,2,3,4,5,6,7")
@@ -161,11 +189,23 @@ def main():
     options = parser.parse_args()
     arms, only = options.arms.split(","), options.only.split(",")
     print("| what | cases | explained | named | median s | worst s |\n|---|---|---|---|---|---|")
-    lines = {"1": ("singles, exact, 10 poses", dict(m=10, noise=None, every=options.every)), "2": ("singles, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, every=options.every)),
-             "3": ("singles, positions, base free, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, free=True, every=options.every)),
-             "4": ("pairs, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, pair=options.pairs)),
-             "6": ("pairs, positions, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, pair=options.pairs)),
-             "7": ("pairs, positions, base free, 1 mm, 20 poses", dict(m=20, noise=NOISE, positions=True, free=True, pair=options.pairs))}
+    lines = {
+        "1": ("singles, exact, 10 poses", dict(m=10, noise=None, every=options.every)),
+        "2": ("singles, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, every=options.every)),
+        "3": (
+            "singles, positions, base free, 1 mm, 20 poses",
+            dict(m=20, noise=NOISE, positions=True, free=True, every=options.every),
+        ),
+        "4": ("pairs, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, pair=options.pairs)),
+        "6": (
+            "pairs, positions, 1 mm, 20 poses",
+            dict(m=20, noise=NOISE, positions=True, pair=options.pairs),
+        ),
+        "7": (
+            "pairs, positions, base free, 1 mm, 20 poses",
+            dict(m=20, noise=NOISE, positions=True, free=True, pair=options.pairs),
+        ),
+    }
     for key, (title, settings) in lines.items():
         if key in only:
             missed = run(title, arms, options.draws, **settings)

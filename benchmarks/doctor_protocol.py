@@ -1,10 +1,12 @@
-"""The tape-measure protocol: the end points at the eight poses it chooses, 4 mm noise, one mistake at a time, as a Markdown table.
+"""The tape-measure protocol: the end points at the eight poses it chooses, 4 mm noise, one mistake
+at a time, as a Markdown table.
 
     python benchmarks/doctor_protocol.py                                   # every arm (about half an hour)
     python benchmarks/doctor_protocol.py --arms ur5e,panda --every 5
 
-The poses are chosen with the wrong table, as its owner would. A mistake is visible when it moves one of the points by 5 σ (20 mm);
-explained means that the repaired table is within 5 σ (rms) of the truth at other poses.
+The poses are chosen with the wrong table, as its owner would. A mistake is visible when it moves
+one of the points by 5 σ (20 mm); explained means that the repaired table is within 5 σ (rms) of the
+truth at other poses.
 """
 
 import argparse
@@ -30,14 +32,18 @@ def measured(right, q, rng):
 def singles(name, options, rng, missed):
     """Cases, explained, named right, seconds."""
     right, cases, good, named, times = dh.load(name), 0, 0, 0, []
-    for mistake, wrong in list(drawn_faults(right, rng))[rng.integers(options.every)::options.every]:
+    for mistake, wrong in list(drawn_faults(right, rng))[
+        rng.integers(options.every) :: options.every
+    ]:
         q = protocol(wrong, options.count).q
         if not visible(wrong, right, q, NOISE, True, False):
             continue
         begun = time.perf_counter()
         answer = diagnose(wrong, q, measured(right, q, rng), noise=NOISE)
         times.append(time.perf_counter() - begun)
-        told = {f.mistake for f in answer.findings} | {a for f in answer.findings for a in f.look_alikes}
+        told = {f.mistake for f in answer.findings} | {
+            a for f in answer.findings for a in f.look_alikes
+        }
         told |= {ALIKE.get(other) for other in told}
         well = explained(answer, right, q, NOISE, True, False)
         cases, good, named = cases + 1, good + well, named + (mistake in told)
@@ -50,14 +56,19 @@ def left_alone(name, options, rng):
     """Of how many right tables how many are called right."""
     right = dh.load(name)
     q = protocol(right, options.count).q
-    verdicts = [diagnose(right, q, measured(right, q, rng), noise=NOISE).verdict for _ in range(options.right)]
+    verdicts = [
+        diagnose(right, q, measured(right, q, rng), noise=NOISE).verdict
+        for _ in range(options.right)
+    ]
     return len(verdicts), sum(verdict in ("agrees", "calibrated") for verdict in verdicts)
 
 
 def main():
     """A line per arm and their sum."""
     warnings.simplefilter("ignore")
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--arms", default=",".join(dh.robots()))
     parser.add_argument("--every", type=int, default=1, help="take every k-th mistake")
     parser.add_argument("--count", type=int, default=8, help="how many poses")
@@ -65,7 +76,10 @@ def main():
     parser.add_argument("--missed", action="store_true")
     options = parser.parse_args()
     rng, sums, all_times, missed = np.random.default_rng(11), np.zeros(5, int), [], []
-    print("| arm | visible mistakes | explained | named | median s | right tables | left alone |\n|---|---|---|---|---|---|---|")
+    print(
+        "| arm | visible mistakes | explained | named | median s | right tables | left alone"
+        " |\n|---|---|---|---|---|---|---|"
+    )
     for name in options.arms.split(","):
         cases, good, named, times = singles(name, options, rng, missed)
         row = np.array([cases, good, named, *left_alone(name, options, rng)])
@@ -79,8 +93,11 @@ def main():
 
 def _print(title, row, times):
     cases, good, named, right, alone = row
-    print(f"| {title} | {cases} | {good / max(cases, 1):.1%} | {named / max(cases, 1):.1%} | {np.median(times or [0]):.2f} | {right} | "
-          f"{alone / max(right, 1):.1%} |", flush=True)
+    print(
+        f"| {title} | {cases} | {good / max(cases, 1):.1%} | {named / max(cases, 1):.1%} |"
+        f" {np.median(times or [0]):.2f} | {right} | {alone / max(right, 1):.1%} |",
+        flush=True,
+    )
 
 
 if __name__ == "__main__":

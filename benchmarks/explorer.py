@@ -1,7 +1,9 @@
-"""What the explorer costs: the size of its module, script per slider move, frames a second, memory after many moves, six on one page.
+"""What the explorer costs: the size of its module, script per slider move, frames a second, memory
+after many moves, six on one page.
 
-Run ``python benchmarks/explorer.py`` from the project's top folder; it needs Chromium, which draws WebGL in software here. Times are medians of
-this machine at this moment; a pose computed in Python stands beside them for scale.
+Run ``python benchmarks/explorer.py`` from the project's top folder; it needs Chromium, which draws
+WebGL in software here. Times are medians of this machine at this moment; a pose computed in Python
+stands beside them for scale.
 """
 
 import gzip
@@ -15,8 +17,17 @@ from playwright.sync_api import sync_playwright
 import dhlab as dh
 from dhlab.view.explorer.widget import MODULE
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--enable-precise-memory-info", "--js-flags=--expose-gc", "--disable-background-networking"]
-PAGE = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><body>{}<script type="module">{}</script>'
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--enable-precise-memory-info",
+    "--js-flags=--expose-gc",
+    "--disable-background-networking",
+]
+PAGE = (
+    '<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><body>{}<script'
+    ' type="module">{}</script>'
+)
 MOVES = """many => { const { host, stage } = document.querySelector('.dhlab-explorer').explorer, n = host.get('q').length, times = [];
     const slider = stage.canvas.getRootNode().querySelector('input[type=range]'), low = Number(slider.min), high = Number(slider.max);
     for (let k = 0; k < many; k++) {
@@ -43,7 +54,9 @@ def opened(browser, explorers):
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     stills = {"text/html": "", "text/plain": ""}
     bundles = [explorer._repr_mimebundle_(still=stills) for explorer in explorers]
-    html = "".join((bundle[0] if isinstance(bundle, tuple) else bundle)["text/html"] for bundle in bundles)
+    html = "".join(
+        (bundle[0] if isinstance(bundle, tuple) else bundle)["text/html"] for bundle in bundles
+    )
     page.set_content(PAGE.format(html, MODULE.read_text(encoding="utf-8")))
     page.wait_for_function("document.querySelector('.dhlab-explorer').explorer?.stage.drawn")
     return page
@@ -54,8 +67,14 @@ def measure(browser):
     arm = dh.load("ur5e")
     page = opened(browser, [dh.explore(arm)])
     page.evaluate(MOVES, 500)
-    print(f"script a slider move: median {np.median(page.evaluate(MOVES, 2000)):.3f} ms (slider, pose, tables)")
-    print(f"script a picture:     median {np.median(page.evaluate(DRAWS, 100)):.1f} ms (scene, WebGL in software, labels)")
+    print(
+        f"script a slider move: median {np.median(page.evaluate(MOVES, 2000)):.3f} ms (slider,"
+        " pose, tables)"
+    )
+    print(
+        f"script a picture:     median {np.median(page.evaluate(DRAWS, 100)):.1f} ms (scene, WebGL"
+        " in software, labels)"
+    )
     q = np.zeros(6)
     start = time.perf_counter()
     for _ in range(200):
@@ -68,17 +87,36 @@ def measure(browser):
     middle = page.evaluate(MEMORY)
     page.evaluate(MOVES, 10_000)
     page.wait_for_timeout(500)
-    print(f"memory:               {before:.2f} MB, {middle:.2f} MB after 10,000 moves, {page.evaluate(MEMORY):.2f} MB after 20,000")
+    print(
+        f"memory:               {before:.2f} MB, {middle:.2f} MB after 10,000 moves,"
+        f" {page.evaluate(MEMORY):.2f} MB after 20,000"
+    )
     page.close()
-    page = opened(browser, [dh.explore(dh.load(name)) for name in ("ur5e", "panda", "article-6r", "stanford", "iiwa14", "puma560")])
+    page = opened(
+        browser,
+        [
+            dh.explore(dh.load(name))
+            for name in ("ur5e", "panda", "article-6r", "stanford", "iiwa14", "puma560")
+        ],
+    )
     seen, *rates = page.evaluate(FRAMES, 3)
-    print(f"six on a page:        {seen} in sight at {', '.join(f'{rate:.0f}' for rate in rates)} frames a second each; the others sleep")
+    print(
+        f"six on a page:        {seen} in sight at {', '.join(f'{rate:.0f}' for rate in rates)}"
+        " frames a second each; the others sleep"
+    )
 
 
 def main():
     module = MODULE.read_bytes()
-    print(f"module:               {len(module) / 1000:.1f} kB, {len(gzip.compress(module, 9)) / 1000:.1f} kB gz, all modes and styles")
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    print(
+        f"module:               {len(module) / 1000:.1f} kB,"
+        f" {len(gzip.compress(module, 9)) / 1000:.1f} kB gz, all modes and styles"
+    )
+    chromium = (
+        shutil.which("chromium")
+        or shutil.which("chromium-browser")
+        or shutil.which("google-chrome")
+    )
     if chromium is None:
         sys.exit("no Chromium here, so nothing else was measured: apt-get install chromium")
     with sync_playwright() as playwright:

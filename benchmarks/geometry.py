@@ -1,4 +1,6 @@
-"""What the geometry room does, measured: frames from axes, equivalence, published pairs. ``python benchmarks/geometry.py`` prints Markdown."""
+"""What the geometry room does, measured: frames from axes, equivalence, published pairs. ``python
+benchmarks/geometry.py`` prints Markdown.
+"""
 
 import argparse
 import sys
@@ -72,7 +74,9 @@ def walks(rng, count):
         kinds, walked = random_walk(arm, rng)
         made.update(str(kind) for kind in kinds)
         worst_pose = max(worst_pose, sampled_difference(arm, walked, rng))
-        worst_gap = np.maximum(worst_gap, [g.max() for g in gaps(joint_axes(arm), joint_axes(walked))])
+        worst_gap = np.maximum(
+            worst_gap, [g.max() for g in gaps(joint_axes(arm), joint_axes(walked))]
+        )
         for base, tool in FREEDOMS:
             B = random_pose(rng) @ walked.base if base == "free" else walked.base
             E = walked.tool @ random_pose(rng) if tool == "free" else walked.tool
@@ -80,10 +84,19 @@ def walks(rng, count):
             start = time.perf_counter()
             accepted[base, tool] += bool(equivalent(arm, other, base=base, tool=tool))
             seconds += time.perf_counter() - start
-    table(["base", "tool", "walks", "accepted"], [(b, t, count, accepted[b, t]) for b, t in FREEDOMS])
-    print(f"Largest pose change along a walk (sampled): {worst_pose:.1e} (m + rad); largest gap between axes that `equivalent` saw: "
-          f"{worst_gap[0]:.1e} rad, {worst_gap[1]:.1e} m (tolerance 1e-9); {seconds / count / len(FREEDOMS) * 1000:.1f} ms per call.\n")
-    print("Moves in these walks: " + ", ".join(f"{kind} {made[kind]}" for kind in sorted(made)) + ".\n")
+    table(
+        ["base", "tool", "walks", "accepted"], [(b, t, count, accepted[b, t]) for b, t in FREEDOMS]
+    )
+    print(
+        f"Largest pose change along a walk (sampled): {worst_pose:.1e} (m + rad); largest gap"
+        f" between axes that `equivalent` saw: {worst_gap[0]:.1e} rad, {worst_gap[1]:.1e} m"
+        f" (tolerance 1e-9); {seconds / count / len(FREEDOMS) * 1000:.1f} ms per call.\n"
+    )
+    print(
+        "Moves in these walks: "
+        + ", ".join(f"{kind} {made[kind]}" for kind in sorted(made))
+        + ".\n"
+    )
 
 
 def single_moves(rng, count):
@@ -101,12 +114,26 @@ def single_moves(rng, count):
             accepted[kind] += bool(result)
             named[kind] += bool(result.differences)
             worst[kind] = max(worst[kind], sampled_difference(arm, other, rng, count=4))
-    table(["move", "made", "accepted", "with the choice told in words", "largest pose change (m + rad)"],
-          [(kind, tried[kind], accepted[kind], named[kind], f"{worst[kind]:.1e}") for kind in sorted(tried)])
+    table(
+        [
+            "move",
+            "made",
+            "accepted",
+            "with the choice told in words",
+            "largest pose change (m + rad)",
+        ],
+        [
+            (kind, tried[kind], accepted[kind], named[kind], f"{worst[kind]:.1e}")
+            for kind in sorted(tried)
+        ],
+    )
 
 
 def true_changes(rng, count):
-    print(f"## 2c. {count} random arms × 12 free moves and one true change (1e-6 to 1 m or rad): none may be accepted\n")
+    print(
+        f"## 2c. {count} random arms × 12 free moves and one true change (1e-6 to 1 m or rad): none"
+        " may be accepted\n"
+    )
     made, accepted, smallest, missed = Counter(), Counter(), {}, Counter()
     for _ in range(count):
         arm = random_arm(rng)
@@ -120,12 +147,20 @@ def true_changes(rng, count):
                 accepted[kind] += bool(equivalent(arm, changed))
             for base, tool in FREEDOMS[1:3]:
                 seen = sampled_difference(walked, changed, rng, base, tool, count=6)
-                missed[base, tool] += (seen > 1e-8) and bool(equivalent(arm, changed, base=base, tool=tool))
-                missed[base, tool, "false alarm"] += (seen < 1e-11) and not equivalent(arm, changed, base=base, tool=tool)
-    table(["entry changed", "made", "accepted", "smallest change of a sampled pose (m + rad)"],
-          [(kind, made[kind], accepted[kind], f"{smallest[kind]:.1e}") for kind in TRUE_CHANGES])
-    table(["base", "tool", "changed in sampled poses but accepted", "unchanged but refused"],
-          [(b, t, missed[b, t], missed[b, t, "false alarm"]) for b, t in FREEDOMS[1:3]])
+                missed[base, tool] += (seen > 1e-8) and bool(
+                    equivalent(arm, changed, base=base, tool=tool)
+                )
+                missed[base, tool, "false alarm"] += (seen < 1e-11) and not equivalent(
+                    arm, changed, base=base, tool=tool
+                )
+    table(
+        ["entry changed", "made", "accepted", "smallest change of a sampled pose (m + rad)"],
+        [(kind, made[kind], accepted[kind], f"{smallest[kind]:.1e}") for kind in TRUE_CHANGES],
+    )
+    table(
+        ["base", "tool", "changed in sampled poses but accepted", "unchanged but refused"],
+        [(b, t, missed[b, t], missed[b, t, "false alarm"]) for b, t in FREEDOMS[1:3]],
+    )
 
 
 def controls(rng):
@@ -133,12 +168,19 @@ def controls(rng):
     made, accepted, smallest = Counter(), Counter(), {}
     for _ in range(20):
         n = rng.integers(4, 8)
-        arm = dh.Arm(dh.DHTable.standard(rng.uniform([-3, 0.1, 0.1, 0.3], [3, 0.5, 0.5, 1.3], (n, 4)), angle="rad"))
+        arm = dh.Arm(
+            dh.DHTable.standard(
+                rng.uniform([-3, 0.1, 0.1, 0.3], [3, 0.5, 0.5, 1.3], (n, 4)), angle="rad"
+            )
+        )
         for name, wrong in incomplete_recipes(arm, rng.integers(1, n)):
             made[name] += 1
             accepted[name] += bool(equivalent(arm, wrong))
             smallest[name] = min(smallest.get(name, np.inf), sampled_difference(arm, wrong, rng))
-    table(["recipe", "made", "accepted", "smallest pose change (m + rad)"], [(k, made[k], accepted[k], f"{smallest[k]:.2g}") for k in made])
+    table(
+        ["recipe", "made", "accepted", "smallest pose change (m + rad)"],
+        [(k, made[k], accepted[k], f"{smallest[k]:.2g}") for k in made],
+    )
 
 
 def published():
@@ -147,16 +189,38 @@ def published():
     for one, other, *_ in PUBLISHED:
         a, b = dh.load(one), dh.load(other)
         strict, loose = equivalent(a, b), equivalent(a, b, base="free", tool="free")
-        rows.append((f"{one} / {other}", "same" if strict else "different", "same" if loose else "different", strict.message, loose.message))
-    table(["tables", "as printed", "base and tool free", "words (as printed)", "words (base and tool free)"], rows)
+        rows.append(
+            (
+                f"{one} / {other}",
+                "same" if strict else "different",
+                "same" if loose else "different",
+                strict.message,
+                loose.message,
+            )
+        )
+    table(
+        [
+            "tables",
+            "as printed",
+            "base and tool free",
+            "words (as printed)",
+            "words (base and tool free)",
+        ],
+        rows,
+    )
 
 
 def placements(rng, count):
-    print(f"## 4. {count} random arms of 3 to 7 joints with special cases, placed by assign_frames (each in one convention at random)\n")
+    print(
+        f"## 4. {count} random arms of 3 to 7 joints with special cases, placed by assign_frames"
+        " (each in one convention at random)\n"
+    )
     cases, failures, warned, lengths, worst = Counter(), 0, 0, [], [0.0, 0.0]
     for _ in range(count):
         axes, end, special = random_axes(rng)
-        cases.update([str(case) for case in special] + ["sliding joint" for axis in axes if axis[2] == "P"])
+        cases.update(
+            [str(case) for case in special] + ["sliding joint" for axis in axes if axis[2] == "P"]
+        )
         q = np.vstack([np.zeros(len(axes)), rng.uniform(-np.pi, np.pi, (3, len(axes)))])
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", NearlyParallelWarning)
@@ -171,9 +235,31 @@ def placements(rng, count):
         lengths.append((np.abs(arm.table.rows[:, 1:3]).max(), *errors))
         worst = np.maximum(worst, errors)
     longest, metres, _ = np.array(lengths).T
-    table(["placed", "failures", "largest error m", "rad", "with a warning", "largest length in a table m", "largest error ÷ longest length"],
-          [(count, failures, f"{worst[0]:.1e}", f"{worst[1]:.1e}", warned, f"{longest.max():.3g}", f"{(metres / np.maximum(longest, 1)).max():.1e}")])
-    print("Cases: " + ", ".join(f"{case} {number}" for case, number in sorted(cases.items())) + ".\n")
+    table(
+        [
+            "placed",
+            "failures",
+            "largest error m",
+            "rad",
+            "with a warning",
+            "largest length in a table m",
+            "largest error ÷ longest length",
+        ],
+        [
+            (
+                count,
+                failures,
+                f"{worst[0]:.1e}",
+                f"{worst[1]:.1e}",
+                warned,
+                f"{longest.max():.3g}",
+                f"{(metres / np.maximum(longest, 1)).max():.1e}",
+            )
+        ],
+    )
+    print(
+        "Cases: " + ", ".join(f"{case} {number}" for case, number in sorted(cases.items())) + ".\n"
+    )
 
 
 def main():

@@ -1,10 +1,12 @@
-"""Grading against nbgrader and otter-grader: the same 20 submissions of lesson 05 in one run; seconds each, peak memory, the marks that come out.
+"""Grading against nbgrader and otter-grader: the same 20 submissions of lesson 05 in one run;
+seconds each, peak memory, the marks that come out.
 
     python benchmarks/grading.py                 # ours, nbgrader, otter (which is installed into a temporary environment)
     python benchmarks/grading.py --many 1000     # ours alone, on that many submissions with two jobs
 
-"Each" is the time of 20 less the time of 1 (the best of three), divided by 19: what one more submission costs once everything runs; "whole" is all 20.
-Memory is the largest sum of what the grader's processes hold for themselves (PSS), sampled twenty times a second.
+"Each" is the time of 20 less the time of 1 (the best of three), divided by 19: what one more
+submission costs once everything runs; "whole" is all 20. Memory is the largest sum of what the
+grader's processes hold for themselves (PSS), sampled twenty times a second.
 """
 
 import argparse
@@ -36,7 +38,7 @@ from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 
 LESSON = "05-link-matrix"
 OTTER = "otter-grader==7.0.0"
-TEST = '''from otter.test_files import test_case
+TEST = """from otter.test_files import test_case
 OK_FORMAT = False
 name, points = "{name}", {points}
 
@@ -44,7 +46,7 @@ name, points = "{name}", {points}
 def judged(env):
     from dhlab.course.exercises import exercises
     assert exercises()["{key}"].judge(eval("{expression}", dict(env))).points == {points}
-'''
+"""
 
 
 def submissions(count):
@@ -54,7 +56,9 @@ def submissions(count):
     for number in range(count):
         notebook = corpus.solved()
         if number % 2:
-            corpus.answer("05.6", wrong[number // 2 % len(wrong)].replace("dh_transform", "dh_closed"))(notebook, {})
+            corpus.answer(
+                "05.6", wrong[number // 2 % len(wrong)].replace("dh_transform", "dh_closed")
+            )(notebook, {})
         found[f"s{number:04d}"] = json.dumps(notebook)
     return found
 
@@ -66,7 +70,14 @@ class Watched:
         self.peak = 0
 
     def run(self, command, cwd=None, env=None):
-        process = psutil.Popen([str(word) for word in command], cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        process = psutil.Popen(
+            [str(word) for word in command],
+            cwd=cwd,
+            env=env,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
         over = threading.Event()
         watcher = threading.Thread(target=self._watch, args=(process, over))
         watcher.start()
@@ -97,7 +108,10 @@ def _children(process):
 def timed(grader, many, one):
     """(seconds each, seconds in all, MB, marks) of a grader on many submissions and on one."""
     watched, singles = Watched(), []
-    for _ in range(3):  # the first is slow for reasons of its own: files not yet in memory, modules not yet compiled
+    for _ in range(
+        3
+        # the first is slow for reasons of its own: files not yet in memory, modules not yet compiled
+    ):
         begun = time.perf_counter()
         grader(one, Watched())
         singles.append(time.perf_counter() - begun)
@@ -114,24 +128,51 @@ def ours(handed_in, watched, jobs=1):
         for student, text in handed_in.items():
             (Path(top) / "in" / student).mkdir(parents=True)
             (Path(top) / "in" / student / f"{LESSON}.ipynb").write_text(text, encoding="utf-8")
-        watched.run([sys.executable, "-m", "dhlab", "grade", f"{top}/in", "--out", f"{top}/out", "--jobs", jobs])
+        watched.run(
+            [
+                sys.executable,
+                "-m",
+                "dhlab",
+                "grade",
+                f"{top}/in",
+                "--out",
+                f"{top}/out",
+                "--jobs",
+                jobs,
+            ]
+        )
         with open(f"{top}/out/grades.csv", encoding="utf-8") as file:
             return {row["student"]: float(row["points"]) for row in csv.DictReader(file)}
 
 
 def nbgrader(handed_in, watched):
-    """``nbgrader autograde`` and ``export``, on the course that ``dhlab export nbgrader`` writes."""
+    """``nbgrader autograde`` and ``export``, on the course that ``dhlab export nbgrader``
+    writes.
+    """
     with tempfile.TemporaryDirectory() as top:
-        course, env = Path(top) / "course", os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
-        export_nbgrader(course, [Student(student) for student in handed_in], Settings({"05": Lesson()}))
+        course, env = (
+            Path(top) / "course",
+            os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"},
+        )
+        export_nbgrader(
+            course, [Student(student) for student in handed_in], Settings({"05": Lesson()})
+        )
         command = [sys.executable, "-m", "nbgrader"]
-        for words in (["db", "student", "import", "students.csv"], ["db", "assignment", "import", "assignments.csv"], ["generate_assignment", LESSON]):
+        for words in (
+            ["db", "student", "import", "students.csv"],
+            ["db", "assignment", "import", "assignments.csv"],
+            ["generate_assignment", LESSON],
+        ):
             Watched().run([*command, *words], course, env)
-        release = json.loads((course / "release" / LESSON / f"{LESSON}.ipynb").read_text(encoding="utf-8"))
+        release = json.loads(
+            (course / "release" / LESSON / f"{LESSON}.ipynb").read_text(encoding="utf-8")
+        )
         for student, text in handed_in.items():
             folder = course / "submitted" / student / LESSON
             folder.mkdir(parents=True)
-            (folder / f"{LESSON}.ipynb").write_text(json.dumps(_answered(release, text)), encoding="utf-8")
+            (folder / f"{LESSON}.ipynb").write_text(
+                json.dumps(_answered(release, text)), encoding="utf-8"
+            )
         watched.run([*command, "autograde", LESSON], course, env)
         watched.run([*command, "export"], course, env)
         with open(course / "grades.csv", encoding="utf-8") as file:
@@ -140,60 +181,125 @@ def nbgrader(handed_in, watched):
 
 def _answered(release, text):
     """nbgrader's own release with the answers of a submission in it."""
-    answers = {cell["id"]: cell["source"] for cell in json.loads(text)["cells"] if "exercise" in cell["metadata"]}
-    return release | {"cells": [cell | {"source": answers.get(cell["id"], cell["source"])} for cell in release["cells"]]}
+    answers = {
+        cell["id"]: cell["source"]
+        for cell in json.loads(text)["cells"]
+        if "exercise" in cell["metadata"]
+    }
+    return release | {
+        "cells": [
+            cell | {"source": answers.get(cell["id"], cell["source"])} for cell in release["cells"]
+        ]
+    }
 
 
 def otter_environment(folder):
-    """A temporary environment with otter-grader, which sees this environment's packages behind its own."""
+    """A temporary environment with otter-grader, which sees this environment's packages behind its
+    own.
+    """
     venv.create(folder, with_pip=True)
     python = Path(folder) / "bin" / "python"
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", OTTER], check=True)
+    subprocess.run(
+        [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", OTTER],
+        check=True,
+    )
     own = next(Path(folder).glob("lib/python*/site-packages"))
-    (own / "dhlab_bench.pth").write_text(f"import site; site.addsitedir({str(Path(np.__file__).parents[1])!r})\n", encoding="utf-8")
+    (own / "dhlab_bench.pth").write_text(
+        f"import site; site.addsitedir({str(Path(np.__file__).parents[1])!r})\n", encoding="utf-8"
+    )
     return python
 
 
 def otter(python):
-    """``otter run``, submission by submission, with one test an exercise that asks the exercise itself."""
+    """``otter run``, submission by submission, with one test an exercise that asks the exercise
+    itself.
+    """
+
     def grade(handed_in, watched):
         with tempfile.TemporaryDirectory() as top:
             tests = Path(top) / "tests"
             tests.mkdir()
             for key, (expression, _) in handed_out_checks()["05"].items():
                 name = "q" + key.replace(".", "_")
-                (tests / f"{name}.py").write_text(TEST.format(name=name, points=exercises()[key].points, key=key, expression=expression), encoding="utf-8")
+                (tests / f"{name}.py").write_text(
+                    TEST.format(
+                        name=name, points=exercises()[key].points, key=key, expression=expression
+                    ),
+                    encoding="utf-8",
+                )
             env = os.environ | {"PATH": f"{python.parent}:{os.environ['PATH']}"}
-            subprocess.run([python, "-m", "otter", "generate", "-t", tests, "-o", f"{top}/autograder.zip", "--no-environment"], check=True, cwd=top, env=env, capture_output=True)
+            subprocess.run(
+                [
+                    python,
+                    "-m",
+                    "otter",
+                    "generate",
+                    "-t",
+                    tests,
+                    "-o",
+                    f"{top}/autograder.zip",
+                    "--no-environment",
+                ],
+                check=True,
+                cwd=top,
+                env=env,
+                capture_output=True,
+            )
             marks = {}
             for student, text in handed_in.items():
                 folder = Path(top) / student
                 folder.mkdir()
                 (folder / "lesson.ipynb").write_text(text, encoding="utf-8")
-                watched.run([python, "-m", "otter", "run", "-a", f"{top}/autograder.zip", "-o", folder, folder / "lesson.ipynb"], cwd=folder, env=env)
+                watched.run(
+                    [
+                        python,
+                        "-m",
+                        "otter",
+                        "run",
+                        "-a",
+                        f"{top}/autograder.zip",
+                        "-o",
+                        folder,
+                        folder / "lesson.ipynb",
+                    ],
+                    cwd=folder,
+                    env=env,
+                )
                 scores = json.loads((folder / "results.json").read_text(encoding="utf-8"))["tests"]
                 marks[student] = sum(test.get("score", 0) for test in scores)
             return marks
+
     return grade
 
 
 def table(rows, marks):
     """The table in Markdown, and in how many submissions each agrees with ours."""
-    print("| grader | seconds each | whole (20) | times ours, whole | peak MB | same marks as ours |\n|---|---|---|---|---|---|")
+    print(
+        "| grader | seconds each | whole (20) | times ours, whole | peak MB | same marks as ours"
+        " |\n|---|---|---|---|---|---|"
+    )
     for name, (each, whole, peak, own) in rows.items():
         same = sum(abs(own[student] - points) < 1e-9 for student, points in marks.items())
-        print(f"| {name} | {each:.3f} | {whole:.1f} | {whole / rows['dhlab grade'][1]:.0f} | {peak:.0f} | {same} of {len(marks)} |")
+        print(
+            f"| {name} | {each:.3f} | {whole:.1f} | {whole / rows['dhlab grade'][1]:.0f} |"
+            f" {peak:.0f} | {same} of {len(marks)} |"
+        )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--many", type=int, default=0)
     options = parser.parse_args()
     if options.many:
         begun, watched = time.perf_counter(), Watched()
         marks = ours(submissions(options.many), watched, jobs=2)
         seconds = time.perf_counter() - begun
-        print(f"{len(marks)} submissions, 2 jobs: {seconds:.1f} s in all with feedback and report, {seconds / len(marks):.3f} s each; {watched.peak / 1e6:.0f} MB at most")
+        print(
+            f"{len(marks)} submissions, 2 jobs: {seconds:.1f} s in all with feedback and report,"
+            f" {seconds / len(marks):.3f} s each; {watched.peak / 1e6:.0f} MB at most"
+        )
         return
     many, one = submissions(20), submissions(1)
     rows = {"dhlab grade": timed(ours, many, one), "nbgrader 0.9": timed(nbgrader, many, one)}

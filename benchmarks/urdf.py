@@ -1,6 +1,8 @@
-"""Real URDF files from PyPI packages through ``read_urdf``, judged by pinocchio and PyBullet. ``python benchmarks/urdf.py`` prints Markdown.
+"""Real URDF files from PyPI packages through ``read_urdf``, judged by pinocchio and PyBullet.
+``python benchmarks/urdf.py`` prints Markdown.
 
-Needs the extras urdf and oracles, and the package example-robot-data (6.0.0). Every chain from the root to every leaf is read.
+Needs the extras urdf and oracles, and the package example-robot-data (6.0.0). Every chain from the
+root to every leaf is read.
 """
 
 import argparse
@@ -19,13 +21,32 @@ import numpy as np
 from dhlab.formats.urdf import read_urdf, to_urdf
 
 PACKAGES = Path(site.getsitepackages()[0])
-FOLDERS = {"example-robot-data 6.0.0": PACKAGES / "cmeel.prefix/share/example-robot-data/robots", "rtb-data 2.0.0": PACKAGES / "rtbdata/xacro",
-           "pybullet 3.2.7": PACKAGES / "pybullet_data"}
-NO_ROBOTS = ("random_urdfs", "objects", "lego", "domino", "jenga", "table", "testdata")  # of pybullet_data
-ARMS = {"franka_panda/panda.urdf": "panda_link8", "kuka_iiwa/model.urdf": None, "panda_description/urdf/panda.urdf": "panda_link8",
-        "kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf": "tool0", "unimation_puma560_description/urdf/puma560_robot.urdf": None,
-        "ur_description/urdf/ur5_robot.urdf": "tool0", "ur_description/urdf/ur10_robot.urdf": "tool0", "kr6r700sixx.xacro": "tool0",
-        "kinova_description/robots/kinova.urdf": None, "abb_irb140_description/urdf/irb140.urdf": None}  # by PyBullet too
+FOLDERS = {
+    "example-robot-data 6.0.0": PACKAGES / "cmeel.prefix/share/example-robot-data/robots",
+    "rtb-data 2.0.0": PACKAGES / "rtbdata/xacro",
+    "pybullet 3.2.7": PACKAGES / "pybullet_data",
+}
+NO_ROBOTS = (
+    "random_urdfs",
+    "objects",
+    "lego",
+    "domino",
+    "jenga",
+    "table",
+    "testdata",
+)  # of pybullet_data
+ARMS = {
+    "franka_panda/panda.urdf": "panda_link8",
+    "kuka_iiwa/model.urdf": None,
+    "panda_description/urdf/panda.urdf": "panda_link8",
+    "kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf": "tool0",
+    "unimation_puma560_description/urdf/puma560_robot.urdf": None,
+    "ur_description/urdf/ur5_robot.urdf": "tool0",
+    "ur_description/urdf/ur10_robot.urdf": "tool0",
+    "kr6r700sixx.xacro": "tool0",
+    "kinova_description/robots/kinova.urdf": None,
+    "abb_irb140_description/urdf/irb140.urdf": None,
+}  # by PyBullet too
 
 
 def files(work):
@@ -41,17 +62,34 @@ def files(work):
 
 
 def expanded(path, work):
-    """The URDF of a xacro file of rtb-data, or None when it is only a part of a robot; its packages lie in folders of other names."""
+    """The URDF of a xacro file of rtb-data, or None when it is only a part of a robot; its packages
+    lie in folders of other names.
+    """
     import xacro
+
     tree = work / "xacro"
     if not tree.exists():
-        shutil.copytree(FOLDERS["rtb-data 2.0.0"], tree, ignore=shutil.ignore_patterns("*.stl", "*.dae", "*.STL", "*.DAE", "*.obj"))
+        shutil.copytree(
+            FOLDERS["rtb-data 2.0.0"],
+            tree,
+            ignore=shutil.ignore_patterns("*.stl", "*.dae", "*.STL", "*.DAE", "*.obj"),
+        )
         folders = {folder.name: folder for folder in tree.rglob("*") if folder.is_dir()}
         for part in tree.rglob("*.xacro"):
             text = part.read_text(encoding="utf-8")
-            part.write_text(re.sub(r"\$\(find ([\w-]+)\)", lambda m: str(folders.get(m[1], folders.get(m[1].replace("_support", ""), m[0]))), text))
+            part.write_text(
+                re.sub(
+                    r"\$\(find ([\w-]+)\)",
+                    lambda m: str(
+                        folders.get(m[1], folders.get(m[1].replace("_support", ""), m[0]))
+                    ),
+                    text,
+                )
+            )
     try:
-        text = xacro.process_file(str(tree / path.relative_to(FOLDERS["rtb-data 2.0.0"]))).toprettyxml()
+        text = xacro.process_file(
+            str(tree / path.relative_to(FOLDERS["rtb-data 2.0.0"]))
+        ).toprettyxml()
     except Exception:  # a macro without its caller, or a package that is not there
         return None
     if "<joint" not in text or "${" in text:
@@ -73,7 +111,11 @@ def joints_above(path):
 def leaves(path):
     """The links that carry nothing."""
     above = joints_above(path)
-    return [link for link in above if link not in {joint.find("parent").get("link") for joint in above.values()}]
+    return [
+        link
+        for link in above
+        if link not in {joint.find("parent").get("link") for joint in above.values()}
+    ]
 
 
 def chain(path, tip):
@@ -89,6 +131,7 @@ def chain(path, tip):
 class Pinocchio:
     def __init__(self, path):
         import pinocchio
+
         self.pinocchio, self.model = pinocchio, pinocchio.buildModelFromUrdf(str(path))
         self.data = self.model.createData()
 
@@ -102,39 +145,54 @@ class Pinocchio:
             values = self.pinocchio.neutral(self.model)
             for i, value in zip(ids, one):
                 joint = self.model.joints[i]
-                values[joint.idx_q:joint.idx_q + joint.nq] = (np.cos(value), np.sin(value)) if joint.nq == 2 else value
+                values[joint.idx_q : joint.idx_q + joint.nq] = (
+                    (np.cos(value), np.sin(value)) if joint.nq == 2 else value
+                )
             self.pinocchio.framesForwardKinematics(self.model, self.data, values)
             poses[k] = (self.data.oMf[ends[0]].inverse() * self.data.oMf[ends[1]]).homogeneous
         return poses
 
 
 def bare(path, work):
-    """The same robot without shapes, which PyBullet would look for on disk, and with a mass for every link."""
+    """The same robot without shapes, which PyBullet would look for on disk, and with a mass for
+    every link.
+    """
     root = ElementTree.fromstring(path.read_bytes())
     for link in root.findall("link"):
         for part in list(link):
             link.remove(part)
         inertial = ElementTree.SubElement(link, "inertial")
         ElementTree.SubElement(inertial, "mass", value="1")
-        ElementTree.SubElement(inertial, "inertia", ixx="1", ixy="0", ixz="0", iyy="1", iyz="0", izz="1")
+        ElementTree.SubElement(
+            inertial, "inertia", ixx="1", ixy="0", ixz="0", iyy="1", iyz="0", izz="1"
+        )
     (work / "bare.urdf").write_bytes(ElementTree.tostring(root))
     return work / "bare.urdf"
 
 
 def by_pybullet(path, tip, names, q):
     import pybullet
+
     client = pybullet.connect(pybullet.DIRECT)
     try:
         body = pybullet.loadURDF(str(path), useFixedBase=True, physicsClientId=client)
-        info = [pybullet.getJointInfo(body, k, physicsClientId=client) for k in range(pybullet.getNumJoints(body, physicsClientId=client))]
+        info = [
+            pybullet.getJointInfo(body, k, physicsClientId=client)
+            for k in range(pybullet.getNumJoints(body, physicsClientId=client))
+        ]
         joints = {joint[1].decode(): joint[0] for joint in info}
         links = {joint[12].decode(): joint[0] for joint in info}
         poses = np.tile(np.eye(4), (len(q), 1, 1))
         for k, one in enumerate(q):
             for name, value in zip(names, one):
                 pybullet.resetJointState(body, joints[name], value, physicsClientId=client)
-            state = pybullet.getLinkState(body, links[tip], computeForwardKinematics=True, physicsClientId=client)
-            poses[k, :3, :3], poses[k, :3, 3] = np.reshape(pybullet.getMatrixFromQuaternion(state[5]), (3, 3)), state[4]
+            state = pybullet.getLinkState(
+                body, links[tip], computeForwardKinematics=True, physicsClientId=client
+            )
+            poses[k, :3, :3], poses[k, :3, 3] = (
+                np.reshape(pybullet.getMatrixFromQuaternion(state[5]), (3, 3)),
+                state[4],
+            )
         return poses
     finally:
         pybullet.disconnect(client)
@@ -143,11 +201,18 @@ def by_pybullet(path, tip, names, q):
 def error(T, S):
     """Largest distance (m) and angle (rad)."""
     chord = np.linalg.norm(T[:, :3, :3] - S[:, :3, :3], axis=(1, 2)) / np.sqrt(2)
-    return np.array([np.linalg.norm(T[:, :3, 3] - S[:, :3, 3], axis=1).max(), 2 * np.arcsin(np.minimum(chord / 2, 1)).max()])
+    return np.array(
+        [
+            np.linalg.norm(T[:, :3, 3] - S[:, :3, 3], axis=1).max(),
+            2 * np.arcsin(np.minimum(chord / 2, 1)).max(),
+        ]
+    )
 
 
 def judged(path, work, rng, refused):
-    """Per file: chains read, joints, and worst errors: standard, Craig, written and read back; refusals are counted by their reason."""
+    """Per file: chains read, joints, and worst errors: standard, Craig, written and read back;
+    refusals are counted by their reason.
+    """
     try:
         model = Pinocchio(path)
     except Exception as fault:
@@ -174,7 +239,17 @@ def judged(path, work, rng, refused):
 
 
 def reason(words):
-    for part in ("fixed joints only", "mimics", "floating", "planar", "no type", "found a loop", "pinocchio does not", "document type", "finite"):
+    for part in (
+        "fixed joints only",
+        "mimics",
+        "floating",
+        "planar",
+        "no type",
+        "found a loop",
+        "pinocchio does not",
+        "document type",
+        "finite",
+    ):
         if part in words:
             return part
     return words[-120:]
@@ -188,7 +263,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
         found = list(files(work))
-        for package, name, path in found[::10 if quick else 1]:
+        for package, name, path in found[:: 10 if quick else 1]:
             result = judged(path, work, rng, refused)
             if result and result[0]:
                 rows.append((package, name, *result))
@@ -197,24 +272,47 @@ def main():
                 tip = tip or leaves(path)[0]
                 arm = read_urdf(path, tip=tip)
                 q = rng.uniform(-np.pi, np.pi, (100, len(arm)))
-                bullet.append((name, error(by_pybullet(bare(path, work), tip, chain(path, tip)[1], q), arm.forward(q))))
+                bullet.append(
+                    (
+                        name,
+                        error(
+                            by_pybullet(bare(path, work), tip, chain(path, tip)[1], q),
+                            arm.forward(q),
+                        ),
+                    )
+                )
     report(rows, bullet, refused, len(found), time.time() - start)
 
 
 def report(rows, bullet, refused, files_found, seconds):
-    print(f"# read_urdf on real files: {files_found} files, 100 random q per chain, judge pinocchio ({seconds:.0f} s)\n")
-    print("| package | files | chains | joints at most | standard m | rad | Craig m | rad | to_urdf and back m | rad | "
-          "chains with a warning of nearly parallel axes |")
+    print(
+        f"# read_urdf on real files: {files_found} files, 100 random q per chain, judge pinocchio"
+        f" ({seconds:.0f} s)\n"
+    )
+    print(
+        "| package | files | chains | joints at most | standard m | rad | Craig m | rad | to_urdf"
+        " and back m | rad | chains with a warning of nearly parallel axes |"
+    )
     print("|---|---|---|---|---|---|---|---|---|---|---|")
     for package in FOLDERS:
         some = [row for row in rows if row[0] == package]
         if some:
             worst = np.max([row[4] for row in some], axis=0)
-            print(f"| {package} | {len(some)} | {sum(row[2] for row in some)} | {max(row[3] for row in some)} | "
-                  + " | ".join(f"{value:.1e}" for value in worst.ravel()) + f" | {sum(row[5] for row in some)} |")
-    print("\n| worst files | chains | standard m | rad | Craig m | rad |\n|---|---|---|---|---|---|")
+            print(
+                f"| {package} | {len(some)} | {sum(row[2] for row in some)} |"
+                f" {max(row[3] for row in some)} | "
+                + " | ".join(f"{value:.1e}" for value in worst.ravel())
+                + f" | {sum(row[5] for row in some)} |"
+            )
+    print(
+        "\n| worst files | chains | standard m | rad | Craig m | rad |\n|---|---|---|---|---|---|"
+    )
     for row in sorted(rows, key=lambda row: -row[4].max())[:12]:
-        print(f"| {row[1]} | {row[2]} | " + " | ".join(f"{value:.1e}" for value in row[4][:2].ravel()) + " |")
+        print(
+            f"| {row[1]} | {row[2]} | "
+            + " | ".join(f"{value:.1e}" for value in row[4][:2].ravel())
+            + " |"
+        )
     print("\n| by PyBullet (rounds to some 1e-8) | m | rad |\n|---|---|---|")
     for name, (m, rad) in bullet:
         print(f"| {name} | {m:.1e} | {rad:.1e} |")

@@ -1,4 +1,6 @@
-"""dhlab: learn, teach and debug Denavit-Hartenberg kinematics. Radians and metres inside; degrees and millimetres where people write."""
+"""dhlab: learn, teach and debug Denavit-Hartenberg kinematics. Radians and metres inside; degrees
+and millimetres where people write.
+"""
 
 from importlib import import_module
 
@@ -11,11 +13,36 @@ from .robots import load, robots
 from .table import DHTable
 
 # what needs scipy's optimisers or the pictures is loaded when it is first asked for
-LATER = {"calibrate_offsets": "measure", "diagnose": "doctor", "diagnose_function": "doctor", "explore": "view.explorer", "recognise_table": "doctor", "fit_circles": "measure", "read_poses": "formats.posefile"}
+LATER = {
+    "calibrate_offsets": "measure",
+    "diagnose": "doctor",
+    "diagnose_function": "doctor",
+    "explore": "view.explorer",
+    "recognise_table": "doctor",
+    "fit_circles": "measure",
+    "read_poses": "formats.posefile",
+}
 
 __version__ = "0.1.0"
-__all__ = ["Arm", "DHTable", "NearlyParallelWarning", "assign_frames", "calibrate_offsets", "diagnose", "diagnose_function", "equivalent", "explore", "fit_circles", "load", "read_poses", "read_urdf", "recognise_table", "robots",
-           "symbolic", "to_urdf"]
+__all__ = [
+    "Arm",
+    "DHTable",
+    "NearlyParallelWarning",
+    "assign_frames",
+    "calibrate_offsets",
+    "diagnose",
+    "diagnose_function",
+    "equivalent",
+    "explore",
+    "fit_circles",
+    "load",
+    "read_poses",
+    "read_urdf",
+    "recognise_table",
+    "robots",
+    "symbolic",
+    "to_urdf",
+]
 
 
 def __getattr__(name):

@@ -1,4 +1,6 @@
-"""``Arm``: a DH table with what the table alone does not say: base, tool, joint signs, limits, a name and a source."""
+"""``Arm``: a DH table with what the table alone does not say: base, tool, joint signs, limits, a
+name and a source.
+"""
 
 from dataclasses import dataclass
 
@@ -13,7 +15,8 @@ __all__ = ["Arm"]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Arm:
-    """A serial arm: ``base · A_1 … A_n · tool`` with joint variable ``theta_i`` (or ``d_i``) ``= sign_i · q_i + offset_i``.
+    """A serial arm: ``base · A_1 … A_n · tool`` with joint variable ``theta_i`` (or ``d_i``) ``=
+    sign_i · q_i + offset_i``.
 
     Parameters
     ----------
@@ -21,7 +24,8 @@ class Arm:
     base, tool : (4, 4), optional
         The table's frame 0 in the world, and the end point in frame n; the identity when left out.
     limits : sequence of n entries, optional
-        ``(low, high)`` in radians or metres, or None, per joint. Stated, never enforced by :meth:`forward`.
+        ``(low, high)`` in radians or metres, or None, per joint. Stated, never enforced by
+        :meth:`forward`.
     sign : sequence of n numbers +1 or -1, optional
         How each joint counts; +1 when left out.
     name, source : str, optional
@@ -49,7 +53,10 @@ class Arm:
 
     def __post_init__(self):
         if not isinstance(self.table, DHTable):
-            raise ValueError(f"Arm: expected a DHTable first, found {type(self.table).__name__}; make one with DHTable.standard or DHTable.craig")
+            raise ValueError(
+                f"Arm: expected a DHTable first, found {type(self.table).__name__}; make one with"
+                " DHTable.standard or DHTable.craig"
+            )
         n = len(self.table)
         for name in ("base", "tool"):
             given = getattr(self, name)
@@ -66,16 +73,21 @@ class Arm:
 
     @classmethod
     def load(cls, path):
-        """The arm in a ``.yaml`` or ``.csv`` table file; ``dhlab.load`` takes names of the library too."""
+        """The arm in a ``.yaml`` or ``.csv`` table file; ``dhlab.load`` takes names of the library
+        too.
+        """
         from .formats.tablefile import read_arm
+
         return read_arm(path)
 
     def save(self, path, *, angle=None, length="m", overwrite=False):
-        """Write the arm as ``.yaml`` (all of it) or ``.csv`` (table and signs; refused when there is more to say).
+        """Write the arm as ``.yaml`` (all of it) or ``.csv`` (table and signs; refused when there
+        is more to say).
 
         Parameters as :meth:`DHTable.save`.
         """
         from .formats.tablefile import write
+
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
     def __len__(self):
@@ -103,7 +115,8 @@ class Arm:
         return self.frames(q)[..., -1, :, :] @ self.tool
 
     def frames(self, q):
-        """Every frame of the chain; ``frames[0]`` is the base, ``frames[i] = base · A_1 … A_i``; the tool is not included.
+        """Every frame of the chain; ``frames[0]`` is the base, ``frames[i] = base · A_1 … A_i``;
+        the tool is not included.
 
         Parameters
         ----------
@@ -157,10 +170,17 @@ class Arm:
         4
         """
         chain = self.frames(q)
-        return kinematics.jacobian(self.table.convention, chain, chain[..., -1, :, :] @ self.tool, self.table.prismatic, self.sign)
+        return kinematics.jacobian(
+            self.table.convention,
+            chain,
+            chain[..., -1, :, :] @ self.tool,
+            self.table.prismatic,
+            self.sign,
+        )
 
     def to(self, convention):
-        """The same arm with its table in another convention, ``"standard"`` or ``"craig"``; base and tool take up the difference.
+        """The same arm with its table in another convention, ``"standard"`` or ``"craig"``; base
+        and tool take up the difference.
 
         Examples
         --------
@@ -169,10 +189,12 @@ class Arm:
         'standard'
         """
         from .geometry.conversion import to_convention
+
         return to_convention(self, convention)
 
     def flip_x(self, i):
-        """The same arm with x_i turned round (frame i, 0 to n): theta_i and theta_{i+1} by 180°, a_i and alpha_i change sign.
+        """The same arm with x_i turned round (frame i, 0 to n): theta_i and theta_{i+1} by 180°,
+        a_i and alpha_i change sign.
 
         Examples
         --------
@@ -181,10 +203,12 @@ class Arm:
         array([ 0.    ,  0.425 , -0.3922,  0.    ,  0.    ,  0.    ])
         """
         from .geometry.freedoms import flip_x
+
         return flip_x(self, i)
 
     def flip_z(self, i):
-        """The same arm with z_i turned round (frame i, 0 to n): the joint on z_i counts the other way.
+        """The same arm with z_i turned round (frame i, 0 to n): the joint on z_i counts the other
+        way.
 
         Examples
         --------
@@ -193,10 +217,12 @@ class Arm:
         array([ 1.,  1., -1.,  1.,  1.,  1.])
         """
         from .geometry.freedoms import flip_z
+
         return flip_z(self, i)
 
     def slide(self, i, h):
-        """The same arm with o_i moved by ``h`` metres along z_i, where the axes on both sides are parallel (a ValueError elsewhere).
+        """The same arm with o_i moved by ``h`` metres along z_i, where the axes on both sides are
+        parallel (a ValueError elsewhere).
 
         Examples
         --------
@@ -205,10 +231,12 @@ class Arm:
         array([0.1625, 0.    , 0.1333, 0.    , 0.0997, 0.0996])
         """
         from .geometry.freedoms import slide
+
         return slide(self, i, h)
 
     def within_limits(self, q):
-        """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint without limits always is.
+        """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint
+        without limits always is.
 
         Examples
         --------
@@ -217,7 +245,10 @@ class Arm:
         [True, True, True, False, True, True, True]
         """
         q = self._checked(q)
-        bounds = [(-np.inf, np.inf) if pair is None else pair for pair in self.limits or [None] * len(self)]
+        bounds = [
+            (-np.inf, np.inf) if pair is None else pair
+            for pair in self.limits or [None] * len(self)
+        ]
         low, high = np.array(bounds).T
         return (low <= q) & (q <= high)
 
@@ -230,41 +261,66 @@ class Arm:
         except ValueError:  # ragged
             array = np.array(None)
         if array.dtype.kind not in "iuf":
-            raise ValueError(f"q: expected {n} numbers ({unit}), found {type(q).__name__} that does not hold plain numbers only")
+            raise ValueError(
+                f"q: expected {n} numbers ({unit}), found {type(q).__name__} that does not hold"
+                " plain numbers only"
+            )
         if array.shape[-1:] != (n,):
             found = f"{array.shape[-1]} values" if array.ndim else "a single number"
-            raise ValueError(f"q: expected {n} values, one per joint of {self.name or 'the arm'} ({unit}), found {found}; a batch has shape (..., {n})")
+            raise ValueError(
+                f"q: expected {n} values, one per joint of {self.name or 'the arm'} ({unit}), found"
+                f" {found}; a batch has shape (..., {n})"
+            )
         if not np.isfinite(array).all():
             joint = np.argwhere(~np.isfinite(array))[0][-1] + 1
-            raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({unit})")
+            raise ValueError(
+                f"q: joint {joint} is NaN or infinite, expected a finite number ({unit})"
+            )
         return array.astype(float)
 
     def __eq__(self, other):
-        """The same numbers and signs; whether two arms move alike is answered by ``dhlab.equivalent``."""
+        """The same numbers and signs; whether two arms move alike is answered by
+        ``dhlab.equivalent``.
+        """
         if not isinstance(other, Arm):
             return NotImplemented
         arrays = ((getattr(self, k), getattr(other, k)) for k in ("base", "tool", "sign"))
-        return self.table == other.table and self.limits == other.limits and all(np.array_equal(x, y) for x, y in arrays)
+        return (
+            self.table == other.table
+            and self.limits == other.limits
+            and all(np.array_equal(x, y) for x, y in arrays)
+        )
 
     def __hash__(self):
         return hash((self.table, self.base.tobytes(), self.tool.tobytes()))
 
     def __reduce__(self):
-        return Arm, (self.table, self.base, self.tool, self.limits, self.sign, self.name, self.source)
+        return Arm, (
+            self.table,
+            self.base,
+            self.tool,
+            self.limits,
+            self.sign,
+            self.name,
+            self.source,
+        )
 
     def __repr__(self):
         return f"<Arm {self.name or 'without a name'}: {len(self)} joints, {self.table.convention}>"
 
     def __str__(self):
         from .printing import arm_text
+
         return arm_text(self)
 
     def _repr_html_(self):
         from .printing import arm_html
+
         return arm_html(self)
 
     def _repr_mimebundle_(self, include=None, exclude=None):
         from .view.explorer import arm_bundle
+
         return arm_bundle(self)
 
 
@@ -274,7 +330,10 @@ def _signs(sign, n):
     except (TypeError, ValueError):
         signs = np.array(np.nan)
     if signs.shape != (n,) or not np.isin(signs, (1, -1)).all():
-        raise ValueError(f"Arm: sign: expected {n} entries, each 1 or -1, found {sign!r}; write -1 where a joint counts the other way")
+        raise ValueError(
+            f"Arm: sign: expected {n} entries, each 1 or -1, found {sign!r}; write -1 where a joint"
+            " counts the other way"
+        )
     signs.flags.writeable = False
     return signs
 
@@ -282,9 +341,16 @@ def _signs(sign, n):
 def _limits(limits, n):
     if limits is None:
         return None
-    limits = list(limits) if np.iterable(limits) and not isinstance(limits, (str, bytes, dict)) else [limits] * (n + 1)
+    limits = (
+        list(limits)
+        if np.iterable(limits) and not isinstance(limits, (str, bytes, dict))
+        else [limits] * (n + 1)
+    )
     if len(limits) != n:
-        raise ValueError(f"Arm: limits: expected {n} entries, one (low, high) or None per joint, found {len(limits)}")
+        raise ValueError(
+            f"Arm: limits: expected {n} entries, one (low, high) or None per joint, found"
+            f" {len(limits)}"
+        )
     return tuple(None if pair is None else _pair(pair, i) for i, pair in enumerate(limits, 1))
 
 
@@ -294,5 +360,8 @@ def _pair(pair, i):
     except (TypeError, ValueError):
         low = high = np.nan
     if not (np.isfinite([low, high]).all() and low <= high):
-        raise ValueError(f"Arm: limits: joint {i}: expected (low, high), two finite numbers with low <= high, found {pair!r}; None for a joint without limits")
+        raise ValueError(
+            f"Arm: limits: joint {i}: expected (low, high), two finite numbers with low <= high,"
+            f" found {pair!r}; None for a joint without limits"
+        )
     return low, high

@@ -1,6 +1,8 @@
-"""The product itself: link matrices, frames, end pose and Jacobian, for one configuration or a batch of any leading shape.
+"""The product itself: link matrices, frames, end pose and Jacobian, for one configuration or a
+batch of any leading shape.
 
-These functions take plain arrays that have been checked before (by ``Arm``); the leading shape of ``theta`` and ``d`` is the batch.
+These functions take plain arrays that have been checked before (by ``Arm``); the leading shape of
+``theta`` and ``d`` is the batch.
 """
 
 import numpy as np
@@ -73,7 +75,8 @@ def frames(base, A):
 
 
 def jacobian(convention, chain, end, prismatic, sign):
-    """Geometric Jacobian at the end point, in the frame that ``chain`` is written in (Siciliano et al., Robotics, eq. 3.30).
+    """Geometric Jacobian at the end point, in the frame that ``chain`` is written in (Siciliano et
+    al., Robotics, eq. 3.30).
 
     Parameters
     ----------

@@ -4,11 +4,25 @@ from html import escape
 
 import numpy as np
 
-__all__ = ["table_text", "table_html", "arm_text", "arm_html", "number", "matrix_text", "grid_text", "grid_html"]
+__all__ = [
+    "table_text",
+    "table_html",
+    "arm_text",
+    "arm_html",
+    "number",
+    "matrix_text",
+    "grid_text",
+    "grid_html",
+]
 
-HEADINGS = {"standard": ("theta", "d", "a", "alpha"), "craig": ("theta", "d", "a(i-1)", "alpha(i-1)")}
-HTML_HEADINGS = {"standard": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i</sub>", "α<sub>i</sub>"),
-                 "craig": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i−1</sub>", "α<sub>i−1</sub>")}
+HEADINGS = {
+    "standard": ("theta", "d", "a", "alpha"),
+    "craig": ("theta", "d", "a(i-1)", "alpha(i-1)"),
+}
+HTML_HEADINGS = {
+    "standard": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i</sub>", "α<sub>i</sub>"),
+    "craig": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i−1</sub>", "α<sub>i−1</sub>"),
+}
 TITLES = {"standard": "standard DH", "craig": "Craig DH"}
 
 
@@ -25,7 +39,9 @@ def number(value, digits=6):
 
 
 def _cells(table, sign):
-    """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90" or "-q1"."""
+    """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90" or
+    "-q1".
+    """
     sign = np.ones(len(table)) if sign is None else sign
     for i, letter in enumerate(table.joints):
         numbers = [np.rad2deg(table.theta[i]), table.d[i], table.a[i], np.rad2deg(table.alpha[i])]
@@ -58,14 +74,22 @@ def grid_text(headings, rows):
     """
     lines = [list(headings), *rows]
     widths = [max(len(str(line[k])) for line in lines) for k in range(len(headings))]
-    return "\n".join((" " + "  ".join(str(cell).ljust(w) for cell, w in zip(line, widths))).rstrip() for line in lines)
+    return "\n".join(
+        (" " + "  ".join(str(cell).ljust(w) for cell, w in zip(line, widths))).rstrip()
+        for line in lines
+    )
 
 
 def grid_html(headings, rows, caption):
     """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped."""
     head = "".join(f'<th scope="col">{heading}</th>' for heading in headings)
-    body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
-    return f'<table class="dhlab" style="min-width:22em"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows
+    )
+    return (
+        '<table class="dhlab"'
+        f' style="min-width:22em"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+    )
 
 
 def table_text(table, sign=None):
@@ -76,7 +100,10 @@ def table_text(table, sign=None):
 
 def table_html(table, sign=None, caption=None):
     """A table as HTML for a notebook."""
-    rows = [[str(i), *(cell.replace("-", "−") for cell in cells)] for i, cells in enumerate(_cells(table, sign), 1)]
+    rows = [
+        [str(i), *(cell.replace("-", "−") for cell in cells)]
+        for i, cells in enumerate(_cells(table, sign), 1)
+    ]
     head = ["i", *HTML_HEADINGS[table.convention]]
     return grid_html(head, rows, caption or _title(table))
 
@@ -98,14 +125,19 @@ def arm_html(arm):
 
 def _extras(arm):
     from .transform import to_xyz_rpy
+
     for name in ("base", "tool"):
         pose = getattr(arm, name)
         if not np.array_equal(pose, np.eye(4)):
             xyz, rpy = to_xyz_rpy(pose)
-            yield (f"{name}: xyz {' '.join(number(v) for v in xyz)} m, "
-                   f"roll pitch yaw {' '.join(number(v) for v in np.rad2deg(rpy))} deg")
+            yield (
+                f"{name}: xyz {' '.join(number(v) for v in xyz)} m, "
+                f"roll pitch yaw {' '.join(number(v) for v in np.rad2deg(rpy))} deg"
+            )
     if arm.limits:
-        yield "limits: " + ", ".join(_limit_text(pair, letter) for pair, letter in zip(arm.limits, arm.table.joints))
+        yield "limits: " + ", ".join(
+            _limit_text(pair, letter) for pair, letter in zip(arm.limits, arm.table.joints)
+        )
     if arm.source:
         yield f"source: {arm.source}"
 

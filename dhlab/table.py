@@ -1,4 +1,6 @@
-"""``DHTable``: the rows of a Denavit-Hartenberg table that know their convention, units and joint types."""
+"""``DHTable``: the rows of a Denavit-Hartenberg table that know their convention, units and joint
+types.
+"""
 
 from dataclasses import dataclass
 
@@ -15,16 +17,19 @@ JOINT_WORDS = {"revolute": "R", "prismatic": "P"}
 
 @dataclass(frozen=True, eq=False, repr=False)
 class DHTable:
-    """A Denavit-Hartenberg table. Made by :meth:`standard` or :meth:`craig`; frozen, in radians and metres.
+    """A Denavit-Hartenberg table. Made by :meth:`standard` or :meth:`craig`; frozen, in radians and
+    metres.
 
     Parameters
     ----------
     convention : "standard" or "craig"
-        Standard: ``A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i)`` (Paul 1981; Siciliano et al., Robotics, section 2.8.2).
-        Craig (modified): ``A_i = Rx(alpha_{i-1}) Tx(a_{i-1}) Rz(theta_i) Tz(d_i)`` (Craig, Introduction to Robotics, eq. 3.6);
-        its row i holds ``a_{i-1}`` and ``alpha_{i-1}`` in the columns ``a`` and ``alpha``.
+        Standard: ``A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i)`` (Paul 1981; Siciliano et al.,
+        Robotics, section 2.8.2). Craig (modified): ``A_i = Rx(alpha_{i-1}) Tx(a_{i-1}) Rz(theta_i)
+        Tz(d_i)`` (Craig, Introduction to Robotics, eq. 3.6); its row i holds ``a_{i-1}`` and
+        ``alpha_{i-1}`` in the columns ``a`` and ``alpha``.
     theta, d, a, alpha : arrays (n,)
-        Radians and metres. ``theta`` of a revolute joint and ``d`` of a prismatic one are zero offsets, added to the joint variable.
+        Radians and metres. ``theta`` of a revolute joint and ``d`` of a prismatic one are zero
+        offsets, added to the joint variable.
     joints : str or sequence of "R" and "P"
         One letter per row.
 
@@ -52,12 +57,18 @@ class DHTable:
 
     def __post_init__(self):
         if self.convention not in CONVENTIONS:
-            raise ValueError(f'DHTable: expected the convention "standard" or "craig", found {self.convention!r}; '
-                             'say which matrix the rows are for ("modified" is "craig" here)')
+            raise ValueError(
+                'DHTable: expected the convention "standard" or "craig", found'
+                f' {self.convention!r}; say which matrix the rows are for ("modified" is "craig"'
+                " here)"
+            )
         columns = [np.array(getattr(self, name), dtype=float) for name in COLUMNS]
         lengths = [column.size if column.ndim == 1 else column.shape for column in columns]
         if len(set(lengths)) != 1 or columns[0].ndim != 1:
-            raise ValueError(f"DHTable: expected four columns (theta, d, a, alpha) of one length, found {lengths}; give one number per joint in each")
+            raise ValueError(
+                "DHTable: expected four columns (theta, d, a, alpha) of one length, found"
+                f" {lengths}; give one number per joint in each"
+            )
         for name, column in zip(COLUMNS, columns):
             column = column + 0.0  # -0.0 prints badly
             column.flags.writeable = False
@@ -100,7 +111,8 @@ class DHTable:
 
     @classmethod
     def craig(cls, rows, *, angle=None, length="m", joints=None):
-        """A table in Craig's (modified) convention; row i holds theta_i, d_i, a_{i-1}, alpha_{i-1}. Parameters as :meth:`standard`.
+        """A table in Craig's (modified) convention; row i holds theta_i, d_i, a_{i-1}, alpha_{i-1}.
+        Parameters as :meth:`standard`.
 
         Examples
         --------
@@ -115,19 +127,31 @@ class DHTable:
     @classmethod
     def _from_rows(cls, convention, rows, angle, length, joints):
         where = f"DHTable.{convention}"
-        to_rad, to_m = units.scale_of(angle, "angle", where), units.scale_of(length, "length", where)
+        to_rad, to_m = (
+            units.scale_of(angle, "angle", where),
+            units.scale_of(length, "length", where),
+        )
         numbers = _as_rows(rows, where)
         _require_finite(numbers, where)
         theta, d, a, alpha = numbers.T
         letters = _joint_letters(joints, len(numbers), where)
-        return cls(convention, units.convert(theta, to_rad), units.convert(d, to_m), units.convert(a, to_m), units.convert(alpha, to_rad), letters)
+        return cls(
+            convention,
+            units.convert(theta, to_rad),
+            units.convert(d, to_m),
+            units.convert(a, to_m),
+            units.convert(alpha, to_rad),
+            letters,
+        )
 
     @classmethod
     def load(cls, path):
-        """The table in a YAML or CSV file (formats in :mod:`dhlab.formats.tablefile`); a file that also says base, tool, limits or
-        signs describes an arm and is refused, since a table cannot hold them: use ``dhlab.load``.
+        """The table in a YAML or CSV file (formats in :mod:`dhlab.formats.tablefile`); a file that
+        also says base, tool, limits or signs describes an arm and is refused, since a table cannot
+        hold them: use ``dhlab.load``.
         """
         from .formats.tablefile import read_table
+
         return read_table(path)
 
     def save(self, path, *, angle=None, length="m", overwrite=False):
@@ -144,6 +168,7 @@ class DHTable:
             Replace an existing file; it is kept, with an error, otherwise.
         """
         from .formats.tablefile import write
+
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
     @property
@@ -160,10 +185,15 @@ class DHTable:
         return len(self.joints)
 
     def __eq__(self, other):
-        """Entry by entry; whether two tables describe one arm is another question, answered by ``dhlab.equivalent``."""
+        """Entry by entry; whether two tables describe one arm is another question, answered by
+        ``dhlab.equivalent``.
+        """
         if not isinstance(other, DHTable):
             return NotImplemented
-        return (self.convention, self.joints) == (other.convention, other.joints) and np.array_equal(self.rows, other.rows)
+        return (self.convention, self.joints) == (
+            other.convention,
+            other.joints,
+        ) and np.array_equal(self.rows, other.rows)
 
     def __hash__(self):
         return hash((self.convention, self.joints, self.rows.tobytes()))
@@ -172,32 +202,51 @@ class DHTable:
         return DHTable, (self.convention, self.theta, self.d, self.a, self.alpha, self.joints)
 
     def __repr__(self):
-        return f"DHTable.{self.convention}({self.rows.tolist()}, angle=\"rad\", joints=\"{self.joints}\")"
+        return (
+            f'DHTable.{self.convention}({self.rows.tolist()}, angle="rad", joints="{self.joints}")'
+        )
 
     def __str__(self):
         from .printing import table_text
+
         return table_text(self)
 
     def _repr_html_(self):
         from .printing import table_html
+
         return table_html(self)
 
 
 def _as_rows(rows, where):
     """(n, 4) floats from whatever was given, or a sentence that names the row and the column."""
     if isinstance(rows, (str, bytes, dict)) or not np.iterable(rows):
-        raise ValueError(f"{where}: expected rows of four numbers (theta, d, a, alpha), found {type(rows).__name__}; give a list of rows")
+        raise ValueError(
+            f"{where}: expected rows of four numbers (theta, d, a, alpha), found"
+            f" {type(rows).__name__}; give a list of rows"
+        )
     rows = list(rows)
     if not rows:
-        raise ValueError(f"{where}: expected at least one row (theta, d, a, alpha), found an empty table; give one row per joint")
+        raise ValueError(
+            f"{where}: expected at least one row (theta, d, a, alpha), found an empty table; give"
+            " one row per joint"
+        )
     numbers = np.empty((len(rows), 4))
     for i, row in enumerate(rows, 1):
         if isinstance(row, (str, bytes, dict)) or not np.iterable(row):
-            raise ValueError(f"{where}: row {i} is {row!r}, expected 4 numbers (theta, d, a, alpha); put each row in brackets of its own")
+            raise ValueError(
+                f"{where}: row {i} is {row!r}, expected 4 numbers (theta, d, a, alpha); put each"
+                " row in brackets of its own"
+            )
         row = list(row)
         if len(row) != 4:
-            todo = "fill in what is missing" if len(row) < 4 else "take out what is too much (is there an index column?)"
-            raise ValueError(f"{where}: row {i} has {len(row)} numbers, expected 4 (theta, d, a, alpha); {todo}")
+            todo = (
+                "fill in what is missing"
+                if len(row) < 4
+                else "take out what is too much (is there an index column?)"
+            )
+            raise ValueError(
+                f"{where}: row {i} has {len(row)} numbers, expected 4 (theta, d, a, alpha); {todo}"
+            )
         for name, k in zip(COLUMNS, range(4)):
             numbers[i - 1, k] = _as_number(row[k], f"{where}: row {i}, {name}")
     return numbers
@@ -214,7 +263,10 @@ def _require_finite(numbers, where):
     bad = np.argwhere(~np.isfinite(numbers))
     if len(bad):
         i, k = bad[0]
-        raise ValueError(f"{where}: row {i + 1}, {COLUMNS[k]}: expected a finite number, found {numbers[i, k]}; look at where it was computed")
+        raise ValueError(
+            f"{where}: row {i + 1}, {COLUMNS[k]}: expected a finite number, found {numbers[i, k]};"
+            " look at where it was computed"
+        )
 
 
 def _joint_letters(joints, n, where):
@@ -223,14 +275,19 @@ def _joint_letters(joints, n, where):
     letters = list(joints) if np.iterable(joints) else [joints]
     for i, letter in enumerate(letters, 1):
         if not isinstance(letter, str) or letter not in ("R", "P"):
-            raise ValueError(f'{where}: joint {i} is {letter!r}, expected "R" (revolute) or "P" (prismatic)')
+            raise ValueError(
+                f'{where}: joint {i} is {letter!r}, expected "R" (revolute) or "P" (prismatic)'
+            )
     if len(letters) != n or n == 0:
-        raise ValueError(f"{where}: found {len(letters)} joint letters for {n} rows; expected one \"R\" or \"P\" per row and at least one row")
+        raise ValueError(
+            f'{where}: found {len(letters)} joint letters for {n} rows; expected one "R" or "P" per'
+            " row and at least one row"
+        )
     return "".join(letters)
 
 
 def joint_letter(word, where):
-    """"R" or "P" for the word a file uses, revolute or prismatic."""
+    """ "R" or "P" for the word a file uses, revolute or prismatic."""
     if not isinstance(word, str) or word not in JOINT_WORDS:
         raise ValueError(f"{where}: expected revolute or prismatic, found {word!r}")
     return JOINT_WORDS[word]

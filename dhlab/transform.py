@@ -1,12 +1,25 @@
 """4×4 poses: the elementary moves, the inverse, and the test that a matrix is a pose.
 
-A pose ``T_ab`` is frame b written in frame a: its upper left 3×3 block holds b's axes as columns, its last column b's origin.
-Every function takes numbers or arrays of any leading shape and returns ``(..., 4, 4)``. Angles are radians, lengths metres.
+A pose ``T_ab`` is frame b written in frame a: its upper left 3×3 block holds b's axes as columns,
+its last column b's origin. Every function takes numbers or arrays of any leading shape and returns
+``(..., 4, 4)``. Angles are radians, lengths metres.
 """
 
 import numpy as np
 
-__all__ = ["rot_x", "rot_y", "rot_z", "trans", "trans_x", "trans_z", "inverse", "from_xyz_rpy", "to_xyz_rpy", "pose_fault", "require_pose"]
+__all__ = [
+    "rot_x",
+    "rot_y",
+    "rot_z",
+    "trans",
+    "trans_x",
+    "trans_z",
+    "inverse",
+    "from_xyz_rpy",
+    "to_xyz_rpy",
+    "pose_fault",
+    "require_pose",
+]
 
 RIGID_TOLERANCE = 1e-6  # a pose typed with seven digits passes, one with four does not
 
@@ -82,7 +95,10 @@ def trans(xyz):
     """
     xyz = np.asarray(xyz, dtype=float)
     if xyz.shape[-1:] != (3,):
-        raise ValueError(f"trans: expected three lengths (x, y, z), found shape {xyz.shape}; give an array whose last axis is 3")
+        raise ValueError(
+            f"trans: expected three lengths (x, y, z), found shape {xyz.shape}; give an array whose"
+            " last axis is 3"
+        )
     T = _identity(xyz.shape[:-1])
     T[..., :3, 3] = xyz
     return T
@@ -124,7 +140,8 @@ def _identity(shape):
 
 
 def inverse(T_ab):
-    """The pose of a in b from the pose of b in a: the rotation transposed, the shift turned back and reversed.
+    """The pose of a in b from the pose of b in a: the rotation transposed, the shift turned back
+    and reversed.
 
     Parameters
     ----------
@@ -175,7 +192,8 @@ def from_xyz_rpy(xyz, rpy):
 
 
 def to_xyz_rpy(T):
-    """Shift and roll, pitch, yaw (fixed axes) of a pose; at pitch ±90°, where only yaw ∓ roll is known, yaw is set to 0.
+    """Shift and roll, pitch, yaw (fixed axes) of a pose; at pitch ±90°, where only yaw ∓ roll is
+    known, yaw is set to 0.
 
     Parameters
     ----------
@@ -198,7 +216,9 @@ def to_xyz_rpy(T):
     yaw = np.arctan2(R[1, 0], R[0, 0]) if across > 1e-15 else 0.0
     pitch = np.arctan2(-R[2, 0], across)
     c, s = np.cos(yaw), np.sin(yaw)
-    roll = np.arctan2(s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1])  # of what is left once yaw is taken off
+    roll = np.arctan2(
+        s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1]
+    )  # of what is left once yaw is taken off
     return T[:3, 3].copy(), np.array([roll, pitch, yaw])
 
 
@@ -235,14 +255,18 @@ def pose_fault(T, tolerance=RIGID_TOLERANCE):
     R = T[..., :3, :3]
     worst = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(initial=0)
     if worst > tolerance:
-        return f"its rotation block is not rigid: RᵀR differs from 1 by {worst:.2g} (axes must be unit vectors at right angles)"
+        return (
+            f"its rotation block is not rigid: RᵀR differs from 1 by {worst:.2g} (axes must be unit"
+            " vectors at right angles)"
+        )
     if (np.linalg.det(R) < 0).any():
         return "its rotation block is a mirror (determinant -1): one axis points the wrong way"
     return None
 
 
 def require_pose(T, name):
-    """``T`` as a float array when it is one pose (4, 4); otherwise a ValueError that says what is wrong with ``name``.
+    """``T`` as a float array when it is one pose (4, 4); otherwise a ValueError that says what is
+    wrong with ``name``.
 
     Examples
     --------
@@ -257,5 +281,8 @@ def require_pose(T, name):
         array = np.array(None)
     fault = f"its shape is {array.shape}, not 4×4" if array.shape != (4, 4) else pose_fault(array)
     if fault:
-        raise ValueError(f"{name}: expected a 4×4 pose, but {fault}; build one with dhlab.transform (trans, rot_z, ...)")
+        raise ValueError(
+            f"{name}: expected a 4×4 pose, but {fault}; build one with dhlab.transform (trans,"
+            " rot_z, ...)"
+        )
     return array

@@ -1,4 +1,6 @@
-"""Degrees and millimetres, for the places where a human writes or reads; everything inside is radians and metres."""
+"""Degrees and millimetres, for the places where a human writes or reads; everything inside is
+radians and metres.
+"""
 
 import numpy as np
 
@@ -33,17 +35,23 @@ def scale_of(unit, kind, where):
     if not isinstance(unit, str) or unit not in known:
         found = "no unit" if unit is None else repr(unit)
         choices = " or ".join(f'"{name}"' for name in known)
-        raise ValueError(f'{where}: expected the unit of the {kind}s, {choices}, found {found}; name it, as in {kind}="{min(known)}"')
+        raise ValueError(
+            f"{where}: expected the unit of the {kind}s, {choices}, found {found}; name it, as in"
+            f' {kind}="{min(known)}"'
+        )
     return known[unit]
 
 
 def convert(value, scale):
-    """``value · scale``; lengths in mm are divided, since 162.5 / 1000 is the float 0.1625 and 162.5 · 0.001 need not be."""
+    """``value · scale``; lengths in mm are divided, since 162.5 / 1000 is the float 0.1625 and
+    162.5 · 0.001 need not be.
+    """
     return value / 1000 if scale == 1e-3 else value * scale
 
 
 def shortest(value, scale):
-    """The shortest decimal in the human unit that reads back as exactly ``value``; ``None`` when there is none.
+    """The shortest decimal in the human unit that reads back as exactly ``value``; ``None`` when
+    there is none.
 
     Examples
     --------
@@ -59,7 +67,9 @@ def shortest(value, scale):
 
 
 def _plain(text):
-    """``9e+01`` as ``90``: a table is read by people; very small and very large numbers keep their exponent."""
+    """``9e+01`` as ``90``: a table is read by people; very small and very large numbers keep their
+    exponent.
+    """
     value = float(text)
     if value == 0:
         return "0"
@@ -69,7 +79,8 @@ def _plain(text):
 
 
 def written(value, unit):
-    """A number in a file's unit that reads back as ``value``, or as the nearest there is (within 1e-15 of it).
+    """A number in a file's unit that reads back as ``value``, or as the nearest there is (within
+    1e-15 of it).
 
     Examples
     --------

@@ -1,9 +1,11 @@
-"""Building the site: pages from ``docs/``, the lessons as they are handed out, all cells run, no reader's browser sent elsewhere.
+"""Building the site: pages from ``docs/``, the lessons as they are handed out, all cells run, no
+reader's browser sent elsewhere.
 
     python docs/build.py          # docs/_build/html
     python docs/build.py OUT      # OUT/html; the folders html, source, doctrees and executed in OUT belong to the build
 
-A lesson is run again when it or anything in ``dhlab`` has changed; a cell that fails, and any warning of Sphinx, ends the build.
+A lesson is run again when it or anything in ``dhlab`` has changed; a cell that fails, and any
+warning of Sphinx, ends the build.
 """
 
 import argparse
@@ -33,10 +35,17 @@ NOTE = """:::{admonition} Read it here, do it in Jupyter
 This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted yet*.
 To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
 :::"""
-LANDMARKS = [  # what furo leaves to be named, so that somebody who listens to the page can tell its parts
+# what furo leaves to be named, so that somebody who listens to the page can tell its parts
+LANDMARKS = [
     (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),
-    (r'<aside class="toc-drawer( no-toc)?">', r'<aside class="toc-drawer\1" aria-label="This page">'),
-    (r'<div class="content-icon-container">', '<div class="content-icon-container" role="navigation" aria-label="View">'),
+    (
+        r'<aside class="toc-drawer( no-toc)?">',
+        r'<aside class="toc-drawer\1" aria-label="This page">',
+    ),
+    (
+        r'<div class="content-icon-container">',
+        '<div class="content-icon-container" role="navigation" aria-label="View">',
+    ),
     (r'(<a href="#" class="back-to-top.*?</a>)', r'<nav aria-label="Top">\1</nav>'),
     (r'<p class="caption" role="heading">', '<p class="caption" role="heading" aria-level="2">'),
     (r"<pre\b", '<pre tabindex="0"'),
@@ -46,14 +55,30 @@ LANDMARKS = [  # what furo leaves to be named, so that somebody who listens to t
 
 
 def build(out):
-    """Everything, into ``out``; returns Sphinx's exit status. Only the runs of notebooks are kept from the build before."""
+    """Everything, into ``out``; returns Sphinx's exit status. Only the runs of notebooks are kept
+    from the build before.
+    """
     source, html, doctrees = out / "source", out / "html", out / "doctrees"
     texts = pages(out / "executed")
     for folder in (source, html, doctrees):
         shutil.rmtree(folder, ignore_errors=True)
     for name, text in texts.items():
         _write(source / name, text)
-    status = sphinx(["-W", "--keep-going", "-q", "-b", "html", "-c", str(DOCS), "-d", str(doctrees), str(source), str(html)])
+    status = sphinx(
+        [
+            "-W",
+            "--keep-going",
+            "-q",
+            "-b",
+            "html",
+            "-c",
+            str(DOCS),
+            "-d",
+            str(doctrees),
+            str(source),
+            str(html),
+        ]
+    )
     for path in html.rglob("*.html"):
         _write(path, accessible(path.read_text(encoding="utf-8")))
     return status
@@ -65,7 +90,9 @@ def _write(path, text):
 
 
 def pages(cache):
-    """What Sphinx reads, by name: pages as they are, and notebooks (lessons and pages with cells) after a run."""
+    """What Sphinx reads, by name: pages as they are, and notebooks (lessons and pages with cells)
+    after a run.
+    """
     plain, notebooks = {}, {}
     for path in sorted(DOCS.glob("*.md")):
         text = path.read_text(encoding="utf-8")
@@ -77,10 +104,14 @@ def pages(cache):
         notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4))
     plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")
     with ThreadPoolExecutor(2) as pool:
-        runs = dict(zip(notebooks, pool.map(lambda name: executed(name, notebooks[name], cache), notebooks)))
+        runs = dict(
+            zip(notebooks, pool.map(lambda name: executed(name, notebooks[name], cache), notebooks))
+        )
     for path in set(cache.rglob("*.ipynb")) - set(runs.values()):
         path.unlink()
-    texts = plain | {f"{name}.ipynb": path.read_text(encoding="utf-8") for name, path in runs.items()}
+    texts = plain | {
+        f"{name}.ipynb": path.read_text(encoding="utf-8") for name, path in runs.items()
+    }
     return {name: _relinked(text, runs) for name, text in texts.items()}
 
 
@@ -98,7 +129,8 @@ def with_note(notebook):
 
 
 def executed(name, notebook, cache):
-    """The file of a notebook with its outputs; run only when there is no stored run of the same cells and the same ``dhlab``.
+    """The file of a notebook with its outputs; run only when there is no stored run of the same
+    cells and the same ``dhlab``.
 
     What cells print to stderr goes to the terminal and not to the page.
     """
@@ -114,7 +146,11 @@ def executed(name, notebook, cache):
 def _key(notebook):
     """A fingerprint of all that the outputs depend on."""
     found = hashlib.sha256(nbformat.writes(notebook).encode())
-    for path in sorted(p for p in (ROOT / "dhlab").rglob("*") if p.suffix in (".py", ".yaml", ".js", ".urdf", ".csv") and "node_modules" not in p.parts):
+    for path in sorted(
+        p
+        for p in (ROOT / "dhlab").rglob("*")
+        if p.suffix in (".py", ".yaml", ".js", ".urdf", ".csv") and "node_modules" not in p.parts
+    ):
         found.update(path.read_bytes())
     for package in ("numpy", "matplotlib", "ipython"):
         found.update(version(package).encode())
@@ -124,20 +160,29 @@ def _key(notebook):
 def _run(name, notebook):
     with tempfile.TemporaryDirectory() as empty:  # no learner's log above it
         try:
-            NotebookClient(notebook, timeout=300, kernel_name="python3", extra_arguments=["--IPKernelApp.log_level=40"],
-                           resources={"metadata": {"path": empty}}).execute()
+            NotebookClient(
+                notebook,
+                timeout=300,
+                kernel_name="python3",
+                extra_arguments=["--IPKernelApp.log_level=40"],
+                resources={"metadata": {"path": empty}},
+            ).execute()
         except CellExecutionError as error:
             raise SystemExit(f"{name}: a cell failed, so no site was built\n{error}") from None
     for cell in without_widgets(notebook).cells:
         cell.metadata.pop("execution", None)
-        noise = [o for o in cell.get("outputs", []) if o.output_type == "stream" and o.name == "stderr"]
+        noise = [
+            o for o in cell.get("outputs", []) if o.output_type == "stream" and o.name == "stderr"
+        ]
         for output in noise:
             print(f"{name}, {cell.id}, to stderr: {output.text.strip()}", file=sys.stderr)
             cell.outputs.remove(output)
 
 
 def accessible(html):
-    """A page with furo's landmarks named, what scrolls within reach of the keyboard, and a heading on the search page."""
+    """A page with furo's landmarks named, what scrolls within reach of the keyboard, and a heading
+    on the search page.
+    """
     for found, wanted in LANDMARKS:
         html = re.sub(found, wanted, html, flags=re.DOTALL)
     return html
@@ -145,7 +190,9 @@ def accessible(html):
 
 def main():
     """The command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("out", nargs="?", type=Path, default=DOCS / "_build")
     sys.exit(build(parser.parse_args().out.resolve()))
 

@@ -1,4 +1,5 @@
-"""The site's settings: Sphinx with myst-nb and furo, and nothing that a reader's browser would fetch from elsewhere.
+"""The site's settings: Sphinx with myst-nb and furo, and nothing that a reader's browser would
+fetch from elsewhere.
 
 Built by ``docs/build.py``, which hands in pages whose cells have been run already.
 """
@@ -15,7 +16,14 @@ author = "the dhlab authors"
 release = version = dhlab.__version__
 language = "en"
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_copybutton", "sphinx_design", "mathml"]
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx_copybutton",
+    "sphinx_design",
+    "mathml",
+]
 exclude_patterns = ["_build"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3

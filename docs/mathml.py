@@ -1,4 +1,6 @@
-"""A Sphinx extension: formulas become MathML while the site is built, so that a page needs no script to show them."""
+"""A Sphinx extension: formulas become MathML while the site is built, so that a page needs no
+script to show them.
+"""
 
 import xml.etree.ElementTree as ET
 
@@ -15,7 +17,8 @@ log = logging.getLogger(__name__)
 
 
 def mathml(tex, display="inline"):
-    """The ``<math>`` element for a formula, with the thin spaces round cos and sin that a printer would set.
+    """The ``<math>`` element for a formula, with the thin spaces round cos and sin that a printer
+    would set.
 
     Raises
     ------
@@ -25,10 +28,15 @@ def mathml(tex, display="inline"):
     try:
         root = ET.fromstring(convert(tex, display=display))
     except Exception as error:  # latex2mathml raises many kinds
-        raise ValueError(f"formula {tex!r}: expected LaTeX that latex2mathml knows, found {type(error).__name__}; write it more simply") from None
+        raise ValueError(
+            f"formula {tex!r}: expected LaTeX that latex2mathml knows, found"
+            f" {type(error).__name__}; write it more simply"
+        ) from None
     unknown = [text for text in root.itertext() if "\\" in text]
     if unknown:
-        raise ValueError(f"formula {tex!r}: latex2mathml does not know {unknown[0].strip()}; write it without")
+        raise ValueError(
+            f"formula {tex!r}: latex2mathml does not know {unknown[0].strip()}; write it without"
+        )
     for parent in list(root.iter()):
         if parent.tag.endswith(("mrow", "mtd")):
             _space_functions(parent)
@@ -36,7 +44,9 @@ def mathml(tex, display="inline"):
 
 
 def _space_functions(parent):
-    """``a cos θ``, not ``acosθ``: a space after a function's name, and before it when something is multiplied by it."""
+    """``a cos θ``, not ``acosθ``: a space after a function's name, and before it when something is
+    multiplied by it.
+    """
     children = list(parent)
     for before, child in zip([None, *children], children):
         if not _is_function(child):

@@ -1,4 +1,5 @@
-"""Ask apt for what the tests need beyond Python: Chromium, bubblewrap and npm. Where that cannot be done, say which tests will be skipped.
+"""Ask apt for what the tests need beyond Python: Chromium, bubblewrap and npm. Where that cannot be
+done, say which tests will be skipped.
 
 Called by ``make test-deps``. Exit status 1 only in CI, where nothing may be skipped.
 """
@@ -8,26 +9,39 @@ import shutil
 import subprocess
 import sys
 
-NEEDED = {"chromium": ("chromium", "pages and JupyterLab looked at in a browser"), "bwrap": ("bubblewrap", "programs run in a cage"),
-          "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe")}
+NEEDED = {
+    "chromium": ("chromium", "pages and JupyterLab looked at in a browser"),
+    "bwrap": ("bubblewrap", "programs run in a cage"),
+    "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe"),
+}
 
 
 def found(program):
     """Whether a program is there, under one of its names."""
-    names = ["chromium", "chromium-browser", "google-chrome"] if program == "chromium" else [program]
+    names = (
+        ["chromium", "chromium-browser", "google-chrome"] if program == "chromium" else [program]
+    )
     return any(shutil.which(name) for name in names)
 
 
 def install(packages):
-    """Install with apt where this user may; silence on failure, since what is missing is named afterwards."""
+    """Install with apt where this user may; silence on failure, since what is missing is named
+    afterwards.
+    """
     if shutil.which("apt-get") is None:
         return
     root = hasattr(os, "geteuid") and os.geteuid() == 0
     prefix = [] if root else ["sudo", "-n"]
-    if not root and (shutil.which("sudo") is None or subprocess.call(["sudo", "-n", "true"], stderr=subprocess.DEVNULL) != 0):
+    if not root and (
+        shutil.which("sudo") is None
+        or subprocess.call(["sudo", "-n", "true"], stderr=subprocess.DEVNULL) != 0
+    ):
         return
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    for command in (["apt-get", "update", "-qq"], ["apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages]):
+    for command in (
+        ["apt-get", "update", "-qq"],
+        ["apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages],
+    ):
         subprocess.call([*prefix, *command], env=environment, stdout=subprocess.DEVNULL)
 
 
@@ -39,7 +53,10 @@ def main():
     still = [program for program in missing if not found(program)]
     for program in still:
         package, tests = NEEDED[program]
-        print(f"{package} is not here and could not be installed: SKIPPED will be the tests of {tests}. To run them: apt install {package}")
+        print(
+            f"{package} is not here and could not be installed: SKIPPED will be the tests of"
+            f" {tests}. To run them: apt install {package}"
+        )
     sys.exit(bool(still and os.environ.get("CI")))
 
 

@@ -1,4 +1,6 @@
-"""Forward kinematics, frames and Jacobian against products of exponentials, elementary matrices and finite differences."""
+"""Forward kinematics, frames and Jacobian against products of exponentials, elementary matrices and
+finite differences.
+"""
 
 import numpy as np
 import pytest
@@ -36,7 +38,10 @@ def test_signs_base_and_tool_enter_where_they_belong(table, seed):
     rng = np.random.default_rng(seed)
     n = len(table)
     sign, q = rng.choice([-1, 1], n), rng.uniform(-3, 3, n)
-    base, tool = shift(rng.uniform(-1, 1, 3)) @ turn(rng.uniform(-1, 1, 3)), shift(rng.uniform(-1, 1, 3)) @ turn(rng.uniform(-1, 1, 3))
+    base, tool = (
+        shift(rng.uniform(-1, 1, 3)) @ turn(rng.uniform(-1, 1, 3)),
+        shift(rng.uniform(-1, 1, 3)) @ turn(rng.uniform(-1, 1, 3)),
+    )
     arm = dh.Arm(table, base=base, tool=tool, sign=sign)
     assert np.allclose(arm.forward(q), base @ elementary_pose(table, q, sign) @ tool, atol=1e-12)
     frames = arm.frames(q)
@@ -49,7 +54,12 @@ def test_signs_base_and_tool_enter_where_they_belong(table, seed):
 def test_jacobian_is_the_derivative_of_the_pose(table, seed):
     rng = np.random.default_rng(seed)
     n = len(table)
-    arm = dh.Arm(table, base=turn(rng.uniform(-2, 2, 3)), tool=shift(rng.uniform(-1, 1, 3)), sign=rng.choice([-1, 1], n))
+    arm = dh.Arm(
+        table,
+        base=turn(rng.uniform(-2, 2, 3)),
+        tool=shift(rng.uniform(-1, 1, 3)),
+        sign=rng.choice([-1, 1], n),
+    )
     q, h = rng.uniform(-3, 3, n), 1e-6
     J = arm.jacobian(q)
     for i in range(n):
@@ -66,31 +76,51 @@ def test_any_leading_shape_is_a_batch(shape):
         arm = dh.load(name)
         q = np.random.default_rng(0).uniform(-1, 1, (*shape, len(arm)))
         poses, frames, J = arm.forward(q), arm.frames(q), arm.jacobian(q)
-        assert poses.shape == (*shape, 4, 4) and frames.shape == (*shape, len(arm) + 1, 4, 4) and J.shape == (*shape, 6, len(arm))
+        assert (
+            poses.shape == (*shape, 4, 4)
+            and frames.shape == (*shape, len(arm) + 1, 4, 4)
+            and J.shape == (*shape, 6, len(arm))
+        )
         for index in np.ndindex(shape):
-            assert np.allclose(poses[index], elementary_pose(arm.table, q[index]) @ arm.tool, atol=1e-12)
+            assert np.allclose(
+                poses[index], elementary_pose(arm.table, q[index]) @ arm.tool, atol=1e-12
+            )
             assert np.array_equal(J[index], arm.jacobian(q[index]))
 
 
 def test_integers_and_lists_are_numbers_too():
     arm = dh.load("article-6r")
-    assert np.array_equal(arm.forward([1, 0, 0, 0, 0, 0]), arm.forward(np.array([1.0, 0, 0, 0, 0, 0])))
+    assert np.array_equal(
+        arm.forward([1, 0, 0, 0, 0, 0]), arm.forward(np.array([1.0, 0, 0, 0, 0, 0]))
+    )
 
 
 def test_the_articles_numbers():
     arm = dh.load("article-6r")
     zero, quarter = arm.forward([0] * 6), arm.forward(np.deg2rad([90, 0, 0, 0, 0, 0]))
-    assert np.allclose(zero, [[1, 0, 0, 0.75], [0, 0, -1, -0.2], [0, 1, 0, 0.1], [0, 0, 0, 1]], atol=1e-15)
+    assert np.allclose(
+        zero, [[1, 0, 0, 0.75], [0, 0, -1, -0.2], [0, 1, 0, 0.1], [0, 0, 0, 1]], atol=1e-15
+    )
     assert np.allclose(quarter[:3, 3], [0.2, 0.75, 0.1], atol=1e-15)
     assert np.linalg.matrix_rank(arm.jacobian([0] * 6)) == 4
     wrist = dh.load("article-6r-wrist").forward([0] * 6)
-    assert np.allclose(wrist, [[0, 0, 1, 0.85], [0, -1, 0, -0.1], [1, 0, 0, 0.1], [0, 0, 0, 1]], atol=1e-15)
+    assert np.allclose(
+        wrist, [[0, 0, 1, 0.85], [0, -1, 0, -0.1], [1, 0, 0, 0.1], [0, 0, 0, 1]], atol=1e-15
+    )
 
 
-@pytest.mark.parametrize("q, words", [
-    ([0] * 5, "found 5 values"), (0.5, "a single number"), ([0, 0, 0, np.nan, 0, 0], "joint 4 is NaN"), (["a"] * 6, "plain numbers"),
-    ([[0] * 6, [0] * 5], "plain numbers"), ([1j] * 6, "plain numbers"), (None, "plain numbers"),
-])
+@pytest.mark.parametrize(
+    "q, words",
+    [
+        ([0] * 5, "found 5 values"),
+        (0.5, "a single number"),
+        ([0, 0, 0, np.nan, 0, 0], "joint 4 is NaN"),
+        (["a"] * 6, "plain numbers"),
+        ([[0] * 6, [0] * 5], "plain numbers"),
+        ([1j] * 6, "plain numbers"),
+        (None, "plain numbers"),
+    ],
+)
 def test_a_wrong_q_is_one_plain_sentence(q, words):
     with pytest.raises(ValueError, match=words) as error:
         dh.load("ur5e").forward(q)

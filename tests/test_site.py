@@ -1,4 +1,6 @@
-"""The site, built and then opened in Chromium: nothing fetched from elsewhere, nothing broken, nothing given away."""
+"""The site, built and then opened in Chromium: nothing fetched from elsewhere, nothing broken,
+nothing given away.
+"""
 
 import importlib.util
 import inspect
@@ -23,9 +25,27 @@ import dhlab.view
 
 ROOT = Path(__file__).parents[1]
 LESSONS = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
-PAGES = ["index", "doctor", "explorer", "teaching", "add-an-exercise", "conventions", "cheat-sheet", "table-files", "reference", "lessons/glossary", "search", "genindex", *(f"lessons/{name}" for name in LESSONS)]
+PAGES = [
+    "index",
+    "doctor",
+    "explorer",
+    "teaching",
+    "add-an-exercise",
+    "conventions",
+    "cheat-sheet",
+    "table-files",
+    "reference",
+    "lessons/glossary",
+    "search",
+    "genindex",
+    *(f"lessons/{name}" for name in LESSONS),
+]
 DRAWS = r"^(view\.|dh\.explore\()"  # what ends a cell in a picture
-BLOCK = re.compile(r"```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)```(?:\n\n```\{code-block\} text\n:class: error\n(.*?)```)?", re.DOTALL)
+BLOCK = re.compile(
+    r"```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)```(?:\n\n```\{code-block\} text\n:class:"
+    r" error\n(.*?)```)?",
+    re.DOTALL,
+)
 
 
 @pytest.fixture(scope="session")
@@ -37,7 +57,9 @@ def site(tmp_path_factory):
 
 
 def _build(out):
-    done = subprocess.run([sys.executable, ROOT / "docs" / "build.py", out], capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, ROOT / "docs" / "build.py", out], capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -57,10 +79,23 @@ def opened(browser, address):
     seen = {}
     for name in PAGES:
         page, faults = browser.new_page(), []
-        page.on("request", lambda r, f=faults: None if r.url.startswith((address, "data:", "blob:")) else f.append(f"outside: {r.url}"))
-        page.on("response", lambda r, f=faults: f.append(f"{r.status}: {r.url}") if r.status >= 400 else None)
+        page.on(
+            "request",
+            lambda r, f=faults: (
+                None
+                if r.url.startswith((address, "data:", "blob:"))
+                else f.append(f"outside: {r.url}")
+            ),
+        )
+        page.on(
+            "response",
+            lambda r, f=faults: f.append(f"{r.status}: {r.url}") if r.status >= 400 else None,
+        )
         page.on("pageerror", lambda e, f=faults: f.append(f"script: {e}"))
-        page.on("console", lambda m, f=faults: f.append(f"console: {m.text}") if m.type == "error" else None)
+        page.on(
+            "console",
+            lambda m, f=faults: f.append(f"console: {m.text}") if m.type == "error" else None,
+        )
         page.goto(f"{address}/{name}.html", wait_until="networkidle")
         seen[name] = page, faults
     return seen
@@ -77,14 +112,19 @@ def test_page_loads_with_nothing_from_elsewhere_and_no_fault(opened, name):
 def test_pictures_have_words(opened, name):
     for image in opened[name][0].locator("img").all():
         alt = image.get_attribute("alt") or ""
-        assert len(alt.split()) >= 8 and not re.search(r"\.(png|svg|jpe?g)$", alt), f"{name}: alt text {alt!r}"
+        assert len(alt.split()) >= 8 and not re.search(r"\.(png|svg|jpe?g)$", alt), (
+            f"{name}: alt text {alt!r}"
+        )
         assert image.evaluate("i => i.naturalWidth") > 100
 
 
 @pytest.mark.parametrize("name", PAGES)
 def test_formulas_are_set(opened, name):
     page = opened[name][0]
-    assert not re.search(r"\\(begin|hat|theta|frac|text|qquad)\b|\$\$", page.locator("#furo-main-content").inner_text())
+    assert not re.search(
+        r"\\(begin|hat|theta|frac|text|qquad)\b|\$\$",
+        page.locator("#furo-main-content").inner_text(),
+    )
     for formula in page.locator("math").all():
         assert formula.evaluate("m => m.getBoundingClientRect().width") > 3
 
@@ -102,15 +142,27 @@ def test_lesson_is_whole(opened, lesson):
     notebook = nbformat.read(ROOT / "lessons" / f"{lesson}.ipynb", as_version=4)
     prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
-    headings = [heading.inner_text().rstrip("¶#").strip() for heading in page.locator("#furo-main-content :is(h1, h2)").all()]
+    headings = [
+        heading.inner_text().rstrip("¶#").strip()
+        for heading in page.locator("#furo-main-content :is(h1, h2)").all()
+    ]
     assert headings == re.findall(r"^##? (.+)$", prose, re.MULTILINE)
     cells = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
     shown = page.locator("div.cell").all()
-    assert len(shown) == len(cells) and any(re.search(DRAWS, source, re.MULTILINE) for source in cells)
+    assert len(shown) == len(cells) and any(
+        re.search(DRAWS, source, re.MULTILINE) for source in cells
+    )
     for source, cell in zip(cells, shown):
-        assert not re.search(DRAWS, source, re.MULTILINE) or cell.locator("figure.dhlab-picture img").count() == 1, source
-    assert page.locator("[role=status]", has_text="Not attempted yet").count() >= len(re.findall(r"^check\(", code, re.MULTILINE))
-    assert page.locator("div.cell_input button.copybtn").count() == sum(cell.cell_type == "code" for cell in notebook.cells)
+        assert (
+            not re.search(DRAWS, source, re.MULTILINE)
+            or cell.locator("figure.dhlab-picture img").count() == 1
+        ), source
+    assert page.locator("[role=status]", has_text="Not attempted yet").count() >= len(
+        re.findall(r"^check\(", code, re.MULTILINE)
+    )
+    assert page.locator("div.cell_input button.copybtn").count() == sum(
+        cell.cell_type == "code" for cell in notebook.cells
+    )
     assert page.locator(".traceback, .stderr").count() == 0 and "Traceback" not in page.content()
     assert page.locator('a[href$="index.html#set-up"]').count() == 1
 
@@ -131,7 +183,15 @@ def test_formulas_have_space_round_functions_and_no_unknown_commands():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     assert re.findall(r"<mspace|<m[io]>.*?</m[io]>", module.mathml(r"a\cos\theta + \sin 2")) == [
-        "<mi>a</mi>", "<mspace", "<mi>cos</mi>", "<mspace", "<mi>θ</mi>", "<mo>+</mo>", "<mi>sin</mi>", "<mspace"]
+        "<mi>a</mi>",
+        "<mspace",
+        "<mi>cos</mi>",
+        "<mspace",
+        "<mi>θ</mi>",
+        "<mo>+</mo>",
+        "<mi>sin</mi>",
+        "<mspace",
+    ]
     for tex in (r"\curvy x", r"\begin{bmatrix} 1"):
         with pytest.raises(ValueError, match="formula"):
             module.mathml(tex)
@@ -147,47 +207,87 @@ def test_reference_has_every_public_name(opened):
         for name in module.__all__:
             anchor = f"{module.__name__}.{name}"
             anchor = f"module-{anchor}" if inspect.ismodule(getattr(module, name)) else anchor
-            assert page.locator(f'[id="{anchor}"]').count() == 1, f"{anchor} is not on the reference page"
+            assert page.locator(f'[id="{anchor}"]').count() == 1, (
+                f"{anchor} is not on the reference page"
+            )
 
 
 def test_search_finds_the_glossary(browser, address):
     page = browser.new_page()
     page.goto(f"{address}/search.html?q=flange")
     page.wait_for_selector("#search-results li a", timeout=10_000)
-    assert any("glossary" in (link.get_attribute("href") or "") for link in page.locator("#search-results li a").all())
+    assert any(
+        "glossary" in (link.get_attribute("href") or "")
+        for link in page.locator("#search-results li a").all()
+    )
 
 
 def test_links_inside_the_site_resolve(site):
-    texts = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    texts = {
+        path.relative_to(site).as_posix(): path.read_text(encoding="utf-8")
+        for path in site.rglob("*.html")
+    }
     targets = {name: set(re.findall(r'\bid="([^"]+)"', text)) for name, text in texts.items()}
     broken = []
     for name, text in texts.items():
         for link in re.findall(r'<a [^>]*?href="([^"]*)"', text):
             parts = urlsplit(urljoin(f"http://site/{name}", unescape(link)))
             path, anchor = unquote(parts.path.lstrip("/")), unquote(parts.fragment)
-            if parts.netloc == "site" and not (path in targets and (not anchor or anchor in targets[path])):
+            if parts.netloc == "site" and not (
+                path in targets and (not anchor or anchor in targets[path])
+            ):
                 broken.append(f"{name}: {link}")
     assert broken == []
 
 
 def test_terms_of_the_lessons_are_linked_to_the_glossary(site):
-    linked = sum(len(re.findall(r'href="glossary\.html#', (site / f"lessons/{name}.html").read_text(encoding="utf-8"))) for name in LESSONS)
+    linked = sum(
+        len(
+            re.findall(
+                r'href="glossary\.html#',
+                (site / f"lessons/{name}.html").read_text(encoding="utf-8"),
+            )
+        )
+        for name in LESSONS
+    )
     assert linked >= len(LESSONS)
 
 
 def _solution_regions():
     for path in sorted((ROOT / "solutions").glob("[0-9]*.md")):
-        for region in re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", path.read_text(encoding="utf-8"), re.DOTALL):
-            yield path.stem, [" ".join(line.split()) for line in region.splitlines() if line.strip()]
+        for region in re.findall(
+            r"### BEGIN SOLUTION\n(.*?)### END SOLUTION",
+            path.read_text(encoding="utf-8"),
+            re.DOTALL,
+        ):
+            yield (
+                path.stem,
+                [" ".join(line.split()) for line in region.splitlines() if line.strip()],
+            )
 
 
 def test_site_gives_no_solution_away(site):
-    files = [path for path in site.rglob("*") if path.suffix in (".html", ".js", ".ipynb", ".txt", ".md") and "_static" not in path.parts]
-    words = " ".join(" ".join(unescape(re.sub(r"<[^>]+>", "", path.read_text(encoding="utf-8"))).split()) for path in files)
-    handed_out = " ".join(" ".join(cell.source for cell in nbformat.read(ROOT / "lessons" / f"{name}.ipynb", as_version=4).cells) for name in LESSONS)
+    files = [
+        path
+        for path in site.rglob("*")
+        if path.suffix in (".html", ".js", ".ipynb", ".txt", ".md") and "_static" not in path.parts
+    ]
+    words = " ".join(
+        " ".join(unescape(re.sub(r"<[^>]+>", "", path.read_text(encoding="utf-8"))).split())
+        for path in files
+    )
+    handed_out = " ".join(
+        " ".join(
+            cell.source
+            for cell in nbformat.read(ROOT / "lessons" / f"{name}.ipynb", as_version=4).cells
+        )
+        for name in LESSONS
+    )
     handed_out = " ".join(handed_out.split())
     checks = re.findall(r'check\("[^)]+\)', handed_out)
-    assert checks and all(line in words for line in checks), "code is not found on the pages, so this test would see nothing"
+    assert checks and all(line in words for line in checks), (
+        "code is not found on the pages, so this test would see nothing"
+    )
     regions = list(_solution_regions())
     assert len(regions) > 20
     for lesson, lines in regions:
@@ -211,7 +311,11 @@ def test_examples_of_the_table_files_page(tmp_path, monkeypatch, name, text, err
     else:
         table = dh.load(name).table
         assert (table.convention, table.joints) == ("standard", "RRP")
-        np.testing.assert_allclose(table.rows, [[0, 0.3, 0, np.pi / 2], [np.pi / 2, 0, 0.25, 0], [0, 0.12, 0, 0]], atol=1e-15)
+        np.testing.assert_allclose(
+            table.rows,
+            [[0, 0.3, 0, np.pi / 2], [np.pi / 2, 0, 0.25, 0], [0, 0.12, 0, 0]],
+            atol=1e-15,
+        )
 
 
 def test_the_arm_of_the_table_files_page_is_where_the_page_says(tmp_path):
@@ -221,4 +325,8 @@ def test_the_arm_of_the_table_files_page_is_where_the_page_says(tmp_path):
     np.testing.assert_allclose(arm.forward([0, 0, 0])[:3, 3], [0, -0.22, 0.55], atol=1e-12)
     assert arm.limits[2] is None and arm.sign.tolist() == [1, -1, 1]
     arm.save(tmp_path / "copy.yaml")
-    np.testing.assert_allclose(dh.load(tmp_path / "copy.yaml").forward([0.1, 0.2, 0.3]), arm.forward([0.1, 0.2, 0.3]), atol=1e-15)
+    np.testing.assert_allclose(
+        dh.load(tmp_path / "copy.yaml").forward([0.1, 0.2, 0.3]),
+        arm.forward([0.1, 0.2, 0.3]),
+        atol=1e-15,
+    )

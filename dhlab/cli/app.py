@@ -1,4 +1,6 @@
-"""The command line: one verb each. Errors are one plain sentence on standard error, exit status 2."""
+"""The command line: one verb each. Errors are one plain sentence on standard error, exit status
+2.
+"""
 
 import os
 import sys
@@ -19,11 +21,19 @@ from .robots import list_robots
 
 __all__ = ["app", "main"]
 
-app = typer.Typer(help="Learn, teach and debug Denavit-Hartenberg kinematics.", add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+app = typer.Typer(
+    help="Learn, teach and debug Denavit-Hartenberg kinematics.",
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
 
 
 @app.callback(invoke_without_command=True)
-def _top(context: typer.Context, version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False):
+def _top(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+):
     if context.invoked_subcommand is None:
         print(__version__ if version else context.get_help())
 
@@ -53,7 +63,9 @@ def main():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
-        usage = getattr(error, "format_message", None)  # a usage error; Typer's class for it has moved between versions
+        usage = getattr(
+            error, "format_message", None
+        )  # a usage error; Typer's class for it has moved between versions
         if not usage and not isinstance(error, ValueError):
             raise
         sentence = f"{usage()} See dhlab --help for what there is." if usage else str(error)

@@ -5,22 +5,54 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["ArmName", "Convention", "Course", "Json", "NewTable", "Roster", "described", "give", "class_of", "settings_of"]
+__all__ = [
+    "ArmName",
+    "Convention",
+    "Course",
+    "Json",
+    "NewTable",
+    "Roster",
+    "described",
+    "give",
+    "class_of",
+    "settings_of",
+]
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")]
-ArmName = Annotated[str, typer.Argument(metavar="ARM", help="A name of the library, or a .yaml or .csv table file.")]
+ArmName = Annotated[
+    str, typer.Argument(metavar="ARM", help="A name of the library, or a .yaml or .csv table file.")
+]
 Convention = Annotated[str, typer.Option("--to", help="standard or craig.")]
-NewTable = Annotated[str, typer.Option("--out", help="Write a .yaml file; an existing one is kept.")]
-Roster = Annotated[str, typer.Option(metavar="FILE.csv", help="The class: a column student and, where known, name, email, language.")]
-Course = Annotated[str, typer.Option(metavar="FILE.yaml", help="Lessons, due dates, points, lateness, limits.")]
+NewTable = Annotated[
+    str, typer.Option("--out", help="Write a .yaml file; an existing one is kept.")
+]
+Roster = Annotated[
+    str,
+    typer.Option(
+        metavar="FILE.csv",
+        help="The class: a column student and, where known, name, email, language.",
+    ),
+]
+Course = Annotated[
+    str, typer.Option(metavar="FILE.yaml", help="Lessons, due dates, points, lateness, limits.")
+]
 
 
 def described(arm):
     """An arm for JSON: its table in metres and radians, base, tool, limits, source."""
     table = arm.table
-    return {"name": arm.name, "convention": table.convention, "joints": table.joints, "units": {"length": "m", "angle": "rad"},
-            "rows": table.rows.tolist(), "sign": arm.sign.tolist(), "base": arm.base.tolist(), "tool": arm.tool.tolist(),
-            "limits": arm.limits, "source": arm.source}
+    return {
+        "name": arm.name,
+        "convention": table.convention,
+        "joints": table.joints,
+        "units": {"length": "m", "angle": "rad"},
+        "rows": table.rows.tolist(),
+        "sign": arm.sign.tolist(),
+        "base": arm.base.tolist(),
+        "tool": arm.tool.tolist(),
+        "limits": arm.limits,
+        "source": arm.source,
+    }
 
 
 def give(model, out, as_json):
@@ -33,10 +65,12 @@ def give(model, out, as_json):
 def class_of(path):
     """The class of a roster file; nobody where none is given."""
     from ..grading.intake.roster import read_roster
+
     return read_roster(path) if path else ()
 
 
 def settings_of(path):
     """The settings of a course file, or those that every course begins with."""
     from ..grading.settings import Settings, read_settings
+
     return read_settings(path) if path else Settings()

@@ -1,4 +1,6 @@
-"""The verb ``dhlab doctor``: what is wrong with a table, from measured poses, with a tape measure, or one joint at a time."""
+"""The verb ``dhlab doctor``: what is wrong with a table, from measured poses, with a tape measure,
+or one joint at a time.
+"""
 
 import json
 import re
@@ -17,18 +19,83 @@ __all__ = ["doctor"]
 LENGTHS, ANGLES = {"m": 1.0, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180}
 
 
-def doctor(arm: Annotated[str, typer.Argument(metavar="ARM", help="The table that is doubted: a name of the library, or a .yaml or .csv table file.")],
-           poses: Annotated[str, typer.Argument(metavar="POSES.csv", help="What was measured: columns q1,…,qn,x,y,z and, where known, an orientation.")] = "",
-           units: Annotated[str, typer.Option(help="Of the poses file, such as mm,deg or m,rad; left out where a line of the file says so: # units: mm,deg.")] = "",
-           free_base: Annotated[bool, typer.Option("--free-base", help="Measured in another base frame, which is to be found as well.")] = False,
-           free_tool: Annotated[bool, typer.Option("--free-tool", help="Measured at another tool frame, which is to be found as well.")] = False,
-           noise: Annotated[str, typer.Option(help="Of the measurements, such as 1mm,0.2deg (1mm for positions alone); estimated when left out.")] = "",
-           repair: Annotated[str, typer.Option("--repair", metavar="FILE.yaml", help="Write the repaired arm; an existing file is kept.")] = "",
-           motion: Annotated[bool, typer.Option("--motion", help="The file holds sweeps: one joint moved at a time.")] = False,
-           protocol: Annotated[bool, typer.Option("--protocol", help="Say which poses to drive to and what to measure; needs no file.")] = False,
-           sheet: Annotated[str, typer.Option("--sheet", metavar="FILE.csv", help="With --protocol: write the sheet to fill in; an existing file is kept.")] = "",
-           as_json: Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")] = False):
-    """What is wrong with an arm's table, from measured poses; or, with --protocol, what to measure."""
+def doctor(
+    arm: Annotated[
+        str,
+        typer.Argument(
+            metavar="ARM",
+            help="The table that is doubted: a name of the library, or a .yaml or .csv table file.",
+        ),
+    ],
+    poses: Annotated[
+        str,
+        typer.Argument(
+            metavar="POSES.csv",
+            help="What was measured: columns q1,…,qn,x,y,z and, where known, an orientation.",
+        ),
+    ] = "",
+    units: Annotated[
+        str,
+        typer.Option(
+            help=(
+                "Of the poses file, such as mm,deg or m,rad; left out where a line of the file says"
+                " so: # units: mm,deg."
+            )
+        ),
+    ] = "",
+    free_base: Annotated[
+        bool,
+        typer.Option(
+            "--free-base", help="Measured in another base frame, which is to be found as well."
+        ),
+    ] = False,
+    free_tool: Annotated[
+        bool,
+        typer.Option(
+            "--free-tool", help="Measured at another tool frame, which is to be found as well."
+        ),
+    ] = False,
+    noise: Annotated[
+        str,
+        typer.Option(
+            help=(
+                "Of the measurements, such as 1mm,0.2deg (1mm for positions alone); estimated when"
+                " left out."
+            )
+        ),
+    ] = "",
+    repair: Annotated[
+        str,
+        typer.Option(
+            "--repair",
+            metavar="FILE.yaml",
+            help="Write the repaired arm; an existing file is kept.",
+        ),
+    ] = "",
+    motion: Annotated[
+        bool, typer.Option("--motion", help="The file holds sweeps: one joint moved at a time.")
+    ] = False,
+    protocol: Annotated[
+        bool,
+        typer.Option(
+            "--protocol", help="Say which poses to drive to and what to measure; needs no file."
+        ),
+    ] = False,
+    sheet: Annotated[
+        str,
+        typer.Option(
+            "--sheet",
+            metavar="FILE.csv",
+            help="With --protocol: write the sheet to fill in; an existing file is kept.",
+        ),
+    ] = "",
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print JSON for a program to read.")
+    ] = False,
+):
+    """What is wrong with an arm's table, from measured poses; or, with --protocol, what to
+    measure.
+    """
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
     lengths, angles = (None, None) if protocol else _units(units or _written_units(poses))
@@ -36,7 +103,11 @@ def doctor(arm: Annotated[str, typer.Argument(metavar="ARM", help="The table tha
     if protocol:
         _give_protocol(model, sheet, as_json)
         return
-    answer = _motion(model, poses, lengths, angles, level) if motion else _poses(model, poses, lengths, angles, level, free_base, free_tool)
+    answer = (
+        _motion(model, poses, lengths, angles, level)
+        if motion
+        else _poses(model, poses, lengths, angles, level, free_base, free_tool)
+    )
     print(json.dumps(answer.to_dict(), ensure_ascii=False) if as_json else answer)
     if repair:
         _write_repair(answer, model, repair)
@@ -45,33 +116,56 @@ def doctor(arm: Annotated[str, typer.Argument(metavar="ARM", help="The table tha
 def _check(poses, protocol, sheet, repair, motion, free):
     """Options that do not go together, before anything is computed."""
     if protocol and (poses or motion or repair):
-        raise ValueError("doctor: --protocol says what to measure and reads nothing; leave POSES.csv, --motion and --repair out, or leave --protocol out")
+        raise ValueError(
+            "doctor: --protocol says what to measure and reads nothing; leave POSES.csv, --motion"
+            " and --repair out, or leave --protocol out"
+        )
     if not protocol and not poses:
-        raise ValueError("doctor: expected POSES.csv, a file of measured poses, after ARM, found none; with --protocol the doctor says what to measure")
+        raise ValueError(
+            "doctor: expected POSES.csv, a file of measured poses, after ARM, found none; with"
+            " --protocol the doctor says what to measure"
+        )
     if sheet and not protocol:
         raise ValueError("doctor: --sheet goes with --protocol; add it, or leave --sheet out")
     if motion and (repair or free):
-        raise ValueError("doctor: --motion compares circle by circle and repairs nothing; leave --repair, --free-base and --free-tool out")
+        raise ValueError(
+            "doctor: --motion compares circle by circle and repairs nothing; leave --repair,"
+            " --free-base and --free-tool out"
+        )
     if repair and Path(repair).suffix.lower() not in (".yaml", ".yml"):
         raise ValueError(f"doctor: --repair: expected a name that ends in .yaml, found {repair!r}")
     for name, file in (("--repair", repair), ("--sheet", sheet)):
         if file and Path(file).exists():
-            raise ValueError(f"doctor: {name}: {file}: expected a new file, found one that exists; choose another name")
+            raise ValueError(
+                f"doctor: {name}: {file}: expected a new file, found one that exists; choose"
+                " another name"
+            )
 
 
 def _written_units(path):
     """The units that a comment line of the poses file names."""
-    found = re.search(r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE)
+    found = re.search(
+        r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE
+    )
     if not found:
-        raise ValueError(f"doctor: expected the units of {path}, found none; add --units mm,deg or --units m,rad, or a line # units: mm,deg to the file")
+        raise ValueError(
+            f"doctor: expected the units of {path}, found none; add --units mm,deg or --units"
+            " m,rad, or a line # units: mm,deg to the file"
+        )
     return found[1]
 
 
 def _units(text):
     parts = [part.strip() for part in text.split(",")]
-    lengths, angles = [part for part in parts if part in LENGTHS], [part for part in parts if part in ("rad", "deg")]
+    lengths, angles = (
+        [part for part in parts if part in LENGTHS],
+        [part for part in parts if part in ("rad", "deg")],
+    )
     if len(parts) != 2 or len(lengths) != 1 or len(angles) != 1:
-        raise ValueError(f"doctor: --units: expected a unit of length and one of angle, such as mm,deg or m,rad, found {text!r}")
+        raise ValueError(
+            "doctor: --units: expected a unit of length and one of angle, such as mm,deg or m,rad,"
+            f" found {text!r}"
+        )
     return lengths[0], angles[0]
 
 
@@ -96,19 +190,31 @@ def _amount(part, known, text):
 
 
 def _bad_noise(text):
-    return ValueError(f"doctor: --noise: expected a length and perhaps an angle above 0, each with its unit, such as 1mm,0.2deg, found {text!r}")
+    return ValueError(
+        "doctor: --noise: expected a length and perhaps an angle above 0, each with its unit, such"
+        f" as 1mm,0.2deg, found {text!r}"
+    )
 
 
 def _poses(model, path, lengths, angles, noise, free_base, free_tool):
     from ..doctor import diagnose
     from ..formats.posefile import read_poses
+
     q, measured = read_poses(path, len(model), lengths, angles, joints=model.table.joints)
-    return diagnose(model, q, measured, noise=noise, base="free" if free_base else "fixed", tool="free" if free_tool else "fixed")
+    return diagnose(
+        model,
+        q,
+        measured,
+        noise=noise,
+        base="free" if free_base else "fixed",
+        tool="free" if free_tool else "fixed",
+    )
 
 
 def _motion(model, path, lengths, angles, noise):
     from ..doctor.arms.motion import diagnose_motion
     from ..formats.posefile import read_poses
+
     q, measured = read_poses(path, len(model), lengths, angles, joints=model.table.joints)
     return diagnose_motion(model, q, measured, noise=noise and noise[0])
 
@@ -116,6 +222,7 @@ def _motion(model, path, lengths, angles, noise):
 def _give_protocol(model, sheet, as_json):
     from ..doctor.arms.protocol import protocol
     from ..formats import files
+
     plan = protocol(model)
     if sheet:
         files.write_text(sheet, plan.to_csv())
@@ -126,7 +233,11 @@ def _write_repair(answer, model, path):
     """The repaired arm into a new file; where there is none, a note in its place."""
     repaired = answer.findings[0].repair if answer.findings else answer.fitted
     if repaired is None or repaired == model:
-        why = "the mistake is in the measurements, not in the table" if answer.findings else f"the verdict is {answer.verdict!r}"
+        why = (
+            "the mistake is in the measurements, not in the table"
+            if answer.findings
+            else f"the verdict is {answer.verdict!r}"
+        )
         print(f"Note: {path} was not written: {why}.", file=sys.stderr)
         return
     repaired.save(path)

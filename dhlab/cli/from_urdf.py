@@ -12,13 +12,21 @@ from .common import Convention, Json, NewTable, give
 __all__ = ["from_urdf"]
 
 
-def from_urdf(file: Annotated[Path, typer.Argument(metavar="FILE", help="A URDF file (expand xacro first).")],
-              base: Annotated[str, typer.Option(help="The link the chain begins with; the root when left out.")] = "",
-              tip: Annotated[str, typer.Option(help="The link it ends with; the only leaf when left out.")] = "",
-              to: Convention = "standard",
-              out: NewTable = "", as_json: Json = False):
+def from_urdf(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A URDF file (expand xacro first).")],
+    base: Annotated[
+        str, typer.Option(help="The link the chain begins with; the root when left out.")
+    ] = "",
+    tip: Annotated[
+        str, typer.Option(help="The link it ends with; the only leaf when left out.")
+    ] = "",
+    to: Convention = "standard",
+    out: NewTable = "",
+    as_json: Json = False,
+):
     """The DH table of a URDF chain: the same pose for every q."""
     from ..formats.urdf import read_urdf
+
     with warnings.catch_warnings(record=True) as noted:
         warnings.simplefilter("always")
         model = read_urdf(file, base or None, tip or None, convention=to)

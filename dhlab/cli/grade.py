@@ -13,69 +13,178 @@ from .common import Course, Roster, class_of, settings_of
 __all__ = ["grade"]
 
 
-def grade(place: Annotated[Path, typer.Argument(metavar="DIR", help="What was handed in: a folder or a zip, as your learning platform gives it.")],
-          out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where marks, feedback and the class report go; a second run takes up where the first stopped.")],
-          roster: Roster = "",
-          key: Annotated[str, typer.Option(metavar="FILE", help="The teacher's key, when dhlab release gave everyone numbers of their own.")] = "",
-          course: Course = "",
-          jobs: Annotated[int, typer.Option(min=1, help="Submissions at a time.")] = 1,
-          scheduler: Annotated[str, typer.Option(metavar="ADDRESS", help="Grade on the workers of this Dask scheduler.")] = "",
-          dry_run: Annotated[bool, typer.Option("--dry-run", help="Say what would be graded; run and write nothing.")] = False,
-          exercise: Annotated[str, typer.Option(metavar="ID", help="Grade only this exercise again; the other marks stay.")] = "",
-          as_json: Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")] = False):
-    """Grade a class: marks and feedback for every student, and a report of what the class got wrong."""
+def grade(
+    place: Annotated[
+        Path,
+        typer.Argument(
+            metavar="DIR",
+            help="What was handed in: a folder or a zip, as your learning platform gives it.",
+        ),
+    ],
+    out: Annotated[
+        Path,
+        typer.Option(
+            "--out",
+            metavar="DIR",
+            help=(
+                "Where marks, feedback and the class report go; a second run takes up where the"
+                " first stopped."
+            ),
+        ),
+    ],
+    roster: Roster = "",
+    key: Annotated[
+        str,
+        typer.Option(
+            metavar="FILE",
+            help="The teacher's key, when dhlab release gave everyone numbers of their own.",
+        ),
+    ] = "",
+    course: Course = "",
+    jobs: Annotated[int, typer.Option(min=1, help="Submissions at a time.")] = 1,
+    scheduler: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="Grade on the workers of this Dask scheduler.")
+    ] = "",
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Say what would be graded; run and write nothing.")
+    ] = False,
+    exercise: Annotated[
+        str,
+        typer.Option(metavar="ID", help="Grade only this exercise again; the other marks stay."),
+    ] = "",
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print JSON for a program to read.")
+    ] = False,
+):
+    """Grade a class: marks and feedback for every student, and a report of what the class got
+    wrong.
+    """
     from ..grading.grade import grade as grade_all
     from ..grading.grade import plan
     from ..grading.handing_out.variants import read_key
     from ..grading.results.publish import publish
+
     students = class_of(roster)
-    common = {"roster": students, "key": read_key(key) if key else None, "settings": settings_of(course), "exercise": exercise}
+    common = {
+        "roster": students,
+        "key": read_key(key) if key else None,
+        "settings": settings_of(course),
+        "exercise": exercise,
+    }
     if dry_run:
         _tell_plan(plan(place, **common), as_json)
         return
     try:
         with _Bar() as bar:
-            results, planned = grade_all(place, out, jobs=jobs, scheduler=scheduler or None, progress=bar.update, **common)
+            results, planned = grade_all(
+                place, out, jobs=jobs, scheduler=scheduler or None, progress=bar.update, **common
+            )
         report = publish(planned, results, students, out)
     except KeyboardInterrupt:
-        print("dhlab: grade: stopped; every mark written so far is kept: run the same command again to go on", file=sys.stderr)
+        print(
+            "dhlab: grade: stopped; every mark written so far is kept: run the same command again"
+            " to go on",
+            file=sys.stderr,
+        )
         raise
-    print(json.dumps([graded.to_dict() for graded in results], ensure_ascii=False) if as_json else _summary(results, planned, report, students))
+    print(
+        json.dumps([graded.to_dict() for graded in results], ensure_ascii=False)
+        if as_json
+        else _summary(results, planned, report, students)
+    )
 
 
 def _tell_plan(planned, as_json):
     from ..grading.cage.cage import RISKS, best_level
     from ..printing import grid_text
+
     level = planned.course.settings.cage or best_level()
     if as_json:
-        print(json.dumps({"lessons": planned.course.lessons, "cage": level, "notes": planned.notes,
-                          "students": {student: {"notebooks": [notebook.name for notebook in mine.notebooks], "handed_in": _when(mine, planned.course), "notes": mine.notes} for student, mine in planned.found.items()}}, ensure_ascii=False))
+        print(
+            json.dumps(
+                {
+                    "lessons": planned.course.lessons,
+                    "cage": level,
+                    "notes": planned.notes,
+                    "students": {
+                        student: {
+                            "notebooks": [notebook.name for notebook in mine.notebooks],
+                            "handed_in": _when(mine, planned.course),
+                            "notes": mine.notes,
+                        }
+                        for student, mine in planned.found.items()
+                    },
+                },
+                ensure_ascii=False,
+            )
+        )
         return
-    rows = [[student, "; ".join(notebook.name for notebook in mine.notebooks) or "nothing", "; ".join(_when(mine, planned.course)), " | ".join(mine.notes)] for student, mine in planned.found.items()]
+    rows = [
+        [
+            student,
+            "; ".join(notebook.name for notebook in mine.notebooks) or "nothing",
+            "; ".join(_when(mine, planned.course)),
+            " | ".join(mine.notes),
+        ]
+        for student, mine in planned.found.items()
+    ]
     print(grid_text(["student", "handed in", "when", "notes"], rows))
-    print("\n".join(["", f"Lessons: {', '.join(planned.course.lessons)}.", f"Cage: {RISKS[level]}.", *(f"Note: {note}." for note in planned.notes), "Nothing was run or written."]))
+    print(
+        "\n".join(
+            [
+                "",
+                f"Lessons: {', '.join(planned.course.lessons)}.",
+                f"Cage: {RISKS[level]}.",
+                *(f"Note: {note}." for note in planned.notes),
+                "Nothing was run or written.",
+            ]
+        )
+    )
 
 
 def _when(mine, course):
-    """When each notebook was handed in, how that is known, and how late it is for each of its lessons that is graded."""
+    """When each notebook was handed in, how that is known, and how late it is for each of its
+    lessons that is graded.
+    """
     from ..grading.intake.notebooks import lessons_of
     from ..grading.judging.work import handed_in
     from ..grading.results.pages import duration, words
+
     told = []
     for notebook in mine.notebooks:
-        late = [course.settings.lateness(lesson, notebook.when) for lesson in sorted(lessons_of(notebook.read())) if lesson in course.lessons]
+        late = [
+            course.settings.lateness(lesson, notebook.when)
+            for lesson in sorted(lessons_of(notebook.read()))
+            if lesson in course.lessons
+        ]
         days, penalty = max(late, default=(0.0, 0.0))
-        told.append(handed_in(notebook.when, notebook.source, course.settings.zone) + (f", {duration(days, words('en'))} late: {100 * penalty:g} % off" if days else ""))
+        told.append(
+            handed_in(notebook.when, notebook.source, course.settings.zone)
+            + (f", {duration(days, words('en'))} late: {100 * penalty:g} % off" if days else "")
+        )
     return told
 
 
 def _summary(results, planned, report, roster):
     from ..grading.cage.cage import RISKS
     from ..grading.results.classreport import headcount
-    counted = ", ".join(f"{count} {status}" for status, count in Counter(graded.status for graded in results).most_common())
+
+    counted = ", ".join(
+        f"{count} {status}"
+        for status, count in Counter(graded.status for graded in results).most_common()
+    )
     levels = sorted({graded.cage for graded in results if graded.cage})
-    return "\n".join([f"{headcount(results, roster)}: {counted}.", *(f"Cage: {RISKS[level]}." for level in levels), *(f"Note: {note}." for note in planned.notes),
-                      f"Marks: {report.parent / 'grades.csv'}. Report: {report}. Feedback: {report.parent / 'feedback'}."])
+    return "\n".join(
+        [
+            f"{headcount(results, roster)}: {counted}.",
+            *(f"Cage: {RISKS[level]}." for level in levels),
+            *(f"Note: {note}." for note in planned.notes),
+            (
+                f"Marks: {report.parent / 'grades.csv'}. Report: {report}. Feedback:"
+                f" {report.parent / 'feedback'}."
+            ),
+        ]
+    )
 
 
 class _Bar:
@@ -84,7 +193,15 @@ class _Bar:
     def __enter__(self):
         from rich.console import Console
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-        self._bar = Progress("grading", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), console=Console(stderr=True), disable=not sys.stderr.isatty())
+
+        self._bar = Progress(
+            "grading",
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeRemainingColumn(),
+            console=Console(stderr=True),
+            disable=not sys.stderr.isatty(),
+        )
         self._bar.start()
         self._task = self._bar.add_task("grading", total=None)
         return self

@@ -12,7 +12,12 @@ from .common import Json, described
 __all__ = ["list_robots"]
 
 
-def list_robots(name: Annotated[str, typer.Argument(help="One arm, such as ur5e or piper.sdk_old; all when left out.")] = "", as_json: Json = False):
+def list_robots(
+    name: Annotated[
+        str, typer.Argument(help="One arm, such as ur5e or piper.sdk_old; all when left out.")
+    ] = "",
+    as_json: Json = False,
+):
     """The arms of the library, or the table, source and limits of one."""
     if name:
         arm = load(name)
@@ -20,7 +25,30 @@ def list_robots(name: Annotated[str, typer.Argument(help="One arm, such as ur5e 
         return
     entries = [entry(key) for key in robots()]
     if as_json:
-        print(json.dumps([{"name": e.key, "title": e.name, "tables": list(e.tables), "topology": e.topology, "ambiguity": e.ambiguity} for e in entries], ensure_ascii=False))
+        print(
+            json.dumps(
+                [
+                    {
+                        "name": e.key,
+                        "title": e.name,
+                        "tables": list(e.tables),
+                        "topology": e.topology,
+                        "ambiguity": e.ambiguity,
+                    }
+                    for e in entries
+                ],
+                ensure_ascii=False,
+            )
+        )
         return
-    rows = [[e.key, len(best := next(iter(e.tables.values()))), best.table.convention, ", ".join(e.tables), e.name] for e in entries]
+    rows = [
+        [
+            e.key,
+            len(best := next(iter(e.tables.values()))),
+            best.table.convention,
+            ", ".join(e.tables),
+            e.name,
+        ]
+        for e in entries
+    ]
     print(grid_text(["name", "joints", "convention", "tables, the best first", ""], rows))

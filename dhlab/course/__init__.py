@@ -3,4 +3,14 @@
 from .report import report
 from .session import check, given, hint, predict, progress, reveal, set_variant, then_and_now
 
-__all__ = ["check", "given", "hint", "predict", "progress", "report", "reveal", "set_variant", "then_and_now"]
+__all__ = [
+    "check",
+    "given",
+    "hint",
+    "predict",
+    "progress",
+    "report",
+    "reveal",
+    "set_variant",
+    "then_and_now",
+]

@@ -23,15 +23,25 @@ class Growth:
     """
 
     def __init__(self, exercises, known, best):
-        self._rows = {key: {"title": e.title, "then": known.get(e.mirrors), "now": best.get(key, (NOT_ATTEMPTED, 0))[0] == RIGHT}
-                      for key, e in exercises.items() if e.mirrors}
+        self._rows = {
+            key: {
+                "title": e.title,
+                "then": known.get(e.mirrors),
+                "now": best.get(key, (NOT_ATTEMPTED, 0))[0] == RIGHT,
+            }
+            for key, e in exercises.items()
+            if e.mirrors
+        }
 
     def to_dict(self):
         """{id: {title, then (True, False, or None when it was not asked), now}}."""
         return self._rows
 
     def _cells(self):
-        return [[row["title"], THEN[row["then"]], "✓ right" if row["now"] else "not yet"] for row in self._rows.values()]
+        return [
+            [row["title"], THEN[row["then"]], "✓ right" if row["now"] else "not yet"]
+            for row in self._rows.values()
+        ]
 
     def _sum(self):
         rows = self._rows.values()
@@ -46,6 +56,14 @@ class Growth:
     __repr__ = __str__
 
     def _repr_html_(self):
-        head = "".join(f'<th scope="col" style="text-align:left">{escape(heading)}</th>' for heading in HEADINGS)
-        rows = "".join("<tr>" + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells) + "</tr>" for cells in self._cells())
+        head = "".join(
+            f'<th scope="col" style="text-align:left">{escape(heading)}</th>'
+            for heading in HEADINGS
+        )
+        rows = "".join(
+            "<tr>"
+            + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells)
+            + "</tr>"
+            for cells in self._cells()
+        )
         return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

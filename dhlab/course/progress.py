@@ -1,6 +1,8 @@
-"""The learner's log: a line per check, only ever appended to, in ``.dhlab/progress.jsonl`` of the course folder.
+"""The learner's log: a line per check, only ever appended to, in ``.dhlab/progress.jsonl`` of the
+course folder.
 
-Where there is no course folder nothing is written; a line that cannot be read is passed over, never removed.
+Where there is no course folder nothing is written; a line that cannot be read is passed over, never
+removed.
 """
 
 import json
@@ -18,7 +20,9 @@ RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RECORDED: 2, RIGHT: 2}
 
 
 def course_folder():
-    """The folder of the course that this notebook lives in, or None: the nearest one upwards that holds ``.dhlab``."""
+    """The folder of the course that this notebook lives in, or None: the nearest one upwards that
+    holds ``.dhlab``.
+    """
     here = Path.cwd()
     return next((folder for folder in (here, *here.parents) if (folder / MARKER).is_dir()), None)
 
@@ -30,9 +34,16 @@ class Log:
         self.session = []
 
     def add(self, verdict):
-        """Note a verdict; a folder that cannot be written to costs the learner nothing but the note."""
-        entry = {"time": datetime.now(timezone.utc).isoformat(timespec="seconds"), "exercise": verdict.exercise,
-                 "status": verdict.status, "mistake": verdict.mistake, "points": verdict.points}
+        """Note a verdict; a folder that cannot be written to costs the learner nothing but the
+        note.
+        """
+        entry = {
+            "time": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            "exercise": verdict.exercise,
+            "status": verdict.status,
+            "mistake": verdict.mistake,
+            "points": verdict.points,
+        }
         entry |= {} if verdict.known is None else {"known": verdict.known}
         self.session.append(entry)
         folder = course_folder()
@@ -77,7 +88,11 @@ def _read(path):
             entry = json.loads(line)
         except json.JSONDecodeError:
             continue
-        if isinstance(entry, dict) and {"exercise", "status", "points"} <= entry.keys() and isinstance(entry["points"], (int, float)):
+        if (
+            isinstance(entry, dict)
+            and {"exercise", "status", "points"} <= entry.keys()
+            and isinstance(entry["points"], (int, float))
+        ):
             yield entry
 
 
@@ -85,8 +100,15 @@ class Progress:
     """Every exercise and how it stands; shown as a table."""
 
     def __init__(self, exercises, best):
-        self._rows = {key: {"title": exercise.title, "status": best.get(key, (NOT_ATTEMPTED, 0))[0],
-                            "points": best.get(key, (NOT_ATTEMPTED, 0))[1], "of": exercise.points} for key, exercise in exercises.items()}
+        self._rows = {
+            key: {
+                "title": exercise.title,
+                "status": best.get(key, (NOT_ATTEMPTED, 0))[0],
+                "points": best.get(key, (NOT_ATTEMPTED, 0))[1],
+                "of": exercise.points,
+            }
+            for key, exercise in exercises.items()
+        }
 
     def to_dict(self):
         """{id: {title, status, points, of}}."""
@@ -95,17 +117,37 @@ class Progress:
     def _cells(self):
         for key, row in self._rows.items():
             mark, word = MARKS[row["status"]]
-            yield [key, row["title"], f"{mark} {word.lower()}", f"{row['points']:g} of {row['of']:g}"]
+            yield [
+                key,
+                row["title"],
+                f"{mark} {word.lower()}",
+                f"{row['points']:g} of {row['of']:g}",
+            ]
 
     def _sum(self):
-        return f"{sum(r['points'] for r in self._rows.values()):g} of {sum(r['of'] for r in self._rows.values()):g} points"
+        return (
+            f"{sum(r['points'] for r in self._rows.values()):g} of"
+            f" {sum(r['of'] for r in self._rows.values()):g} points"
+        )
 
     def __str__(self):
-        return grid_text(["No.", "exercise", "status", "points"], list(self._cells())) + "\n " + self._sum()
+        return (
+            grid_text(["No.", "exercise", "status", "points"], list(self._cells()))
+            + "\n "
+            + self._sum()
+        )
 
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join("<tr>" + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells) + "</tr>" for cells in self._cells())
-        head = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in ("No.", "exercise", "status", "points"))
+        rows = "".join(
+            "<tr>"
+            + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells)
+            + "</tr>"
+            for cells in self._cells()
+        )
+        head = "".join(
+            f'<th scope="col" style="text-align:left">{name}</th>'
+            for name in ("No.", "exercise", "status", "points")
+        )
         return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

@@ -1,4 +1,6 @@
-"""One page about one arm, to keep: its table, its picture, the check against data, what the doctor says."""
+"""One page about one arm, to keep: its table, its picture, the check against data, what the doctor
+says.
+"""
 
 from html import escape
 from pathlib import Path
@@ -58,11 +60,20 @@ def report(arm, diagnosis):
     6 poses, position and rotation compared; every joint away from 0 and right angles in 5 of them.
     """
     if not isinstance(arm, Arm):
-        raise ValueError(f"report: expected an Arm first, found {type(arm).__name__}; make one with dhlab.Arm, dhlab.assign_frames or dhlab.load")
+        raise ValueError(
+            f"report: expected an Arm first, found {type(arm).__name__}; make one with dhlab.Arm,"
+            " dhlab.assign_frames or dhlab.load"
+        )
     if not isinstance(diagnosis, Diagnosis) or diagnosis.compared is None:
-        raise ValueError(f"report: expected what dhlab.diagnose(arm, q, poses) said, found {type(diagnosis).__name__}; call it with this arm first")
+        raise ValueError(
+            "report: expected what dhlab.diagnose(arm, q, poses) said, found"
+            f" {type(diagnosis).__name__}; call it with this arm first"
+        )
     if diagnosis.compared[0].table != arm.table:
-        raise ValueError("report: expected the diagnosis of this arm, found that of another table; call dhlab.diagnose again with this arm")
+        raise ValueError(
+            "report: expected the diagnosis of this arm, found that of another table; call"
+            " dhlab.diagnose again with this arm"
+        )
     return Report(arm, diagnosis)
 
 
@@ -81,8 +92,11 @@ class Report:
 
     @property
     def html(self):
-        return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width">\n'
-                f"<title>{escape(self._name)}</title>\n</head>\n<body>\n{self._article('h1', 'h2')}\n</body>\n</html>\n")
+        return (
+            f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<meta'
+            f' name="viewport" content="width=device-width">\n'
+            f"<title>{escape(self._name)}</title>\n</head>\n<body>\n{self._article('h1', 'h2')}\n</body>\n</html>\n"
+        )
 
     def save(self, file, overwrite=False):
         """Write the page: the whole file or nothing.
@@ -101,7 +115,10 @@ class Report:
         """
         path = Path(file)
         if path.suffix.lower() not in (".html", ".htm"):
-            raise ValueError(f"{path}: expected a name that ends in .html, found {path.suffix!r}; choose another name")
+            raise ValueError(
+                f"{path}: expected a name that ends in .html, found {path.suffix!r}; choose another"
+                " name"
+            )
         files.write_text(path, self.html, overwrite=overwrite)
 
     def __str__(self):
@@ -113,26 +130,51 @@ class Report:
         return self._article("h3", "h4")  # below the headings of the notebook
 
     def _article(self, large, small):
-        """Words and tables on the left, pictures on the right; one below the other where there is no room."""
+        """Words and tables on the left, pictures on the right; one below the other where there is
+        no room.
+        """
         repaired = self._repaired()
-        words = [(small, "The table"), arm_html(self._arm), (small, "The doctor's words"), self._words()]
+        words = [
+            (small, "The table"),
+            arm_html(self._arm),
+            (small, "The doctor's words"),
+            self._words(),
+        ]
         words += [(small, "The repaired table"), arm_html(repaired)] if repaired else []
-        pictures = [(small, "The check"), f"<p>{escape(self._evidence())}</p>", _figure(self._diagnosis.picture),
-                    (small, "The arm and its frames"), _figure(self._picture())]
+        pictures = [
+            (small, "The check"),
+            f"<p>{escape(self._evidence())}</p>",
+            _figure(self._diagnosis.picture),
+            (small, "The arm and its frames"),
+            _figure(self._picture()),
+        ]
         top = [(large, self._name), f'<p class="verdict">{escape(self._diagnosis.headline)}</p>']
-        return (f'<style>{STYLE}</style>\n<article class="dhlab-report">\n{_html(top)}\n<div class="sides">\n<section>\n{_html(words)}\n</section>\n'
-                f"<section>\n{_html(pictures)}\n</section>\n</div>\n</article>")
+        return (
+            f'<style>{STYLE}</style>\n<article class="dhlab-report">\n{_html(top)}\n<div'
+            f' class="sides">\n<section>\n{_html(words)}\n</section>\n'
+            f"<section>\n{_html(pictures)}\n</section>\n</div>\n</article>"
+        )
 
     def _evidence(self):
         """What was compared, and how much that proves."""
         _, q, measured = self._diagnosis.compared
         slides = self._arm.table.prismatic
         general = int((np.abs(np.sin(2 * q)) > np.sin(2 * NEAR))[:, ~slides].all(axis=1).sum())
-        what = "position and rotation compared" if measured.ndim == 3 else "positions compared, rotations not"
-        return f"{len(q)} pose{'s' if len(q) > 1 else ''}, {what}; every joint away from 0 and right angles in {general} of them."
+        what = (
+            "position and rotation compared"
+            if measured.ndim == 3
+            else "positions compared, rotations not"
+        )
+        return (
+            f"{len(q)} pose{'s' if len(q) > 1 else ''}, {what}; every joint away from 0 and right"
+            f" angles in {general} of them."
+        )
 
     def _words(self):
-        lines = "".join(f"<dt>{escape(label)}</dt><dd>{escape(text)}</dd>" for label, text in self._diagnosis._lines())
+        lines = "".join(
+            f"<dt>{escape(label)}</dt><dd>{escape(text)}</dd>"
+            for label, text in self._diagnosis._lines()
+        )
         return f"<p>{escape(self._diagnosis.headline)}</p>\n<dl>{lines}</dl>"
 
     def _repaired(self):
@@ -143,6 +185,7 @@ class Report:
     def _picture(self):
         """The arm where it is stretched furthest, of the poses at hand."""
         from ..view import arm as picture_of  # matplotlib takes long to load
+
         q = self._diagnosis.compared[1]
         reach = np.ptp(self._arm.frames(q)[..., :3, 3], axis=1).max(axis=-1)
         return picture_of(self._arm, q[np.argmax(reach)], side=False)
@@ -150,8 +193,13 @@ class Report:
 
 def _html(parts):
     """Headings, given as (tag, text), and what is HTML already."""
-    return "\n".join(part if isinstance(part, str) else f"<{part[0]}>{escape(part[1])}</{part[0]}>" for part in parts)
+    return "\n".join(
+        part if isinstance(part, str) else f"<{part[0]}>{escape(part[1])}</{part[0]}>"
+        for part in parts
+    )
 
 
 def _figure(picture):
-    return picture._repr_mimebundle_()["text/html"].replace('<figure class="dhlab-picture">', "<figure>")
+    return picture._repr_mimebundle_()["text/html"].replace(
+        '<figure class="dhlab-picture">', "<figure>"
+    )

@@ -1,4 +1,6 @@
-"""What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``, ``then_and_now``."""
+"""What a lesson calls: ``check``, ``hint``, ``given``, ``predict``, ``reveal``, ``progress``,
+``then_and_now``.
+"""
 
 from difflib import get_close_matches
 from html import escape
@@ -16,7 +18,8 @@ _variant = 0
 
 
 def set_variant(variant):
-    """Choose which numbers the exercises draw: a whole number, 0 unless a teacher handed out another.
+    """Choose which numbers the exercises draw: a whole number, 0 unless a teacher handed out
+    another.
 
     Examples
     --------
@@ -24,7 +27,10 @@ def set_variant(variant):
     """
     global _variant
     if isinstance(variant, bool) or not isinstance(variant, int) or variant < 0:
-        raise ValueError(f"set_variant: expected a whole number from 0, found {variant!r}; copy it from the sheet you were given")
+        raise ValueError(
+            f"set_variant: expected a whole number from 0, found {variant!r}; copy it from the"
+            " sheet you were given"
+        )
     _variant = variant
 
 
@@ -111,7 +117,8 @@ def reveal(prediction_id):
 
 
 def progress(lesson=""):
-    """How far the learner is: every exercise of a lesson, or of all, from this session and the course folder's log.
+    """How far the learner is: every exercise of a lesson, or of all, from this session and the
+    course folder's log.
 
     Parameters
     ----------
@@ -123,9 +130,15 @@ def progress(lesson=""):
     >>> progress("05").to_dict()["05.3"]["of"]
     1
     """
-    scored = {key: exercise for key, exercise in exercises().items() if not isinstance(exercise, Prediction) and key.startswith(lesson)}
+    scored = {
+        key: exercise
+        for key, exercise in exercises().items()
+        if not isinstance(exercise, Prediction) and key.startswith(lesson)
+    }
     if not scored:
-        raise ValueError(f'progress: expected the number of a lesson, such as "05", found {lesson!r}')
+        raise ValueError(
+            f'progress: expected the number of a lesson, such as "05", found {lesson!r}'
+        )
     return Progress(scored, _log.best())
 
 
@@ -156,10 +169,17 @@ class Note(str):
 
 
 def _exercise(exercise_id, kind=None):
-    known = [key for key, exercise in exercises().items() if (isinstance(exercise, Prediction)) == (kind is Prediction)]
+    known = [
+        key
+        for key, exercise in exercises().items()
+        if (isinstance(exercise, Prediction)) == (kind is Prediction)
+    ]
     if exercise_id not in known:
         near = get_close_matches(str(exercise_id), known, 1)
         what = "prediction" if kind is Prediction else "exercise"
-        raise ValueError(f"expected the number of {'a prediction' if kind else 'an exercise'}, found {exercise_id!r}; "
-                         + (f'did you mean "{near[0]}"?' if near else f"the {what}s are {', '.join(known)}"))
+        raise ValueError(
+            f"expected the number of {'a prediction' if kind else 'an exercise'}, found"
+            f" {exercise_id!r}; "
+            + (f'did you mean "{near[0]}"?' if near else f"the {what}s are {', '.join(known)}")
+        )
     return exercises()[exercise_id]

@@ -6,7 +6,12 @@ from html import escape
 __all__ = ["Verdict", "RIGHT", "WRONG", "NOT_ATTEMPTED", "RECORDED"]
 
 RIGHT, WRONG, NOT_ATTEMPTED, RECORDED = "right", "wrong", "not attempted", "recorded"
-MARKS = {RIGHT: ("✓", "Right"), WRONG: ("✗", "Not yet"), NOT_ATTEMPTED: ("○", "Not attempted yet"), RECORDED: ("•", "Noted")}
+MARKS = {
+    RIGHT: ("✓", "Right"),
+    WRONG: ("✗", "Not yet"),
+    NOT_ATTEMPTED: ("○", "Not attempted yet"),
+    RECORDED: ("•", "Noted"),
+}
 COLOURS = {RIGHT: "#1a7f37", WRONG: "#b35900", NOT_ATTEMPTED: "#6e7781", RECORDED: "#0b62c4"}
 
 
@@ -54,7 +59,11 @@ class Verdict:
     @property
     def lines(self):
         """(label, text) pairs under the headline."""
-        return [(label, text) for label, text in (("Where", self.place), ("Why", self.why), ("Next", self.next)) if text]
+        return [
+            (label, text)
+            for label, text in (("Where", self.place), ("Why", self.why), ("Next", self.next))
+            if text
+        ]
 
     def __str__(self):
         mark, word = MARKS[self.status]
@@ -68,5 +77,8 @@ class Verdict:
         mark, word = MARKS[self.status]
         headline = f": {escape(self.headline)}" if self.headline else ""
         rest = "".join(f"<div><em>{label}:</em> {escape(text)}</div>" for label, text in self.lines)
-        return (f'<div role="status" style="border-left:4px solid {COLOURS[self.status]};padding:.3em .8em;margin:.2em 0">'
-                f"<div><strong>{mark} {escape(self.exercise)} {word}</strong>{headline}</div>{rest}</div>")
+        return (
+            f'<div role="status" style="border-left:4px solid {COLOURS[self.status]};padding:.3em'
+            f' .8em;margin:.2em 0"><div><strong>{mark} {escape(self.exercise)}'
+            f" {word}</strong>{headline}</div>{rest}</div>"
+        )

@@ -1,4 +1,6 @@
-"""The learner's own folder: lessons are copied into it, never over anything, and JupyterLab opens on it."""
+"""The learner's own folder: lessons are copied into it, never over anything, and JupyterLab opens
+on it.
+"""
 
 import json
 import os
@@ -13,10 +15,14 @@ from .progress import MARKER
 
 __all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]
 
-OWN_NUMBERS = re.compile(r'"variant"\s*:\s*[1-9]')  # in the metadata of a notebook that dhlab release wrote
+OWN_NUMBERS = re.compile(
+    r'"variant"\s*:\s*[1-9]'
+)  # in the metadata of a notebook that dhlab release wrote
 PACKAGE = Path(__file__).parents[1]
-SETTINGS = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
-            "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}  # the explorer is still there when the notebook is opened again
+SETTINGS = {
+    "@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+}  # the explorer is still there when the notebook is opened again
 
 
 def handed_out():
@@ -30,13 +36,17 @@ def handed_out():
     for folder in (PACKAGE / "lessons", PACKAGE.parent / "lessons"):
         if any(folder.glob("*.ipynb")):
             return folder
-    raise ValueError("lab: expected the lessons beside the package, found none; install dhlab again")
+    raise ValueError(
+        "lab: expected the lessons beside the package, found none; install dhlab again"
+    )
 
 
 def prepare(folder):
-    """Copy the lessons into the learner's folder; what is there stays, a newer lesson arrives beside the old one.
+    """Copy the lessons into the learner's folder; what is there stays, a newer lesson arrives
+    beside the old one.
 
-    A folder that a teacher handed out, with a student's own numbers in it, gets no lessons: theirs would have the numbers that are the same for all.
+    A folder that a teacher handed out, with a student's own numbers in it, gets no lessons: theirs
+    would have the numbers that are the same for all.
 
     Parameters
     ----------
@@ -57,16 +67,24 @@ def prepare(folder):
     try:
         (folder / MARKER).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ValueError(f"lab: {folder}: expected a folder to put the lessons in, found that it cannot be made ({error.strerror}); choose another") from None
+        raise ValueError(
+            f"lab: {folder}: expected a folder to put the lessons in, found that it cannot be made"
+            f" ({error.strerror}); choose another"
+        ) from None
     given = _given(folder)
     added = []
     kinds = (".md",) if _has_own_numbers(folder) else (".ipynb", ".md")
-    for source in sorted(p for p in handed_out().iterdir() if p.suffix in kinds and p.name != "LICENSE.md"):
+    for source in sorted(
+        p for p in handed_out().iterdir() if p.suffix in kinds and p.name != "LICENSE.md"
+    ):
         text = source.read_text(encoding="utf-8")
         target = _free_name(folder / source.name, text, given.get(source.name))
         if target:
             write_text(target, text)
-            added.append(f"{target.name}: {'new' if target.name == source.name else 'a newer version, beside your own'}")
+            added.append(
+                f"{target.name}:"
+                f" {'new' if target.name == source.name else 'a newer version, beside your own'}"
+            )
         given[source.name] = _fingerprint(text)
     write_text(folder / MARKER / "lessons.json", json.dumps(given, indent=1) + "\n", overwrite=True)
     return added
@@ -74,7 +92,10 @@ def prepare(folder):
 
 def _has_own_numbers(folder):
     """Whether a notebook of the folder was handed out with a student's own numbers."""
-    return any(OWN_NUMBERS.search(path.read_text(encoding="utf-8", errors="replace")) for path in folder.glob("*.ipynb"))
+    return any(
+        OWN_NUMBERS.search(path.read_text(encoding="utf-8", errors="replace"))
+        for path in folder.glob("*.ipynb")
+    )
 
 
 def _free_name(target, text, given_before):
@@ -103,11 +124,14 @@ def _given(folder):
 
 def _fingerprint(text):
     from hashlib import sha256
+
     return sha256(text.encode()).hexdigest()
 
 
 def write_settings(folder):
-    """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of the outside; what stood on the page stays in the notebook."""
+    """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of
+    the outside; what stood on the page stays in the notebook.
+    """
     settings = Path(folder) / MARKER / "lab"
     settings.mkdir(parents=True, exist_ok=True)
     write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
@@ -115,7 +139,13 @@ def write_settings(folder):
 
 def lab_command(folder, *, port=None, browser=True):
     """The command that starts JupyterLab on a prepared folder."""
-    command = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={folder}", f"--LabApp.app_settings_dir={folder / MARKER / 'lab'}"]
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlab",
+        f"--ServerApp.root_dir={folder}",
+        f"--LabApp.app_settings_dir={folder / MARKER / 'lab'}",
+    ]
     command += [f"--ServerApp.port={port}"] if port else []
     command += [] if browser else ["--no-browser"]
     command += ["--allow-root"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
@@ -125,7 +155,10 @@ def lab_command(folder, *, port=None, browser=True):
 def open_lab(folder, *, port=None, browser=True):
     """Prepare the folder and run JupyterLab on it until it is closed; returns its exit status."""
     if find_spec("jupyterlab") is None:
-        raise ValueError('lab: expected JupyterLab, found that it is not installed; run: pip install "dhlab-kinematics[lab]"')
+        raise ValueError(
+            "lab: expected JupyterLab, found that it is not installed; run: pip install"
+            ' "dhlab-kinematics[lab]"'
+        )
     folder = Path(folder).expanduser().resolve()
     for sentence in prepare(folder):
         print(sentence)

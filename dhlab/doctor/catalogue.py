@@ -14,9 +14,11 @@ LISTS = ("refs", "also")
 
 @dataclass(frozen=True)
 class Mistake:
-    """One kind of mistake: its id; a title; what is seen; why it happens; what to look at next; the lesson that treats it.
+    """One kind of mistake: its id; a title; what is seen; why it happens; what to look at next; the
+    lesson that treats it.
 
-    ``refs`` are threads and pages where people met it; ``also`` are other ids under which :func:`catalogue` finds it.
+    ``refs`` are threads and pages where people met it; ``also`` are other ids under which
+    :func:`catalogue` finds it.
     """
 
     id: str
@@ -31,7 +33,8 @@ class Mistake:
 
 @cache
 def catalogue():
-    """Every known mistake, by its id and by its other ids; an entry stands under its own id when ``key == mistake.id``.
+    """Every known mistake, by its id and by its other ids; an entry stands under its own id when
+    ``key == mistake.id``.
 
     Returns
     -------
@@ -50,7 +53,9 @@ def catalogue():
         mistake = _mistake(key, entry)
         for name in (key, *mistake.also):
             if name in entries:
-                raise ValueError(f"{entry.where}: the catalogue: expected every id once, found {name!r} twice")
+                raise ValueError(
+                    f"{entry.where}: the catalogue: expected every id once, found {name!r} twice"
+                )
             entries[name] = mistake
     return entries
 
@@ -58,5 +63,9 @@ def catalogue():
 def _mistake(key, entry):
     given = plainyaml.fields(entry, key, required=set(WORDS), allowed={*WORDS, *LISTS})
     words = {word: plainyaml.text(given[word], word) for word in WORDS}
-    lists = {name: tuple(plainyaml.text(line, name) for line in plainyaml.entries(given[name], name)) for name in LISTS if name in given}
+    lists = {
+        name: tuple(plainyaml.text(line, name) for line in plainyaml.entries(given[name], name))
+        for name in LISTS
+        if name in given
+    }
     return Mistake(key, **words, **lists)

@@ -28,17 +28,22 @@ class Diagnosis:
     headline : str
         One sentence.
     findings : tuple of Finding
-        Best first; together they explain what was seen when ``verdict`` is "explained" (a pair of mistakes is two findings).
+        Best first; together they explain what was seen when ``verdict`` is "explained" (a pair of
+        mistakes is two findings).
     before, after : (float, float) or None
-        Largest residual in mm and degrees, of the arm as given and as repaired; the angle is NaN where only positions were compared.
+        Largest residual in mm and degrees, of the arm as given and as repaired; the angle is NaN
+        where only positions were compared.
     notes : tuple of str
         What else a reader should know: look-alikes, too few poses, how the noise was estimated.
     next_pose : array (n,) or None
-        A configuration whose measurement would tell the remaining explanations apart; radians and metres.
+        A configuration whose measurement would tell the remaining explanations apart; radians and
+        metres.
     fitted : Arm or None
-        Where there is no finding and still something was found: the arm with its free base and tool in place, or as calibrated.
+        Where there is no finding and still something was found: the arm with its free base and tool
+        in place, or as calibrated.
     compared : (Arm, q, measured) or None
-        What :attr:`picture` draws: the arm as given (its base and tool in place where they are free), q (m, n), poses (m, 4, 4) or positions (m, 3).
+        What :attr:`picture` draws: the arm as given (its base and tool in place where they are
+        free), q (m, n), poses (m, 4, 4) or positions (m, 3).
     """
 
     verdict: str
@@ -53,10 +58,13 @@ class Diagnosis:
 
     @cached_property
     def picture(self):
-        """The :class:`dhlab.view.Picture` of predicted against measured, drawn when first asked for; None where there is nothing to draw."""
+        """The :class:`dhlab.view.Picture` of predicted against measured, drawn when first asked
+        for; None where there is nothing to draw.
+        """
         if self.compared is None:
             return None
         from ..view import compared  # matplotlib takes longer to load than most diagnoses take
+
         return compared(*self.compared)
 
     def __bool__(self):
@@ -65,46 +73,99 @@ class Diagnosis:
 
     def to_dict(self):
         """Plain values for a program."""
-        return {"verdict": self.verdict, "headline": self.headline, "findings": [finding.to_dict() for finding in self.findings],
-                "before": _pair(self.before), "after": _pair(self.after), "notes": list(self.notes),
-                "next_pose": None if self.next_pose is None else np.asarray(self.next_pose).tolist()}
+        return {
+            "verdict": self.verdict,
+            "headline": self.headline,
+            "findings": [finding.to_dict() for finding in self.findings],
+            "before": _pair(self.before),
+            "after": _pair(self.after),
+            "notes": list(self.notes),
+            "next_pose": None if self.next_pose is None else np.asarray(self.next_pose).tolist(),
+        }
 
     def _lines(self):
         for k, finding in enumerate(self.findings, 1):
             words = catalogue()[finding.mistake]
             lead = f"{k}. " if len(self.findings) > 1 else ""
-            yield "What", f"{lead}{words.title}" + (f" ({finding.place})" if finding.place else "") + (f": {finding.detail}" if finding.detail else "")
+            yield (
+                "What",
+                f"{lead}{words.title}"
+                + (f" ({finding.place})" if finding.place else "")
+                + (f": {finding.detail}" if finding.detail else ""),
+            )
             yield "Seen", words.see
             yield "Why", words.why
             yield "Next", words.next
             if finding.look_alikes:
-                yield "Same", "looks the same on this arm: " + "; ".join(catalogue()[name].title for name in finding.look_alikes)
+                yield (
+                    "Same",
+                    "looks the same on this arm: "
+                    + "; ".join(catalogue()[name].title for name in finding.look_alikes),
+                )
         if self.before is not None:
-            yield "Off by", _size(self.before) + (f", once repaired {_size(self.after)}" if self.after is not None else "")
+            yield (
+                "Off by",
+                _size(self.before)
+                + (f", once repaired {_size(self.after)}" if self.after is not None else ""),
+            )
         for note in self.notes:
             yield "Note", note
         if self.next_pose is not None:
             yield "Measure", f"{self._pose_to_measure()} would tell them apart"
 
     def _pose_to_measure(self):
-        slides = self.compared[0].table.prismatic if self.compared is not None else np.zeros(len(self.next_pose), dtype=bool)
-        return "q = " + ", ".join(f"{number(v * 1e3, 0)} mm" if slide else f"{number(np.rad2deg(v), 0)}°" for v, slide in zip(self.next_pose, slides))
+        slides = (
+            self.compared[0].table.prismatic
+            if self.compared is not None
+            else np.zeros(len(self.next_pose), dtype=bool)
+        )
+        return "q = " + ", ".join(
+            f"{number(v * 1e3, 0)} mm" if slide else f"{number(np.rad2deg(v), 0)}°"
+            for v, slide in zip(self.next_pose, slides)
+        )
 
     def __str__(self):
-        return "\n".join([self.headline, *(fill(text, WIDTH, initial_indent=f"  {label + ':':8} ", subsequent_indent=" " * 11) for label, text in self._lines())])
+        return "\n".join(
+            [
+                self.headline,
+                *(
+                    fill(
+                        text,
+                        WIDTH,
+                        initial_indent=f"  {label + ':':8} ",
+                        subsequent_indent=" " * 11,
+                    )
+                    for label, text in self._lines()
+                ),
+            ]
+        )
 
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join(f"<div><em>{label}:</em> {escape(text)}</div>" for label, text in self._lines())
+        rows = "".join(
+            f"<div><em>{label}:</em> {escape(text)}</div>" for label, text in self._lines()
+        )
         picture = self.picture._repr_mimebundle_()["text/html"] if self.picture is not None else ""
-        return f'<div role="status" style="border-left:4px solid #0b62c4;padding:.3em .8em"><div><strong>{escape(self.headline)}</strong></div>{rows}</div>{picture}'
+        return (
+            '<div role="status" style="border-left:4px solid #0b62c4;padding:.3em'
+            f' .8em"><div><strong>{escape(self.headline)}</strong></div>{rows}</div>{picture}'
+        )
 
 
 def _pair(residual):
-    return None if residual is None else {"mm": float(residual[0]), "deg": None if np.isnan(residual[1]) else float(residual[1])}
+    return (
+        None
+        if residual is None
+        else {
+            "mm": float(residual[0]),
+            "deg": None if np.isnan(residual[1]) else float(residual[1]),
+        }
+    )
 
 
 def _size(residual):
     millimetres, degrees = residual
-    return f"{number(millimetres, 3)} mm" + ("" if np.isnan(degrees) else f" and {number(degrees, 3)}°")
+    return f"{number(millimetres, 3)} mm" + (
+        "" if np.isnan(degrees) else f" and {number(degrees, 3)}°"
+    )

@@ -19,7 +19,8 @@ class Finding:
     joint : int or None
         1-based row or joint; None when it is everywhere.
     parameter : str or None
-        ``"theta"``, ``"d"``, ``"a"``, ``"alpha"``, ``"sign"``, ``"base"``, ``"tool"``, ``"q"``, ``"poses"`` or None.
+        ``"theta"``, ``"d"``, ``"a"``, ``"alpha"``, ``"sign"``, ``"base"``, ``"tool"``, ``"q"``,
+        ``"poses"`` or None.
     place : str
         Where, in words; empty when it is everywhere.
     detail : str
@@ -48,15 +49,30 @@ class Finding:
 
     def to_dict(self):
         """Plain values for a program; the repair as its rows."""
-        return {"mistake": self.mistake, "title": catalogue()[self.mistake].title, "joint": self.joint, "parameter": self.parameter, "place": self.place,
-                "detail": self.detail, "message": self.message, "lesson": catalogue()[self.mistake].lesson, "look_alikes": list(self.look_alikes),
-                "repair": None if self.repair is None else _described(self.repair)}
+        return {
+            "mistake": self.mistake,
+            "title": catalogue()[self.mistake].title,
+            "joint": self.joint,
+            "parameter": self.parameter,
+            "place": self.place,
+            "detail": self.detail,
+            "message": self.message,
+            "lesson": catalogue()[self.mistake].lesson,
+            "look_alikes": list(self.look_alikes),
+            "repair": None if self.repair is None else _described(self.repair),
+        }
 
 
 def _described(arm):
     table = arm.table
-    return {"convention": table.convention, "joints": table.joints, "rows": table.rows.tolist(), "sign": arm.sign.tolist(),
-            "base": arm.base.tolist(), "tool": arm.tool.tolist()}
+    return {
+        "convention": table.convention,
+        "joints": table.joints,
+        "rows": table.rows.tolist(),
+        "sign": arm.sign.tolist(),
+        "base": arm.base.tolist(),
+        "tool": arm.tool.tolist(),
+    }
 
 
 def find(mistake_id, place="", **parts):

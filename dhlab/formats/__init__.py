@@ -1,1 +1,3 @@
-"""Everything that is read from a file or written to one: table files, poses, URDF; strict text, atomic writes."""
+"""Everything that is read from a file or written to one: table files, poses, URDF; strict text,
+atomic writes.
+"""

@@ -35,19 +35,32 @@ def read_text(path, what):
         if path.is_dir():
             raise ValueError(f"{path}: expected {what}, found a folder; name a file in it")
         if path.exists() and not path.is_file():
-            raise ValueError(f"{path}: expected {what}, found something that is no plain file; name a file")
+            raise ValueError(
+                f"{path}: expected {what}, found something that is no plain file; name a file"
+            )
         with open(path, "rb") as file:
             raw = file.read(LARGEST + 1)
     except FileNotFoundError:
-        raise ValueError(f"{path}: expected {what}, found no such file; check the name and the folder") from None
+        raise ValueError(
+            f"{path}: expected {what}, found no such file; check the name and the folder"
+        ) from None
     except OSError as error:
-        raise ValueError(f"{path}: expected {what}, found that it cannot be read ({error.strerror}); check its permissions") from None
+        raise ValueError(
+            f"{path}: expected {what}, found that it cannot be read ({error.strerror}); check its"
+            " permissions"
+        ) from None
     if len(raw) > LARGEST:
-        raise ValueError(f"{path}: expected {what}, found more than {LARGEST // 1_000_000} MB; is it the right file?")
+        raise ValueError(
+            f"{path}: expected {what}, found more than {LARGEST // 1_000_000} MB; is it the right"
+            " file?"
+        )
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ValueError(f"{path}: expected {what} in UTF-8, found other bytes; save it as plain text, encoding UTF-8") from None
+        raise ValueError(
+            f"{path}: expected {what} in UTF-8, found other bytes; save it as plain text, encoding"
+            " UTF-8"
+        ) from None
 
 
 def write_text(path, text, *, overwrite=False, private=False):
@@ -56,7 +69,8 @@ def write_text(path, text, *, overwrite=False, private=False):
 
 
 def write_bytes(path, data, *, overwrite=False, private=False):
-    """Write a whole file or nothing: a temporary file beside it is renamed into place; ``private``: for its owner's eyes only.
+    """Write a whole file or nothing: a temporary file beside it is renamed into place; ``private``:
+    for its owner's eyes only.
 
     Raises
     ------
@@ -71,12 +85,27 @@ def write_bytes(path, data, *, overwrite=False, private=False):
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(temporary, 0o600 if private else path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
+        os.chmod(
+            temporary,
+            (
+                0o600
+                if private
+                else path.stat().st_mode & 0o777
+                if path.exists()
+                else 0o666 & ~_umask()
+            ),
+        )
         _into_place(temporary, path, overwrite)
     except FileExistsError:
-        raise ValueError(f"{path}: expected a new file, found one that exists; choose another name, or move that file away") from None
+        raise ValueError(
+            f"{path}: expected a new file, found one that exists; choose another name, or move that"
+            " file away"
+        ) from None
     except OSError as error:
-        raise ValueError(f"{path}: expected to write here, found that it cannot be done ({error.strerror}); choose another folder") from None
+        raise ValueError(
+            f"{path}: expected to write here, found that it cannot be done ({error.strerror});"
+            " choose another folder"
+        ) from None
     finally:
         if temporary and os.path.exists(temporary):
             os.unlink(temporary)

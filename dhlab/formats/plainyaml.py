@@ -1,6 +1,8 @@
-"""YAML 1.2 read strictly: every value knows its line, a number is a number, a text is a text, every key stands once.
+"""YAML 1.2 read strictly: every value knows its line, a number is a number, a text is a text, every
+key stands once.
 
-Anchors, aliases, merge keys and tags are refused: a table needs none, and they can make a small file fill the memory.
+Anchors, aliases, merge keys and tags are refused: a table needs none, and they can make a small
+file fill the memory.
 """
 
 import difflib
@@ -25,7 +27,9 @@ SPECIAL = re.compile(r"([-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN))\Z")
 
 @dataclass
 class Item:
-    """A value and the place it was read from: ``value`` is a dict of Items, a list of Items, str, int, float, bool or None."""
+    """A value and the place it was read from: ``value`` is a dict of Items, a list of Items, str,
+    int, float, bool or None.
+    """
 
     value: object
     where: str
@@ -62,11 +66,19 @@ def parse(text, name):
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = f" line {mark.line + 1}:" if mark else ""
-        raise ValueError(f"{name}:{line} this is no YAML ({error.problem or error.context}); check indents, brackets and colons") from None
+        raise ValueError(
+            f"{name}:{line} this is no YAML ({error.problem or error.context}); check indents,"
+            " brackets and colons"
+        ) from None
     except YAMLError as error:
-        raise ValueError(f"{name}: expected YAML text, found {str(error).splitlines()[0]}; save it as plain UTF-8 text") from None
+        raise ValueError(
+            f"{name}: expected YAML text, found {str(error).splitlines()[0]}; save it as plain"
+            " UTF-8 text"
+        ) from None
     except RecursionError:
-        raise ValueError(f"{name}: expected a table, found brackets nested hundreds deep; is it the right file?") from None
+        raise ValueError(
+            f"{name}: expected a table, found brackets nested hundreds deep; is it the right file?"
+        ) from None
 
 
 def _item(node, name):
@@ -74,9 +86,14 @@ def _item(node, name):
         return Item(None, name)
     where = f"{name}: line {node.start_mark.line + 1}"
     if node.anchor is not None:
-        raise ValueError(f"{where}: expected plain values, found the anchor or alias {node.anchor!r}; write the value out")
+        raise ValueError(
+            f"{where}: expected plain values, found the anchor or alias {node.anchor!r}; write the"
+            " value out"
+        )
     if _tagged(node):
-        raise ValueError(f"{where}: expected a plain value, found the tag {_tagged(node)}; take the tag out")
+        raise ValueError(
+            f"{where}: expected a plain value, found the tag {_tagged(node)}; take the tag out"
+        )
     if isinstance(node, MappingNode):
         return Item(_mapping(node, name), where)
     if isinstance(node, SequenceNode):
@@ -89,7 +106,10 @@ def _mapping(node, name):
     for key_node, value_node in node.value:
         where = f"{name}: line {key_node.start_mark.line + 1}"
         if not isinstance(key_node, ScalarNode) or key_node.value == "<<":
-            raise ValueError(f"{where}: expected a name before the colon, found a merge key or a list; write the keys out")
+            raise ValueError(
+                f"{where}: expected a name before the colon, found a merge key or a list; write the"
+                " keys out"
+            )
         key = key_node.value
         if key in items:
             raise ValueError(f'{where}: expected every key once, found "{key}" twice; take one out')
@@ -119,13 +139,20 @@ def _tagged(node):
 
 
 def fields(item, what, *, required, allowed):
-    """The dict of Items in ``item`` when its keys are right; otherwise a sentence that names the key and the place."""
+    """The dict of Items in ``item`` when its keys are right; otherwise a sentence that names the
+    key and the place.
+    """
     if not isinstance(item.value, dict):
-        raise ValueError(f"{item.where}: {what}: expected {', '.join(sorted(allowed))} with a colon each, found {_found(item)}")
+        raise ValueError(
+            f"{item.where}: {what}: expected {', '.join(sorted(allowed))} with a colon each, found"
+            f" {_found(item)}"
+        )
     for key, value in item.value.items():
         if key not in allowed:
             near = difflib.get_close_matches(key, allowed, 1)
-            todo = f'did you mean "{near[0]}"?' if near else f"known are {', '.join(sorted(allowed))}"
+            todo = (
+                f'did you mean "{near[0]}"?' if near else f"known are {', '.join(sorted(allowed))}"
+            )
             if key.isdigit():
                 todo = "is that a decimal comma? Write 0.425, not 0,425"
             raise ValueError(f'{value.where}: {what}: unknown key "{key}"; {todo}')
@@ -138,7 +165,10 @@ def number(item, what):
     """The finite number in ``item``, or a sentence."""
     value = item.value
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise ValueError(f"{item.where}: {what}: expected a number, found {_found(item)}; write it as digits with a decimal point, without quotes or units")
+        raise ValueError(
+            f"{item.where}: {what}: expected a number, found {_found(item)}; write it as digits"
+            " with a decimal point, without quotes or units"
+        )
     if not math.isfinite(value):
         raise ValueError(f"{item.where}: {what}: expected a finite number, found {value}")
     return value
@@ -147,7 +177,9 @@ def number(item, what):
 def text(item, what):
     """The text in ``item``, or a sentence."""
     if not isinstance(item.value, str):
-        raise ValueError(f"{item.where}: {what}: expected text, found {_found(item)}; put it in quotes")
+        raise ValueError(
+            f"{item.where}: {what}: expected text, found {_found(item)}; put it in quotes"
+        )
     return item.value
 
 
@@ -156,7 +188,9 @@ def entries(item, what, length=None):
     if not isinstance(item.value, list):
         raise ValueError(f"{item.where}: {what}: expected a list in brackets, found {_found(item)}")
     if length is not None and len(item.value) != length:
-        raise ValueError(f"{item.where}: {what}: expected {length} entries, found {len(item.value)}")
+        raise ValueError(
+            f"{item.where}: {what}: expected {length} entries, found {len(item.value)}"
+        )
     return item.value
 
 

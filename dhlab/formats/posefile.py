@@ -1,4 +1,6 @@
-"""Poses files: measured or computed end points and poses of an arm in CSV, one line per configuration, read strictly."""
+"""Poses files: measured or computed end points and poses of an arm in CSV, one line per
+configuration, read strictly.
+"""
 
 import csv
 import io
@@ -14,7 +16,11 @@ from .plainyaml import FLOAT
 
 __all__ = ["read_poses", "ORIENTATIONS"]
 
-ORIENTATIONS = {"a quaternion": ("qw", "qx", "qy", "qz"), "fixed-axis angles": ("roll", "pitch", "yaw"), "a rotation vector": ("rx", "ry", "rz")}
+ORIENTATIONS = {
+    "a quaternion": ("qw", "qx", "qy", "qz"),
+    "fixed-axis angles": ("roll", "pitch", "yaw"),
+    "a rotation vector": ("rx", "ry", "rz"),
+}
 POSITION = ("x", "y", "z")
 UNIT_TOLERANCE = 1e-3  # a quaternion printed with four digits passes
 
@@ -25,9 +31,10 @@ def read_poses(path, n, length="m", angle="rad", *, joints=None):
     Parameters
     ----------
     path : str or path
-        CSV with a header ``q1,…,qn,x,y,z`` and optionally ``qw,qx,qy,qz`` (a unit quaternion), or ``roll,pitch,yaw`` (about fixed
-        x, y, z, in this order, as URDF has it), or ``rx,ry,rz`` (the rotation vector, as UR controllers print it). Columns in any
-        order; empty lines and lines that start with ``#`` are passed over.
+        CSV with a header ``q1,…,qn,x,y,z`` and optionally ``qw,qx,qy,qz`` (a unit quaternion), or
+        ``roll,pitch,yaw`` (about fixed x, y, z, in this order, as URDF has it), or ``rx,ry,rz``
+        (the rotation vector, as UR controllers print it). Columns in any order; empty lines and
+        lines that start with ``#`` are passed over.
     n : int
         The number of joints.
     length : "m" or "mm"
@@ -58,26 +65,39 @@ def read_poses(path, n, length="m", angle="rad", *, joints=None):
     >>> q.round(6), points
     (array([[0.      , 1.570796]]), array([[0.4, 0. , 0.1]]))
     """
-    to_m, to_rad = units.scale_of(length, "length", "read_poses"), units.scale_of(angle, "angle", "read_poses")
+    to_m, to_rad = (
+        units.scale_of(length, "length", "read_poses"),
+        units.scale_of(angle, "angle", "read_poses"),
+    )
     slides = _slides(joints, n)
     (line, names), *rows = _lines(path)
     orientation = _orientation(names, n, f"{path}: line {line}")
     if not rows:
-        raise ValueError(f"{path}: expected a line of numbers for each pose, found the header alone; was the file cut off?")
+        raise ValueError(
+            f"{path}: expected a line of numbers for each pose, found the header alone; was the"
+            " file cut off?"
+        )
     table = np.array([_numbers(cells, names, f"{path}: line {line}") for line, cells in rows])
     columns = {name: table[:, k] for k, name in enumerate(names)}
-    q = np.column_stack([units.convert(columns[f"q{i + 1}"], to_m if slides[i] else to_rad) for i in range(n)])
+    q = np.column_stack(
+        [units.convert(columns[f"q{i + 1}"], to_m if slides[i] else to_rad) for i in range(n)]
+    )
     xyz = units.convert(np.column_stack([columns[name] for name in POSITION]), to_m)
     if orientation is None:
         return q, xyz
     poses = from_xyz_rpy(xyz, np.zeros_like(xyz))
-    poses[:, :3, :3] = _rotations(orientation, np.column_stack([columns[name] for name in orientation]), to_rad, path, rows)
+    poses[:, :3, :3] = _rotations(
+        orientation, np.column_stack([columns[name] for name in orientation]), to_rad, path, rows
+    )
     return q, poses
 
 
 def _slides(joints, n):
     if isinstance(n, bool) or not isinstance(n, (int, np.integer)) or n < 1:
-        raise ValueError(f"read_poses: n: expected the number of joints, a whole number from 1, found {n!r}; give len(arm)")
+        raise ValueError(
+            f"read_poses: n: expected the number of joints, a whole number from 1, found {n!r};"
+            " give len(arm)"
+        )
     return [letter == "P" for letter in _joint_letters(joints, n, "read_poses: joints")]
 
 
@@ -90,16 +110,23 @@ def _lines(path):
         try:
             (cells,) = csv.reader([line.rstrip("\n")], skipinitialspace=True, strict=True)
         except (csv.Error, ValueError):
-            raise ValueError(f"{path}: line {i}: expected cells with commas between them, found {line.strip()[:60]!r}; "
-                             "take quotes and other signs out") from None
+            raise ValueError(
+                f"{path}: line {i}: expected cells with commas between them, found"
+                f" {line.strip()[:60]!r}; take quotes and other signs out"
+            ) from None
         kept.append((i, [cell.strip() for cell in cells]))
     if not kept:
-        raise ValueError(f"{path}: expected a header q1,…,qn,x,y,z and a line per pose, found an empty file; was it saved?")
+        raise ValueError(
+            f"{path}: expected a header q1,…,qn,x,y,z and a line per pose, found an empty file; was"
+            " it saved?"
+        )
     line, header = kept[0]
     wrong = "semicolons" if ";" in "".join(header) else "tabs" if "\t" in "".join(header) else None
     if wrong:
-        raise ValueError(f"{path}: line {line}: expected commas between the columns, found {wrong}; "
-                         "save it with commas between cells and points in numbers")
+        raise ValueError(
+            f"{path}: line {line}: expected commas between the columns, found {wrong}; "
+            "save it with commas between cells and points in numbers"
+        )
     return [(line, [name.lower() for name in header]), *kept[1:]]
 
 
@@ -108,16 +135,29 @@ def _orientation(names, n, where):
     joints = [f"q{i}" for i in range(1, n + 1)]
     known = {*joints, *POSITION}.union(*ORIENTATIONS.values())
     if all(FLOAT.match(name) for name in names):
-        raise ValueError(f"{where}: expected a header such as q1,…,q{n},x,y,z, found numbers; write the columns' names above them")
+        raise ValueError(
+            f"{where}: expected a header such as q1,…,q{n},x,y,z, found numbers; write the columns'"
+            " names above them"
+        )
     for name in names:
         if name not in known:
-            raise ValueError(f"{where}: column {name!r}: expected q1 to q{n}, x, y, z and an orientation ({_choices()}); {_todo(name)}")
+            raise ValueError(
+                f"{where}: column {name!r}: expected q1 to q{n}, x, y, z and an orientation"
+                f" ({_choices()}); {_todo(name)}"
+            )
         if names.count(name) > 1:
-            raise ValueError(f"{where}: expected every column once, found {name} twice; take one out")
-    found = {kind: [name for name in columns if name in names] for kind, columns in ORIENTATIONS.items()}
+            raise ValueError(
+                f"{where}: expected every column once, found {name} twice; take one out"
+            )
+    found = {
+        kind: [name for name in columns if name in names] for kind, columns in ORIENTATIONS.items()
+    }
     found = {kind: some for kind, some in found.items() if some}
     if len(found) > 1:
-        raise ValueError(f"{where}: expected one orientation, found columns of {' and of '.join(found)}; keep one of them")
+        raise ValueError(
+            f"{where}: expected one orientation, found columns of {' and of '.join(found)}; keep"
+            " one of them"
+        )
     orientation = ORIENTATIONS[next(iter(found))] if found else ()
     missing = [name for name in (*joints, *POSITION, *orientation) if name not in names]
     if missing:
@@ -142,8 +182,15 @@ def _numbers(cells, names, where):
     while len(cells) > len(names) and not cells[-1]:
         cells = cells[:-1]
     if len(cells) != len(names):
-        comma = "is that a decimal comma? Write 0.425, not 0,425" if len(cells) > len(names) else "fill in what is missing"
-        raise ValueError(f"{where}: expected {len(names)} cells ({', '.join(names)}), found {len(cells)}; {comma}")
+        comma = (
+            "is that a decimal comma? Write 0.425, not 0,425"
+            if len(cells) > len(names)
+            else "fill in what is missing"
+        )
+        raise ValueError(
+            f"{where}: expected {len(names)} cells ({', '.join(names)}), found {len(cells)};"
+            f" {comma}"
+        )
     return [_number(cell, f"{where}: column {name}") for cell, name in zip(cells, names)]
 
 
@@ -151,10 +198,19 @@ def _number(cell, where):
     if FLOAT.match(cell) and np.isfinite(float(cell)):
         return float(cell)
     if not cell:
-        raise ValueError(f"{where}: expected a number, found an empty cell; fill it in or take the line out")
+        raise ValueError(
+            f"{where}: expected a number, found an empty cell; fill it in or take the line out"
+        )
     if cell.lower().lstrip("+-") in ("nan", "inf", "infinity") or FLOAT.match(cell):
-        raise ValueError(f"{where}: expected a finite number, found {cell}; take the line out if nothing was measured")
-    todo = "write 0.425, not 0,425" if "," in cell else "write it with digits and a decimal point, without units"
+        raise ValueError(
+            f"{where}: expected a finite number, found {cell}; take the line out if nothing was"
+            " measured"
+        )
+    todo = (
+        "write 0.425, not 0,425"
+        if "," in cell
+        else "write it with digits and a decimal point, without units"
+    )
     raise ValueError(f"{where}: expected a number, found {cell[:40]!r}; {todo}")
 
 
@@ -168,6 +224,9 @@ def _rotations(orientation, values, to_rad, path, rows):
     norms = np.linalg.norm(values, axis=1)
     bad = np.flatnonzero(np.abs(norms - 1) > UNIT_TOLERANCE)
     if len(bad):
-        raise ValueError(f"{path}: line {rows[bad[0]][0]}: columns qw, qx, qy, qz: expected a unit quaternion, "
-                         f"found one of length {norms[bad[0]]:.4g}; are the columns in the order the header says?")
+        raise ValueError(
+            f"{path}: line {rows[bad[0]][0]}: columns qw, qx, qy, qz: expected a unit quaternion,"
+            f" found one of length {norms[bad[0]]:.4g}; are the columns in the order the header"
+            " says?"
+        )
     return Rotation.from_quat(values[:, [1, 2, 3, 0]]).as_matrix()

@@ -1,4 +1,6 @@
-"""Table files in CSV: a line that names the convention, a header that names the units, a line per joint."""
+"""Table files in CSV: a line that names the convention, a header that names the units, a line per
+joint.
+"""
 
 import csv
 import io
@@ -20,20 +22,38 @@ def read_csv(path):
     """The ``Arm`` in a CSV table file."""
     lines = read_text(path, "a table file").splitlines()
     convention = _convention(lines[0] if lines else "", path)
-    rows = [(i, row) for i, row in enumerate(csv.reader(lines[1:]), 2) if any(cell.strip() for cell in row)]
+    rows = [
+        (i, row)
+        for i, row in enumerate(csv.reader(lines[1:]), 2)
+        if any(cell.strip() for cell in row)
+    ]
     if len(rows) < 2:
-        raise ValueError(f"{path}: expected a header and at least one row, found {len(rows)} of these lines; see the documentation's table files page")
+        raise ValueError(
+            f"{path}: expected a header and at least one row, found {len(rows)} of these lines; see"
+            " the documentation's table files page"
+        )
     scales, names = _header([cell.strip() for cell in rows[0][1]], path)
     columns = {name: [] for name in names}
     for k, (line, row) in enumerate(rows[1:], 1):
         where = f"{path}: line {line}: row {k}"
         if len(row) != len(names):
-            raise ValueError(f"{where}: expected {len(names)} cells ({', '.join(names)}), found {len(row)}; use commas between cells and points in numbers")
+            raise ValueError(
+                f"{where}: expected {len(names)} cells ({', '.join(names)}), found {len(row)}; use"
+                " commas between cells and points in numbers"
+            )
         for name, cell in zip(names, row):
-            columns[name].append(joint_letter(cell.strip(), f"{where}, type") if name == "type" else number(Item(_cell(cell), where), name))
+            columns[name].append(
+                joint_letter(cell.strip(), f"{where}, type")
+                if name == "type"
+                else number(Item(_cell(cell), where), name)
+            )
     letters = "".join(columns.pop("type", ["R"] * (len(rows) - 1)))
     sign = columns.pop("sign", None)
-    table = DHTable(convention, *(units.convert(np.array(columns[name], dtype=float), scales[name]) for name in COLUMNS), letters)
+    table = DHTable(
+        convention,
+        *(units.convert(np.array(columns[name], dtype=float), scales[name]) for name in COLUMNS),
+        letters,
+    )
     return placed(path, lambda: Arm(table, sign=sign))
 
 
@@ -43,7 +63,10 @@ def _convention(line, path):
     value = value.strip()
     if not line.startswith("#") or key.strip() != "convention" or value not in CONVENTIONS:
         hint = '; "modified" is called craig here' if value == "modified" else ""
-        raise ValueError(f"{path}: line 1: expected '# convention: standard' or '# convention: craig', found {line[:60]!r}{hint}")
+        raise ValueError(
+            f"{path}: line 1: expected '# convention: standard' or '# convention: craig', found"
+            f" {line[:60]!r}{hint}"
+        )
     return value
 
 
@@ -81,15 +104,28 @@ def _cell(cell):
 def csv_text(arm, angle, length):
     """The CSV text of an arm without base, tool or limits, in the units named."""
     plain = Arm(arm.table)
-    held = np.array_equal(arm.base, plain.base) and np.array_equal(arm.tool, plain.tool) and arm.limits is None
+    held = (
+        np.array_equal(arm.base, plain.base)
+        and np.array_equal(arm.tool, plain.tool)
+        and arm.limits is None
+    )
     if not held:
-        raise ValueError("save: expected an arm that CSV can hold, found a base, a tool or limits; save it as .yaml")
+        raise ValueError(
+            "save: expected an arm that CSV can hold, found a base, a tool or limits; save it as"
+            " .yaml"
+        )
     joints, signs = "P" in arm.table.joints, bool((arm.sign < 0).any())
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     out.write(f"# convention: {arm.table.convention}\n")
-    writer.writerow([f"theta_{angle}", f"d_{length}", f"a_{length}", f"alpha_{angle}"] + ["type"] * joints + ["sign"] * signs)
+    writer.writerow(
+        [f"theta_{angle}", f"d_{length}", f"a_{length}", f"alpha_{angle}"]
+        + ["type"] * joints
+        + ["sign"] * signs
+    )
     words = {letter: word for word, letter in JOINT_WORDS.items()}
-    for row, letter, sign in zip(units.written_rows(arm.table, angle, length), arm.table.joints, arm.sign):
+    for row, letter, sign in zip(
+        units.written_rows(arm.table, angle, length), arm.table.joints, arm.sign
+    ):
         writer.writerow(row + [words[letter]] * joints + [int(sign)] * signs)
     return out.getvalue()

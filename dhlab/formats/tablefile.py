@@ -1,4 +1,6 @@
-"""Table files: YAML and CSV, as described in the documentation's "Table files" page, read strictly and written losslessly."""
+"""Table files: YAML and CSV, as described in the documentation's "Table files" page, read strictly
+and written losslessly.
+"""
 
 from pathlib import Path
 
@@ -34,17 +36,27 @@ def read_table(path):
     """The ``DHTable`` in a file that holds nothing a table cannot hold."""
     arm = read_arm(path)
     plain = Arm(arm.table)
-    more = [name for name in ("base", "tool", "sign") if not np.array_equal(getattr(arm, name), getattr(plain, name))]
+    more = [
+        name
+        for name in ("base", "tool", "sign")
+        if not np.array_equal(getattr(arm, name), getattr(plain, name))
+    ]
     more += ["limits"] if arm.limits else []
     if more:
-        raise ValueError(f"{path}: expected a table alone, found {' and '.join(more)} beside it; read it as an arm with dhlab.load")
+        raise ValueError(
+            f"{path}: expected a table alone, found {' and '.join(more)} beside it; read it as an"
+            " arm with dhlab.load"
+        )
     return arm.table
 
 
 def _kind(path):
     kind = {".yaml": "yaml", ".yml": "yaml", ".csv": "csv"}.get(path.suffix.lower())
     if kind is None:
-        raise ValueError(f"{path}: expected a file name ending in .yaml or .csv, found {path.suffix or 'no ending'!r}; rename the file")
+        raise ValueError(
+            f"{path}: expected a file name ending in .yaml or .csv, found"
+            f" {path.suffix or 'no ending'!r}; rename the file"
+        )
     return kind
 
 
@@ -54,7 +66,10 @@ def write(path, what, *, angle=None, length="m", overwrite=False):
     arm = what if isinstance(what, Arm) else Arm(what)
     kind = _kind(path)
     if angle is None:
-        exact = all(units.shortest(v, units.ANGLE["deg"]) is not None for v in [*arm.table.theta, *arm.table.alpha])
+        exact = all(
+            units.shortest(v, units.ANGLE["deg"]) is not None
+            for v in [*arm.table.theta, *arm.table.alpha]
+        )
         angle = "deg" if exact else "rad"
     units.scale_of(angle, "angle", "save"), units.scale_of(length, "length", "save")
     text = (csv_text if kind == "csv" else yaml_text)(arm, angle, length)

@@ -16,25 +16,44 @@ ARM_KEYS = {"name", "source", "convention", "units", "joints", "base", "tool", "
 
 
 def arm_from_item(item, **inherited):
-    """The ``Arm`` that a mapping read by ``plainyaml`` describes; ``inherited`` gives name, limits … where it is silent."""
+    """The ``Arm`` that a mapping read by ``plainyaml`` describes; ``inherited`` gives name, limits
+    … where it is silent.
+    """
     given = fields(item, "the file", required={"convention", "units", "joints"}, allowed=ARM_KEYS)
     convention = text(given["convention"], "convention")
     if convention not in CONVENTIONS:
         hint = '; "modified" is called craig here' if convention == "modified" else ""
-        raise ValueError(f'{given["convention"].where}: convention: expected standard or craig, found {convention!r}{hint}')
-    unit = fields(given["units"], "units", required={"length", "angle"}, allowed={"length", "angle"})
-    to_rad = units.scale_of(unit["angle"].plain(), "angle", f'{unit["angle"].where}: units')
-    to_m = units.scale_of(unit["length"].plain(), "length", f'{unit["length"].where}: units')
+        raise ValueError(
+            f"{given['convention'].where}: convention: expected standard or craig, found"
+            f" {convention!r}{hint}"
+        )
+    unit = fields(
+        given["units"], "units", required={"length", "angle"}, allowed={"length", "angle"}
+    )
+    to_rad = units.scale_of(unit["angle"].plain(), "angle", f"{unit['angle'].where}: units")
+    to_m = units.scale_of(unit["length"].plain(), "length", f"{unit['length'].where}: units")
     letters, rows = _joints(given["joints"])
     theta, d, a, alpha = rows.T
-    table = DHTable(convention, units.convert(theta, to_rad), units.convert(d, to_m), units.convert(a, to_m), units.convert(alpha, to_rad), letters)
+    table = DHTable(
+        convention,
+        units.convert(theta, to_rad),
+        units.convert(d, to_m),
+        units.convert(a, to_m),
+        units.convert(alpha, to_rad),
+        letters,
+    )
     parts = dict(inherited)
     parts.update({key: text(given[key], key) for key in ("name", "source") if key in given})
-    parts.update({key: _pose(given[key], key, to_m, to_rad) for key in ("base", "tool") if key in given})
+    parts.update(
+        {key: _pose(given[key], key, to_m, to_rad) for key in ("base", "tool") if key in given}
+    )
     if "limits" in given:
         parts["limits"] = read_limits(given["limits"], letters, to_m, to_rad)
     if "sign" in given:
-        parts["sign"] = [number(entry, f"sign, joint {i}") for i, entry in enumerate(entries(given["sign"], "sign", len(letters)), 1)]
+        parts["sign"] = [
+            number(entry, f"sign, joint {i}")
+            for i, entry in enumerate(entries(given["sign"], "sign", len(letters)), 1)
+        ]
     return placed(item.where, lambda: Arm(table, **parts))
 
 
@@ -42,21 +61,39 @@ def _joints(item):
     letters, rows = "", []
     for i, row in enumerate(entries(item, "joints"), 1):
         row = fields(row, f"joints, row {i}", required=set(COLUMNS), allowed={*COLUMNS, "type"})
-        letters += joint_letter(row["type"].plain(), f'{row["type"].where}: joints, row {i}, type') if "type" in row else "R"
+        letters += (
+            joint_letter(row["type"].plain(), f"{row['type'].where}: joints, row {i}, type")
+            if "type" in row
+            else "R"
+        )
         rows.append([number(row[name], f"joints, row {i}, {name}") for name in COLUMNS])
     if not rows:
-        raise ValueError(f"{item.where}: joints: expected at least one row {{theta, d, a, alpha}}, found an empty list")
+        raise ValueError(
+            f"{item.where}: joints: expected at least one row {{theta, d, a, alpha}}, found an"
+            " empty list"
+        )
     return letters, np.array(rows)
 
 
 def _pose(item, key, to_m, to_rad):
     given = fields(item, key, required=set(), allowed={"xyz", "rpy"})
-    triple = {k: [number(v, f"{key}, {k}") for v in entries(given[k], f"{key}, {k}", 3)] if k in given else [0, 0, 0] for k in ("xyz", "rpy")}
-    return from_xyz_rpy(units.convert(np.array(triple["xyz"]), to_m), units.convert(np.array(triple["rpy"]), to_rad))
+    triple = {
+        k: (
+            [number(v, f"{key}, {k}") for v in entries(given[k], f"{key}, {k}", 3)]
+            if k in given
+            else [0, 0, 0]
+        )
+        for k in ("xyz", "rpy")
+    }
+    return from_xyz_rpy(
+        units.convert(np.array(triple["xyz"]), to_m), units.convert(np.array(triple["rpy"]), to_rad)
+    )
 
 
 def read_limits(item, letters, to_m, to_rad):
-    """Limits per joint in radians and metres, from a list of pairs and nulls; null as a whole is None."""
+    """Limits per joint in radians and metres, from a list of pairs and nulls; null as a whole is
+    None.
+    """
     if item.value is None:
         return None
     limits = []
@@ -70,28 +107,61 @@ def read_limits(item, letters, to_m, to_rad):
 
 def yaml_text(arm, angle, length):
     """The YAML text of an arm, in the units named."""
-    lines = [f"{key}: {json.dumps(getattr(arm, key), ensure_ascii=False)}" for key in ("name", "source") if getattr(arm, key)]
-    lines += [f"convention: {arm.table.convention}", f"units: {{length: {length}, angle: {angle}}}", "joints:"]
+    lines = [
+        f"{key}: {json.dumps(getattr(arm, key), ensure_ascii=False)}"
+        for key in ("name", "source")
+        if getattr(arm, key)
+    ]
+    lines += [
+        f"convention: {arm.table.convention}",
+        f"units: {{length: {length}, angle: {angle}}}",
+        "joints:",
+    ]
     for row, letter in zip(units.written_rows(arm.table, angle, length), arm.table.joints):
         kind = "type: prismatic, " if letter == "P" else ""
-        lines.append("  - {" + kind + ", ".join(f"{name}: {value}" for name, value in zip(COLUMNS, row)) + "}")
+        lines.append(
+            "  - {"
+            + kind
+            + ", ".join(f"{name}: {value}" for name, value in zip(COLUMNS, row))
+            + "}"
+        )
     for key in ("base", "tool"):
         pose = getattr(arm, key)
         if not np.array_equal(pose, np.eye(4)):
             xyz, rpy = to_xyz_rpy(pose)
-            lines.append(f"{key}: {{xyz: [{', '.join(units.written(v, length) for v in xyz)}], rpy: [{', '.join(_near(v, angle) for v in rpy)}]}}")
+            lines.append(
+                f"{key}: {{xyz: [{', '.join(units.written(v, length) for v in xyz)}], rpy:"
+                f" [{', '.join(_near(v, angle) for v in rpy)}]}}"
+            )
     if arm.limits:
-        lines.append("limits: [" + ", ".join(_limit(pair, angle if letter == "R" else length) for pair, letter in zip(arm.limits, arm.table.joints)) + "]")
+        lines.append(
+            "limits: ["
+            + ", ".join(
+                _limit(pair, angle if letter == "R" else length)
+                for pair, letter in zip(arm.limits, arm.table.joints)
+            )
+            + "]"
+        )
     if (arm.sign < 0).any():
         lines.append("sign: [" + ", ".join(str(int(sign)) for sign in arm.sign) + "]")
     return "\n".join(lines) + "\n"
 
 
 def _near(value, unit):
-    """As ``units.written``, with the rounding noise of a matrix taken off: 30, not 30.000000000000004."""
+    """As ``units.written``, with the rounding noise of a matrix taken off: 30, not
+    30.000000000000004.
+    """
     rounded = round(float(value) / units.ANGLE[unit], 12) + 0.0
-    return repr(rounded) if abs(rounded * units.ANGLE[unit] - value) < 4e-16 else units.written(value, unit)
+    return (
+        repr(rounded)
+        if abs(rounded * units.ANGLE[unit] - value) < 4e-16
+        else units.written(value, unit)
+    )
 
 
 def _limit(pair, unit):
-    return "null" if pair is None else "[" + ", ".join(units.written(value, unit) for value in pair) + "]"
+    return (
+        "null"
+        if pair is None
+        else "[" + ", ".join(units.written(value, unit) for value in pair) + "]"
+    )

@@ -1,4 +1,6 @@
-"""URDF in and out: the chain between two links as an ``Arm`` with the same pose for every q, and an ``Arm`` as a URDF that simulators load."""
+"""URDF in and out: the chain between two links as an ``Arm`` with the same pose for every q, and an
+``Arm`` as a URDF that simulators load.
+"""
 
 import re
 import warnings
@@ -21,8 +23,8 @@ MASS, INERTIA = "0.001", "1e-06"  # simulators refuse or replace links without m
 def read_urdf(path, base=None, tip=None, *, convention="standard"):
     """The chain between two links of a URDF file, as an arm.
 
-    Fixed joints are folded into their neighbours. The joint variables are the revolute, continuous and prismatic joints between base
-    and tip, in this order, counted as the URDF counts them.
+    Fixed joints are folded into their neighbours. The joint variables are the revolute, continuous
+    and prismatic joints between base and tip, in this order, counted as the URDF counts them.
 
     Parameters
     ----------
@@ -37,20 +39,22 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     Returns
     -------
     Arm
-        ``arm.forward(q)`` is the pose of the tip in the base for every q. ``name`` is the robot's, ``limits`` are the file's (None where a
-        joint is continuous, states none, or has lower above upper), ``source`` names file, links and joints, ``steps`` says
-        how frames were assigned.
+        ``arm.forward(q)`` is the pose of the tip in the base for every q. ``name`` is the robot's,
+        ``limits`` are the file's (None where a joint is continuous, states none, or has lower above
+        upper), ``source`` names file, links and joints, ``steps`` says how frames were assigned.
 
     Raises
     ------
     ValueError
-        Not a URDF file, xacro, mimic joints, floating or planar joints, loops, several leaves, a tip that is not below the base: one
-        sentence each. Also when the library that parses URDF is missing: ``pip install dhlab-kinematics[urdf]`` brings it (yourdfpy).
+        Not a URDF file, xacro, mimic joints, floating or planar joints, loops, several leaves, a
+        tip that is not below the base: one sentence each. Also when the library that parses URDF is
+        missing: ``pip install dhlab-kinematics[urdf]`` brings it (yourdfpy).
 
     Warns
     -----
     NearlyParallelWarning
-        Axes that the file's rounded angles (1.5708, 3.141592653) keep from being parallel: :func:`dhlab.geometry.frames.assign_frames`.
+        Axes that the file's rounded angles (1.5708, 3.141592653) keep from being parallel:
+        :func:`dhlab.geometry.frames.assign_frames`.
 
     Examples
     --------
@@ -62,20 +66,36 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     """
     from ..geometry.frames import NearlyParallelWarning, assign_frames
     from .urdfxml import read_chain
+
     joints, name, base, tip = read_chain(path, base, tip)
     axes, limits, end = [], [], np.eye(4)
     for joint in joints:
         end = end @ (np.eye(4) if joint.origin is None else joint.origin)
         if joint.type != "fixed":
-            axes.append((end[:3, 3].copy(), end[:3, :3] @ joint.axis, "P" if joint.type == "prismatic" else "R"))
+            axes.append(
+                (
+                    end[:3, 3].copy(),
+                    end[:3, :3] @ joint.axis,
+                    "P" if joint.type == "prismatic" else "R",
+                )
+            )
             limits.append(_limits(joint))
     if not axes:
-        raise ValueError(f"{path}: expected a joint that moves between {base} and {tip}, found fixed joints only; name another base or tip")
+        raise ValueError(
+            f"{path}: expected a joint that moves between {base} and {tip}, found fixed joints"
+            " only; name another base or tip"
+        )
     moving = ", ".join(joint.name for joint in joints if joint.type != "fixed")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NearlyParallelWarning)
-        arm = assign_frames(axes, end=end, convention=convention, limits=limits if any(limits) else None, name=name,
-                            source=f"{Path(path).name}, from {base} to {tip}; joints: {moving}")
+        arm = assign_frames(
+            axes,
+            end=end,
+            convention=convention,
+            limits=limits if any(limits) else None,
+            name=name,
+            source=f"{Path(path).name}, from {base} to {tip}; joints: {moving}",
+        )
     for sentence in arm.warnings:
         warnings.warn(f"{path}: {sentence}", NearlyParallelWarning, stacklevel=2)
     return arm
@@ -84,7 +104,11 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
 def _limits(joint):
     """(low, high), or None where the joint is free; URDF takes a missing end for 0."""
     stated = joint.limit
-    if joint.type == "continuous" or stated is None or (stated.lower is None and stated.upper is None):
+    if (
+        joint.type == "continuous"
+        or stated is None
+        or (stated.lower is None and stated.upper is None)
+    ):
         return None
     low, high = stated.lower or 0.0, stated.upper or 0.0
     return None if low > high or (low <= -FREE and high >= FREE) else (low, high)
@@ -104,9 +128,11 @@ def to_urdf(arm, path=None, *, overwrite=False):
     Returns
     -------
     str
-        The text. Links ``link_0`` (the frame that ``forward`` uses) to ``link_n`` and ``tool``, joints ``joint_1`` to ``joint_n``; a joint
-        without limits is continuous, or slides a million metres. The joint variables are those of ``arm``. The links' frames lie on the
-        joint axes, as URDF wants it: ``link_i`` is DH frame i - 1 turned by joint i (standard) or DH frame i (Craig).
+        The text. Links ``link_0`` (the frame that ``forward`` uses) to ``link_n`` and ``tool``,
+        joints ``joint_1`` to ``joint_n``; a joint without limits is continuous, or slides a million
+        metres. The joint variables are those of ``arm``. The links' frames lie on the joint axes,
+        as URDF wants it: ``link_i`` is DH frame i - 1 turned by joint i (standard) or DH frame i
+        (Craig).
 
     Raises
     ------
@@ -122,8 +148,13 @@ def to_urdf(arm, path=None, *, overwrite=False):
       <link name="link_0">
     """
     if not isinstance(arm, Arm):
-        raise ValueError(f"to_urdf: expected an Arm, found {type(arm).__name__}; make one with dhlab.Arm(table) or dhlab.load")
-    robot = ElementTree.Element("robot", name=" ".join(re.sub(r"[^\w\s!-~]", " ", arm.name).split()) or "arm")
+        raise ValueError(
+            f"to_urdf: expected an Arm, found {type(arm).__name__}; make one with dhlab.Arm(table)"
+            " or dhlab.load"
+        )
+    robot = ElementTree.Element(
+        "robot", name=" ".join(re.sub(r"[^\w\s!-~]", " ", arm.name).split()) or "arm"
+    )
     n = len(arm)
     for name in [*(f"link_{i}" for i in range(n + 1)), "tool"]:
         _add_link(robot, name)
@@ -140,7 +171,9 @@ def to_urdf(arm, path=None, *, overwrite=False):
 
 
 def _origins(arm):
-    """The n + 1 constant poses between the joints' own motions: Rz(θ) and Tz(d) commute, so A_i(q) is a motion about or along z times A_i(0)."""
+    """The n + 1 constant poses between the joints' own motions: Rz(θ) and Tz(d) commute, so A_i(q)
+    is a motion about or along z times A_i(0).
+    """
     A = list(arm.links(np.zeros(len(arm))))
     if arm.table.convention == "standard":  # the motion stands before A_i(0)
         return [arm.base, *A[:-1], A[-1] @ arm.tool]
@@ -150,7 +183,9 @@ def _origins(arm):
 def _add_link(robot, name):
     inertial = ElementTree.SubElement(ElementTree.SubElement(robot, "link", name=name), "inertial")
     ElementTree.SubElement(inertial, "mass", value=MASS)
-    ElementTree.SubElement(inertial, "inertia", ixx=INERTIA, ixy="0", ixz="0", iyy=INERTIA, iyz="0", izz=INERTIA)
+    ElementTree.SubElement(
+        inertial, "inertia", ixx=INERTIA, ixy="0", ixz="0", iyy=INERTIA, iyz="0", izz=INERTIA
+    )
 
 
 def _add_joint(robot, arm, i, origin):
@@ -162,7 +197,9 @@ def _add_joint(robot, arm, i, origin):
     ElementTree.SubElement(joint, "axis", xyz=f"0 0 {int(arm.sign[i - 1])}")
     if kind != "continuous":
         low, high = limits or (-FREE, FREE)
-        ElementTree.SubElement(joint, "limit", lower=repr(low), upper=repr(high), effort="1000", velocity="10")
+        ElementTree.SubElement(
+            joint, "limit", lower=repr(low), upper=repr(high), effort="1000", velocity="10"
+        )
 
 
 def _add_ends(joint, parent, child, origin):

@@ -1,4 +1,6 @@
-"""The joints of a URDF file between two links: XML read safely, the chain found, and its numbers parsed by yourdfpy."""
+"""The joints of a URDF file between two links: XML read safely, the chain found, and its numbers
+parsed by yourdfpy.
+"""
 
 import io
 import logging
@@ -15,12 +17,18 @@ __all__ = ["read_chain"]
 
 MOVABLE = ("revolute", "continuous", "prismatic")
 XACRO = re.compile(r"\$[({]")
-OTHER_FORMATS = {"sdf": "an SDF file", "mujoco": "a MuJoCo file", "COLLADA": "a COLLADA file", "html": "a web page"}
+OTHER_FORMATS = {
+    "sdf": "an SDF file",
+    "mujoco": "a MuJoCo file",
+    "COLLADA": "a COLLADA file",
+    "html": "a web page",
+}
 EXPAND = "expand it first: xacro file.urdf.xacro > file.urdf"
 
 
 def read_chain(path, base, tip):
-    """The joints from ``base`` to ``tip`` in order, and the names of the robot and of the two links.
+    """The joints from ``base`` to ``tip`` in order, and the names of the robot and of the two
+    links.
 
     Parameters
     ----------
@@ -50,26 +58,41 @@ def read_chain(path, base, tip):
 
 
 def _parse(text, path):
-    """The root element. A document type is refused before it is read, so no entity can grow or fetch a file."""
-    builder, parser = ElementTree.TreeBuilder(), expat.ParserCreate()  # without namespaces: some files use prefixes they never declare
+    """The root element. A document type is refused before it is read, so no entity can grow or
+    fetch a file.
+    """
+    builder, parser = (
+        ElementTree.TreeBuilder(),
+        expat.ParserCreate(),
+    )  # without namespaces: some files use prefixes they never declare
     parser.StartElementHandler, parser.EndElementHandler = builder.start, builder.end
     parser.StartDoctypeDeclHandler = lambda *_: _refuse_doctype(path)
     try:
         parser.Parse(text, True)
     except expat.ExpatError as error:
-        raise ValueError(f"{path}: line {error.lineno}: expected XML, found {expat.ErrorString(error.code)}; "
-                         "open the file and look at this line") from None
+        raise ValueError(
+            f"{path}: line {error.lineno}: expected XML, found {expat.ErrorString(error.code)}; "
+            "open the file and look at this line"
+        ) from None
     robot = builder.close()
-    if robot.tag.startswith("xacro:") or any(element.tag.startswith("xacro:") for element in robot.iter()):
+    if robot.tag.startswith("xacro:") or any(
+        element.tag.startswith("xacro:") for element in robot.iter()
+    ):
         raise ValueError(f"{path}: expected a URDF file, found xacro macros in it; {EXPAND}")
     if robot.tag != "robot":
         found = OTHER_FORMATS.get(robot.tag, f"the element <{robot.tag}>")
-        raise ValueError(f"{path}: expected a URDF file, whose outermost element is <robot>, found {found}; convert it or name another file")
+        raise ValueError(
+            f"{path}: expected a URDF file, whose outermost element is <robot>, found {found};"
+            " convert it or name another file"
+        )
     return robot
 
 
 def _refuse_doctype(path):
-    raise ValueError(f"{path}: expected plain URDF, found a document type (<!DOCTYPE …>), which can hide other files in it; take it out")
+    raise ValueError(
+        f"{path}: expected plain URDF, found a document type (<!DOCTYPE …>), which can hide other"
+        " files in it; take it out"
+    )
 
 
 def _parts(robot, path):
@@ -80,10 +103,22 @@ def _parts(robot, path):
         name = _attribute(joint, "name", "a joint", path)
         ends = [joint.find(end) for end in ("parent", "child")]
         if None in ends:
-            raise ValueError(f"{path}: joint {name}: expected <parent link=…/> and <child link=…/>, found one missing; name both links")
-        joints.append((name, *(_attribute(end, "link", f"joint {name}: {end.tag}", path) for end in ends), joint))
+            raise ValueError(
+                f"{path}: joint {name}: expected <parent link=…/> and <child link=…/>, found one"
+                " missing; name both links"
+            )
+        joints.append(
+            (
+                name,
+                *(_attribute(end, "link", f"joint {name}: {end.tag}", path) for end in ends),
+                joint,
+            )
+        )
     if not links or not joints:
-        raise ValueError(f"{path}: expected links and joints, found {len(links)} links and {len(joints)} joints; is it a whole robot?")
+        raise ValueError(
+            f"{path}: expected links and joints, found {len(links)} links and {len(joints)} joints;"
+            " is it a whole robot?"
+        )
     for kind, names in (("link", links), ("joint", [joint[0] for joint in joints])):
         if len(set(names)) < len(names):
             twice = next(name for name in names if names.count(name) > 1)
@@ -94,9 +129,13 @@ def _parts(robot, path):
 def _attribute(element, key, what, path):
     value = element.get(key)
     if not value:
-        raise ValueError(f"{path}: {what}: expected the attribute {key}, found none; write {key}=\"…\"")
+        raise ValueError(
+            f'{path}: {what}: expected the attribute {key}, found none; write {key}="…"'
+        )
     if XACRO.search(value):
-        raise ValueError(f"{path}: expected a URDF file, found the xacro expression {value}; {EXPAND}")
+        raise ValueError(
+            f"{path}: expected a URDF file, found the xacro expression {value}; {EXPAND}"
+        )
     return value
 
 
@@ -107,11 +146,15 @@ def _joint_above(links, joints, path):
         name, parent, child, _ = joint
         for link in (parent, child):
             if link not in known:
-                raise ValueError(f"{path}: joint {name}: expected a link of the file, found {link}, which is not in it; "
-                                 "add the link or correct the name")
+                raise ValueError(
+                    f"{path}: joint {name}: expected a link of the file, found {link}, which is not"
+                    " in it; add the link or correct the name"
+                )
         if child in above:
-            raise ValueError(f"{path}: expected a tree of links, found a loop: link {child} hangs on the joints {above[child][0]} and {name}; "
-                             "a DH table can only describe a chain without loops")
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop: link {child} hangs on the joints"
+                f" {above[child][0]} and {name}; a DH table can only describe a chain without loops"
+            )
         above[child] = joint
     return above
 
@@ -119,15 +162,23 @@ def _joint_above(links, joints, path):
 def _ends(links, above, base, tip, path):
     for name, link in (("base", base), ("tip", tip)):
         if link is not None and link not in links:
-            raise ValueError(f"{path}: {name}: expected a link of the file, found {link!r}; the links are {_listed(links)}")
+            raise ValueError(
+                f"{path}: {name}: expected a link of the file, found {link!r}; the links are"
+                f" {_listed(links)}"
+            )
     if base is None and tip is not None:
         return _path(above, tip, path)[-1], tip
     if base is None:
         roots = [link for link in links if link not in above]
         if not roots:
-            raise ValueError(f"{path}: expected a tree of links, found a loop without a root; a DH table can only describe a chain without loops")
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop without a root; a DH table can"
+                " only describe a chain without loops"
+            )
         if len(roots) > 1:
-            raise ValueError(f"{path}: expected one root link, found {_listed(roots)}; name one of them as base")
+            raise ValueError(
+                f"{path}: expected one root link, found {_listed(roots)}; name one of them as base"
+            )
         base = roots[0]
     if tip is None:
         tip = _only_leaf(links, above, base, path)
@@ -140,8 +191,10 @@ def _only_leaf(links, above, base, path):
     if leaves == [base] or not leaves:
         raise ValueError(f"{path}: expected joints below {base}, found none; name another base")
     if len(leaves) > 1:
-        raise ValueError(f"{path}: expected one tip, found {len(leaves)} leaves below {base}; "
-                         f"name one of them (or a link before it) as tip: {_listed(leaves)}")
+        raise ValueError(
+            f"{path}: expected one tip, found {len(leaves)} leaves below {base}; "
+            f"name one of them (or a link before it) as tip: {_listed(leaves)}"
+        )
     return leaves[0]
 
 
@@ -151,8 +204,10 @@ def _path(above, link, path):
     while found[-1] in above:
         found.append(above[found[-1]][1])
         if found[-1] in found[:-1]:
-            raise ValueError(f"{path}: expected a tree of links, found a loop through {found[-1]}; "
-                             "a DH table can only describe a chain without loops")
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop through {found[-1]}; "
+                "a DH table can only describe a chain without loops"
+            )
     return found
 
 
@@ -160,31 +215,50 @@ def _chain(above, base, tip, path):
     """The joint elements from base to tip."""
     up = _path(above, tip, path)
     if base not in up:
-        raise ValueError(f"{path}: expected a chain from {base} to {tip}, found that {tip} is not below {base} (it hangs on {_listed(up[1:])}); "
-                         "name a base above the tip")
-    return [above[link][3] for link in reversed(up[:up.index(base)])]
+        raise ValueError(
+            f"{path}: expected a chain from {base} to {tip}, found that {tip} is not below {base}"
+            f" (it hangs on {_listed(up[1:])}); name a base above the tip"
+        )
+    return [above[link][3] for link in reversed(up[: up.index(base)])]
 
 
 def _listed(names, most=20):
-    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "") or "nothing"
+    return (
+        ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+        or "nothing"
+    )
 
 
 def _check(joint, path):
-    """Refuse what a DH table cannot hold, and numbers that a lenient parser would take for others."""
+    """Refuse what a DH table cannot hold, and numbers that a lenient parser would take for
+    others.
+    """
     where = f"{path}: joint {joint.get('name')}"
     kind = joint.get("type")
     if kind not in (*MOVABLE, "fixed"):
-        hint = {"floating": "; it has six freedoms, a DH row has one", "planar": "; it has three freedoms, a DH row has one"}.get(kind, "")
-        raise ValueError(f"{where}: expected revolute, continuous, prismatic or fixed, found {kind or 'no type'}{hint}; choose a base behind it")
+        hint = {
+            "floating": "; it has six freedoms, a DH row has one",
+            "planar": "; it has three freedoms, a DH row has one",
+        }.get(kind, "")
+        raise ValueError(
+            f"{where}: expected revolute, continuous, prismatic or fixed, found"
+            f" {kind or 'no type'}{hint}; choose a base behind it"
+        )
     if kind != "fixed" and joint.find("mimic") is not None:
-        raise ValueError(f"{where}: expected a joint of its own, found one that mimics {joint.find('mimic').get('joint')}; "
-                         "a DH table gives every joint its own variable: choose a tip before it")
+        raise ValueError(
+            f"{where}: expected a joint of its own, found one that mimics"
+            f" {joint.find('mimic').get('joint')}; a DH table gives every joint its own variable:"
+            " choose a tip before it"
+        )
     for tag, keys in (("origin", ("xyz", "rpy")), ("axis", ("xyz",))):
         for key in keys:
             text = joint.find(tag) is not None and joint.find(tag).get(key)
             values = _floats(text, 3, f"{where}: {tag} {key}") if text else None
             if tag == "axis" and kind != "fixed" and values == [0, 0, 0]:
-                raise ValueError(f"{where}: axis: expected a direction, found 0 0 0; write the axis, such as 0 0 1")
+                raise ValueError(
+                    f"{where}: axis: expected a direction, found 0 0 0; write the axis, such as"
+                    " 0 0 1"
+                )
     for key in ("lower", "upper"):
         text = joint.find("limit") is not None and joint.find("limit").get(key)
         if text and kind in ("revolute", "prismatic"):
@@ -196,17 +270,24 @@ def _floats(text, n, where):
         raise ValueError(f"{where}: expected numbers, found the xacro expression {text}; {EXPAND}")
     words = text.split()
     if len(words) != n or not all(FLOAT.match(word) and np.isfinite(float(word)) for word in words):
-        raise ValueError(f"{where}: expected {'a finite number' if n == 1 else f'{n} finite numbers'}, found {text[:60]!r}; "
-                         "write numbers with spaces between them and decimal points")
+        raise ValueError(
+            f"{where}: expected {'a finite number' if n == 1 else f'{n} finite numbers'}, found"
+            f" {text[:60]!r}; write numbers with spaces between them and decimal points"
+        )
     return [float(word) for word in words]
 
 
 def _numbers(chain, path):
-    """The joints as yourdfpy reads them, in the order of the chain; meshes and everything else never reach it."""
+    """The joints as yourdfpy reads them, in the order of the chain; meshes and everything else
+    never reach it.
+    """
     try:
         import yourdfpy
     except ImportError:
-        raise ValueError("read_urdf: expected the library yourdfpy, found it is not installed; run pip install dhlab-kinematics[urdf]") from None
+        raise ValueError(
+            "read_urdf: expected the library yourdfpy, found it is not installed; run pip install"
+            " dhlab-kinematics[urdf]"
+        ) from None
     robot, names = ElementTree.Element("robot", name="chain"), []
     for joint in chain:
         names += [joint.find(end).get("link") for end in ("parent", "child")]
@@ -217,7 +298,9 @@ def _numbers(chain, path):
     level = quiet.level
     quiet.setLevel(logging.CRITICAL)  # what it would say about missing efforts is no matter here
     try:
-        model = yourdfpy.URDF.load(io.BytesIO(ElementTree.tostring(robot)), load_meshes=False, build_scene_graph=False)
+        model = yourdfpy.URDF.load(
+            io.BytesIO(ElementTree.tostring(robot)), load_meshes=False, build_scene_graph=False
+        )
     finally:
         quiet.setLevel(level)
     return [model.joint_map[joint.get("name")] for joint in chain]

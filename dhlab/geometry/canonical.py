@@ -1,8 +1,10 @@
-"""The canonical form of an arm: its joint axes and its end pose at q = 0. Two arms move alike exactly when these agree.
+"""The canonical form of an arm: its joint axes and its end pose at q = 0. Two arms move alike
+exactly when these agree.
 
-The pose is a product of exponentials, ``T(q) = e^(S_1 q_1) … e^(S_n q_n) M`` (Brockett 1984; Lynch & Park, Modern Robotics, section 4.1), and
-the derivative of T by q_i at q = 0 gives S_i back, so that S_1 … S_n and M are determined by the motion. What a DH table leaves free
-(which x, which origin, which line for a sliding joint) is not in them.
+The pose is a product of exponentials, ``T(q) = e^(S_1 q_1) … e^(S_n q_n) M`` (Brockett 1984; Lynch
+& Park, Modern Robotics, section 4.1), and the derivative of T by q_i at q = 0 gives S_i back, so
+that S_1 … S_n and M are determined by the motion. What a DH table leaves free (which x, which
+origin, which line for a sliding joint) is not in them.
 """
 
 from dataclasses import dataclass
@@ -15,14 +17,15 @@ from .lines import across, common_normal, nearest_on
 __all__ = ["JointAxes", "joint_axes", "moved", "gaps", "align"]
 
 PARALLEL = 1e-10  # rad; below it two axes do not say which way is across, or where along them is
-WELL_TILTED = 1e-3  # a pair of axes tilted more than this gives the sideways direction without regard to their distance
+# a pair of axes tilted more than this gives the sideways direction without regard to their distance
+WELL_TILTED = 1e-3
 
 
 @dataclass(frozen=True)
 class JointAxes:
-    """Axes of the joints at q = 0: ``p`` (n, 3) the point nearest to the end (m), ``z`` (n, 3) the direction in which the joint counts;
-    ``end`` (4, 4); ``letters`` such as "RRP"; ``reach`` (m) how far the turning axes pass from the end; ``largest`` (m) the largest
-    number that went in.
+    """Axes of the joints at q = 0: ``p`` (n, 3) the point nearest to the end (m), ``z`` (n, 3) the
+    direction in which the joint counts; ``end`` (4, 4); ``letters`` such as "RRP"; ``reach`` (m)
+    how far the turning axes pass from the end; ``largest`` (m) the largest number that went in.
     """
 
     p: np.ndarray
@@ -59,13 +62,17 @@ def joint_axes(arm):
     turning = ~arm.table.prismatic
     reach = np.linalg.norm(p - end[:3, 3], axis=1)[turning].max(initial=0.0)
     lengths = [arm.table.d, arm.table.a, arm.base[:3, 3], arm.tool[:3, 3]]
-    return JointAxes(p, z, end, arm.table.joints, reach, max(np.abs(column).max() for column in lengths))
+    return JointAxes(
+        p, z, end, arm.table.joints, reach, max(np.abs(column).max() for column in lengths)
+    )
 
 
 def moved(X, axes):
     """The same axes and end after the rigid move ``X`` (4, 4)."""
     R = X[:3, :3]
-    return JointAxes(axes.p @ R.T + X[:3, 3], axes.z @ R.T, X @ axes.end, axes.letters, axes.reach, axes.largest)
+    return JointAxes(
+        axes.p @ R.T + X[:3, 3], axes.z @ R.T, X @ axes.end, axes.letters, axes.reach, axes.largest
+    )
 
 
 def gaps(a, b):
@@ -79,7 +86,8 @@ def gaps(a, b):
     Returns
     -------
     angles, distances : arrays (n,)
-        Radians from 0 to π; metres from a's axis to the point of b's axis nearest to a's end; 0 for a sliding joint, whose place is free.
+        Radians from 0 to π; metres from a's axis to the point of b's axis nearest to a's end; 0 for
+        a sliding joint, whose place is free.
     """
     angles = np.arctan2(np.linalg.norm(np.cross(a.z, b.z), axis=1), (a.z * b.z).sum(axis=1))
     distances = np.zeros(len(angles))
@@ -93,8 +101,9 @@ def gaps(a, b):
 def align(a, b, count=None):
     """The rigid move that lays the axes of b on those of a, if any does.
 
-    A frame is built from the axes alone, on a and in the same way on b. Where the axes leave some of it free (all parallel, all through
-    one point, all sliding) any choice serves, since the move that is left over maps every axis to itself.
+    A frame is built from the axes alone, on a and in the same way on b. Where the axes leave some
+    of it free (all parallel, all through one point, all sliding) any choice serves, since the move
+    that is left over maps every axis to itself.
 
     Parameters
     ----------
@@ -127,13 +136,17 @@ def _most(pairs, size):
 
 def _pairs(used, letters, only_turning):
     chosen = [i for i in used if letters[i] == "R" or not only_turning]
-    return [(i, j) for n, i in enumerate(chosen) for j in chosen[n + 1:]]
+    return [(i, j) for n, i in enumerate(chosen) for j in chosen[n + 1 :]]
 
 
 def _sideways(a, used):
     """What gives the frame its directions: ("tilt", i, j), ("gap", i, j) or ("any", i, None)."""
-    tilt, i, j = _most(_pairs(used, a.letters, False), lambda i, j: np.linalg.norm(np.cross(a.z[i], a.z[j])))
-    gap, k, m = _most(_pairs(used, a.letters, True), lambda i, j: np.linalg.norm(across(a.p[j] - a.p[i], a.z[i])))
+    tilt, i, j = _most(
+        _pairs(used, a.letters, False), lambda i, j: np.linalg.norm(np.cross(a.z[i], a.z[j]))
+    )
+    gap, k, m = _most(
+        _pairs(used, a.letters, True), lambda i, j: np.linalg.norm(across(a.p[j] - a.p[i], a.z[i]))
+    )
     gap = gap / a.reach if a.reach else 0.0
     if tilt > max(PARALLEL, min(gap, WELL_TILTED)):
         return "tilt", i, j
@@ -141,8 +154,12 @@ def _sideways(a, used):
 
 
 def _origin(a, used):
-    """What gives the frame its place: ("foot", i, j) of the common normal of two turning axes, ("on", i, None), or ("any", 0, None)."""
-    tilt, i, j = _most(_pairs(used, a.letters, True), lambda i, j: np.linalg.norm(np.cross(a.z[i], a.z[j])))
+    """What gives the frame its place: ("foot", i, j) of the common normal of two turning axes,
+    ("on", i, None), or ("any", 0, None).
+    """
+    tilt, i, j = _most(
+        _pairs(used, a.letters, True), lambda i, j: np.linalg.norm(np.cross(a.z[i], a.z[j]))
+    )
     if tilt > PARALLEL:
         return "foot", i, j
     turning = [i for i in used if a.letters[i] == "R"]
@@ -152,7 +169,11 @@ def _origin(a, used):
 def _frame(axes, across_by, origin_by):
     kind, i, j = across_by
     z = axes.z[i]
-    sideways = {"tilt": lambda: np.cross(z, axes.z[j]), "gap": lambda: across(axes.p[j] - axes.p[i], z), "any": lambda: np.zeros(3)}[kind]()
+    sideways = {
+        "tilt": lambda: np.cross(z, axes.z[j]),
+        "gap": lambda: across(axes.p[j] - axes.p[i], z),
+        "any": lambda: np.zeros(3),
+    }[kind]()
     if np.linalg.norm(sideways) == 0:  # free; or b lacks what a has, which the comparison will show
         sideways = across(np.eye(3)[np.argmin(abs(z))], z)
     x = sideways / np.linalg.norm(sideways)

@@ -1,4 +1,6 @@
-"""Standard ↔ Craig, exactly: theta and d stay in their rows, a and alpha move one row, base and tool take the pair that is left over."""
+"""Standard ↔ Craig, exactly: theta and d stay in their rows, a and alpha move one row, base and
+tool take the pair that is left over.
+"""
 
 import numpy as np
 
@@ -10,7 +12,8 @@ __all__ = ["to_convention", "as_arm"]
 
 
 def to_convention(arm, convention):
-    """The same arm in another convention: the same pose for every q, joint variables, signs, limits, name and source unchanged.
+    """The same arm in another convention: the same pose for every q, joint variables, signs,
+    limits, name and source unchanged.
 
     Parameters
     ----------
@@ -20,9 +23,10 @@ def to_convention(arm, convention):
     Returns
     -------
     Arm
-        To Craig: row i holds a_{i-1} and alpha_{i-1}, row 1 zeros, tool' = Tx(a_n) Rx(alpha_n) tool. To standard: row i holds a_i and
-        alpha_i, row n zeros, base' = base Rx(alpha_0) Tx(a_0). (Both conventions place the same common normals; Craig,
-        Introduction to Robotics, section 3.4, has the frame at the near end of a link, the standard one at its far end.)
+        To Craig: row i holds a_{i-1} and alpha_{i-1}, row 1 zeros, tool' = Tx(a_n) Rx(alpha_n)
+        tool. To standard: row i holds a_i and alpha_i, row n zeros, base' = base Rx(alpha_0)
+        Tx(a_0). (Both conventions place the same common normals; Craig, Introduction to Robotics,
+        section 3.4, has the frame at the near end of a link, the standard one at its far end.)
 
     Raises
     ------
@@ -44,7 +48,9 @@ def to_convention(arm, convention):
      7   q7     0.107  0.088    90
     """
     if convention not in CONVENTIONS:
-        raise ValueError(f'to: expected "standard" or "craig", found {convention!r}; "modified" is "craig" here')
+        raise ValueError(
+            f'to: expected "standard" or "craig", found {convention!r}; "modified" is "craig" here'
+        )
     arm = as_arm(arm, "to")
     table = arm.table
     if table.convention == convention:
@@ -57,7 +63,15 @@ def to_convention(arm, convention):
         a, alpha = np.r_[table.a[1:], 0.0], np.r_[table.alpha[1:], 0.0]
         base = base @ rot_x(table.alpha[0]) @ trans_x(table.a[0])
     moved = DHTable(convention, table.theta, table.d, a, alpha, table.joints)
-    return Arm(moved, base=base, tool=tool, limits=arm.limits, sign=arm.sign, name=arm.name, source=arm.source)
+    return Arm(
+        moved,
+        base=base,
+        tool=tool,
+        limits=arm.limits,
+        sign=arm.sign,
+        name=arm.name,
+        source=arm.source,
+    )
 
 
 def as_arm(given, where):
@@ -74,5 +88,7 @@ def as_arm(given, where):
         return given
     if isinstance(given, DHTable):
         return Arm(given)
-    raise ValueError(f"{where}: expected an Arm or a DHTable, found {type(given).__name__}; "
-                     "make one with DHTable.standard or DHTable.craig, or dhlab.load a named arm")
+    raise ValueError(
+        f"{where}: expected an Arm or a DHTable, found {type(given).__name__}; "
+        "make one with DHTable.standard or DHTable.craig, or dhlab.load a named arm"
+    )

@@ -1,4 +1,6 @@
-"""Joint axes in space → frames → an ``Arm``, with every step in words: the Denavit-Hartenberg procedure itself."""
+"""Joint axes in space → frames → an ``Arm``, with every step in words: the Denavit-Hartenberg
+procedure itself.
+"""
 
 import warnings as _warnings
 from dataclasses import dataclass
@@ -14,39 +16,72 @@ from .steps import describe
 
 __all__ = ["assign_frames", "PlacedArm", "NearlyParallelWarning"]
 
-RUNAWAY = 10.0  # × the size of the arm; a d beyond it is a run-away common normal, no length of the arm
+RUNAWAY = (
+    10.0  # × the size of the arm; a d beyond it is a run-away common normal, no length of the arm
+)
 PLACES = ("auto", "previous", "next", "given")
 AXIS_FORM = '(point, direction) or (point, direction, "R" or "P")'
 
 
 class NearlyParallelWarning(UserWarning):
-    """Two axes are so nearly parallel that their common normal is far outside the arm, or that they had to be taken as parallel."""
+    """Two axes are so nearly parallel that their common normal is far outside the arm, or that they
+    had to be taken as parallel.
+    """
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PlacedArm(Arm):
-    """An Arm from :func:`assign_frames`; all an Arm has, and ``steps`` (what was done, in words) and ``warnings``, tuples of sentences."""
+    """An Arm from :func:`assign_frames`; all an Arm has, and ``steps`` (what was done, in words)
+    and ``warnings``, tuples of sentences.
+    """
 
     steps: tuple = ()
     warnings: tuple = ()
 
     def __reduce__(self):
-        return PlacedArm, (self.table, self.base, self.tool, self.limits, self.sign, self.name, self.source, self.steps, self.warnings)
+        return PlacedArm, (
+            self.table,
+            self.base,
+            self.tool,
+            self.limits,
+            self.sign,
+            self.name,
+            self.source,
+            self.steps,
+            self.warnings,
+        )
 
 
-def assign_frames(axes, *, end, convention="standard", x_signs=None, z_signs=None, slides=None, x_along=None, prismatic="auto", parallel=None,
-                  limits=None, name="", source=""):
-    """Frames and DH table of an arm whose joint axes are known, in the base frame, at the zero pose.
+def assign_frames(
+    axes,
+    *,
+    end,
+    convention="standard",
+    x_signs=None,
+    z_signs=None,
+    slides=None,
+    x_along=None,
+    prismatic="auto",
+    parallel=None,
+    limits=None,
+    name="",
+    source="",
+):
+    """Frames and DH table of an arm whose joint axes are known, in the base frame, at the zero
+    pose.
 
-    Frame 0 lies on axis 1: o_0 is the point of it nearest to the base's origin, x_0 along the base's x; ``base`` holds this pose, since no
-    row can. The last normal goes to the tool's z axis, so that z_n (standard) runs along the tool; ``tool`` holds what is left: a turn and
-    a shift along z_n (standard), or the whole way from the last joint's frame (Craig). The base's axes and the tool are never approximated.
+    Frame 0 lies on axis 1: o_0 is the point of it nearest to the base's origin, x_0 along the
+    base's x; ``base`` holds this pose, since no row can. The last normal goes to the tool's z axis,
+    so that z_n (standard) runs along the tool; ``tool`` holds what is left: a turn and a shift
+    along z_n (standard), or the whole way from the last joint's frame (Craig). The base's axes and
+    the tool are never approximated.
 
     Parameters
     ----------
     axes : list
-        Per joint (point, direction) or (point, direction, "R" | "P"): metres, any length of direction; positive motion turns
-        counter-clockwise about the direction, or slides along it. Of a "P" only the direction counts (see ``prismatic``).
+        Per joint (point, direction) or (point, direction, "R" | "P"): metres, any length of
+        direction; positive motion turns counter-clockwise about the direction, or slides along it.
+        Of a "P" only the direction counts (see ``prismatic``).
     end : array (4, 4)
         The end pose at q = 0.
     convention : "standard" or "craig"
@@ -55,15 +90,18 @@ def assign_frames(axes, *, end, convention="standard", x_signs=None, z_signs=Non
     z_signs : dict, optional
         ``{k: -1}`` puts z against the direction of joint k = 1 … n, which then has ``sign`` -1.
     slides : dict, optional
-        ``{i: h}`` moves o_i by h metres along z_i from where the rule puts it, where the rule is free: i = 0, and normals of parallel axes.
+        ``{i: h}`` moves o_i by h metres along z_i from where the rule puts it, where the rule is
+        free: i = 0, and normals of parallel axes.
     x_along : dict, optional
         ``{i: direction}`` in the base frame, where x_i is free: i = 0, and axes on one line.
     prismatic : "auto", "previous", "next" or "given"
-        Where the line of a sliding joint goes: through the previous origin, through the next axis' origin, or through the given point;
-        auto: onto the next axis when that turns and is parallel to it, else through the previous origin.
+        Where the line of a sliding joint goes: through the previous origin, through the next axis'
+        origin, or through the given point; auto: onto the next axis when that turns and is parallel
+        to it, else through the previous origin.
     parallel : float, optional
-        Radians: axes closer to parallel than this are taken as parallel, at the cost of this angle times the size of the arm. Left out:
-        1e-12, and more only where the exact table would lose more to rounding.
+        Radians: axes closer to parallel than this are taken as parallel, at the cost of this angle
+        times the size of the arm. Left out: 1e-12, and more only where the exact table would lose
+        more to rounding.
     limits, name, source
         As in ``Arm``.
 
@@ -100,14 +138,23 @@ def assign_frames(axes, *, end, convention="standard", x_signs=None, z_signs=Non
     z1 ∥ z0: the common normal is free; taken through o0, so d1 = 0; x1 points from z0 to z1, a1 = 0.4 m.
     """
     if convention not in CONVENTIONS:
-        raise ValueError(f'assign_frames: expected the convention "standard" or "craig", found {convention!r}; "modified" is "craig" here')
+        raise ValueError(
+            f'assign_frames: expected the convention "standard" or "craig", found {convention!r};'
+            ' "modified" is "craig" here'
+        )
     end = require_pose(end, "assign_frames: end")
     lines = _axes(axes)
     n, sign = len(lines), np.ones(len(lines))
     for k, s in _signs(z_signs, "z_signs", 1, n).items():
         lines[k - 1].z, sign[k - 1] = s * lines[k - 1].z, s
-    choices = Choices(_signs(x_signs, "x_signs", 0, n), _lengths(slides, n), _directions(x_along, n), _place(prismatic), _angle(parallel),
-                      convention == "standard")
+    choices = Choices(
+        _signs(x_signs, "x_signs", 0, n),
+        _lengths(slides, n),
+        _directions(x_along, n),
+        _place(prismatic),
+        _angle(parallel),
+        convention == "standard",
+    )
     found = place(lines, end, choices)
     _refuse_unused(choices, found.cases)
     table = _table(found, convention, [axis.letter for axis in lines])
@@ -117,7 +164,17 @@ def assign_frames(axes, *, end, convention="standard", x_signs=None, z_signs=Non
         _warnings.warn(sentence, NearlyParallelWarning, stacklevel=2)
     tool = _near_identity(inverse(bare.frames(np.zeros(n))[-1]) @ end, found.reach)
     steps = (*describe(found, convention, sign, bare.base, tool), *said)
-    return PlacedArm(table, base=bare.base, tool=tool, limits=limits, sign=sign, name=name, source=source, steps=steps, warnings=said)
+    return PlacedArm(
+        table,
+        base=bare.base,
+        tool=tool,
+        limits=limits,
+        sign=sign,
+        name=name,
+        source=source,
+        steps=steps,
+        warnings=said,
+    )
 
 
 def _table(found, convention, letters):
@@ -132,22 +189,37 @@ def _near_identity(tool, reach):
 
 
 def _warned(found, table, asked):
-    """A sentence for each pair of axes that is nearly, but not exactly, parallel, when that has a price."""
+    """A sentence for each pair of axes that is nearly, but not exactly, parallel, when that has a
+    price.
+    """
     sentences = []
     for k in range(1, len(table)):
-        z, w = f"z{k - 1}" if table.convention == "standard" else f"z{k}", f"z{k}" if table.convention == "standard" else f"z{k + 1}"
+        z, w = (
+            f"z{k - 1}" if table.convention == "standard" else f"z{k}",
+            (f"z{k}" if table.convention == "standard" else f"z{k + 1}"),
+        )
         if k in found.snapped and asked is None:
             angle, far = found.snapped[k]
-            sentences.append(f"{w} is {angle:.2g} rad from parallel to {z} and was taken as parallel, which moves the end by up to "
-                             f"{2 * angle * found.reach:.2g} m; the exact table has lengths of {far:.2g} m and loses more to rounding.")
+            sentences.append(
+                f"{w} is {angle:.2g} rad from parallel to {z} and was taken as parallel, which"
+                f" moves the end by up to {2 * angle * found.reach:.2g} m; the exact table has"
+                f" lengths of {far:.2g} m and loses more to rounding."
+            )
         elif k not in found.snapped and found.cases[k] in ("skew", "meet"):
-            large = [f"d{i} = {number(table.d[i - 1], 2)} m" for i in (k, k + 1) if abs(table.d[i - 1]) > RUNAWAY * found.reach]
+            large = [
+                f"d{i} = {number(table.d[i - 1], 2)} m"
+                for i in (k, k + 1)
+                if abs(table.d[i - 1]) > RUNAWAY * found.reach
+            ]
             angle = abs(np.sin(found.normals[k].alpha))
             if large and angle < NEARLY:
-                sentences.append(f"{w} is only {number(np.rad2deg(angle), 4)}° from parallel to {z}, so their common normal is far outside the arm: "
-                                 f"{', '.join(large)}. The table is right, but rounds to about {max(abs(table.d)) * 1e-15:.0e} m; "
-                                 f"parallel={_just_above(angle)} takes them as parallel and moves the end by up to "
-                                 f"{number(2 * angle * found.reach * 1000, 1)} mm.")
+                sentences.append(
+                    f"{w} is only {number(np.rad2deg(angle), 4)}° from parallel to {z}, so their"
+                    f" common normal is far outside the arm: {', '.join(large)}. The table is"
+                    f" right, but rounds to about {max(abs(table.d)) * 1e-15:.0e} m;"
+                    f" parallel={_just_above(angle)} takes them as parallel and moves the end by up"
+                    f" to {number(2 * angle * found.reach * 1000, 1)} mm."
+                )
     return tuple(sentences)
 
 
@@ -159,10 +231,16 @@ def _just_above(angle):
 
 def _axes(axes):
     if isinstance(axes, (str, bytes, dict)) or not np.iterable(axes):
-        raise ValueError(f"assign_frames: expected a list of joint axes, {AXIS_FORM} each, found {type(axes).__name__}; give one entry per joint")
+        raise ValueError(
+            f"assign_frames: expected a list of joint axes, {AXIS_FORM} each, found"
+            f" {type(axes).__name__}; give one entry per joint"
+        )
     lines = [_axis(entry, k) for k, entry in enumerate(axes, 1)]
     if not lines:
-        raise ValueError(f"assign_frames: expected at least one joint axis, found an empty list; give {AXIS_FORM} per joint")
+        raise ValueError(
+            "assign_frames: expected at least one joint axis, found an empty list; give"
+            f" {AXIS_FORM} per joint"
+        )
     return lines
 
 
@@ -170,11 +248,19 @@ def _axis(entry, k):
     where = f"assign_frames: joint {k}"
     entry = list(entry) if np.iterable(entry) and not isinstance(entry, (str, bytes, dict)) else []
     if len(entry) not in (2, 3):
-        raise ValueError(f"{where}: expected {AXIS_FORM}, found {len(entry)} entries; put point and direction in brackets of their own")
+        raise ValueError(
+            f"{where}: expected {AXIS_FORM}, found {len(entry)} entries; put point and direction in"
+            " brackets of their own"
+        )
     letter = entry[2] if len(entry) == 3 else "R"
     if not isinstance(letter, str) or letter not in ("R", "P"):
-        raise ValueError(f'{where}: expected "R" (revolute) or "P" (prismatic), found {letter!r}; leave it out for a revolute joint')
-    return Axis(_vector(entry[0], f"{where}: point"), _direction(entry[1], f"{where}: direction"), letter)
+        raise ValueError(
+            f'{where}: expected "R" (revolute) or "P" (prismatic), found {letter!r}; leave it out'
+            " for a revolute joint"
+        )
+    return Axis(
+        _vector(entry[0], f"{where}: point"), _direction(entry[1], f"{where}: direction"), letter
+    )
 
 
 def _vector(given, where):
@@ -183,7 +269,10 @@ def _vector(given, where):
     except ValueError:  # ragged
         v = np.array(None)
     if v.shape != (3,) or v.dtype.kind not in "iuf" or not np.isfinite(v).all():
-        raise ValueError(f"{where}: expected three finite numbers (x, y, z) in the base frame, found {given!r}; check where they were measured")
+        raise ValueError(
+            f"{where}: expected three finite numbers (x, y, z) in the base frame, found {given!r};"
+            " check where they were measured"
+        )
     return v.astype(float)
 
 
@@ -191,7 +280,10 @@ def _direction(given, where):
     v = _vector(given, where)
     largest = np.abs(v).max()
     if largest == 0:
-        raise ValueError(f"{where}: expected a vector with a length, found 0 0 0; give the direction of positive motion, such as [0, 0, 1]")
+        raise ValueError(
+            f"{where}: expected a vector with a length, found 0 0 0; give the direction of positive"
+            " motion, such as [0, 0, 1]"
+        )
     v = v / largest  # so that very short and very long vectors keep their digits
     return v / np.linalg.norm(v)
 
@@ -200,11 +292,16 @@ def _entries(given, what, low, high):
     """The (number, value) pairs of a keyword that takes a dict."""
     given = {} if given is None else given
     if not isinstance(given, dict):
-        raise ValueError(f"assign_frames: {what}: expected a dict from number to value, found {type(given).__name__}; write it as {{2: value}}")
+        raise ValueError(
+            f"assign_frames: {what}: expected a dict from number to value, found"
+            f" {type(given).__name__}; write it as {{2: value}}"
+        )
     for i in given:
         if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not low <= i <= high:
-            raise ValueError(f"assign_frames: {what}: expected numbers from {low} to {high}, found {i!r}; "
-                             f"{'joints count from 1' if low else 'frames count from 0'}")
+            raise ValueError(
+                f"assign_frames: {what}: expected numbers from {low} to {high}, found {i!r}; "
+                f"{'joints count from 1' if low else 'frames count from 0'}"
+            )
     return given
 
 
@@ -212,16 +309,25 @@ def _signs(given, what, low, high):
     entries = _entries(given, what, low, high)
     for i, s in entries.items():
         if not np.isscalar(s) or s not in (1, -1):
-            raise ValueError(f"assign_frames: {what}: expected 1 or -1 for {i}, found {s!r}; -1 turns the axis round")
+            raise ValueError(
+                f"assign_frames: {what}: expected 1 or -1 for {i}, found {s!r}; -1 turns the axis"
+                " round"
+            )
     return entries
 
 
 def _lengths(given, n):
-    return {i: _number(h, f"slides: frame {i}: expected a length in m") for i, h in _entries(given, "slides", 0, n).items()}
+    return {
+        i: _number(h, f"slides: frame {i}: expected a length in m")
+        for i, h in _entries(given, "slides", 0, n).items()
+    }
 
 
 def _directions(given, n):
-    return {i: _direction(v, f"assign_frames: x_along: frame {i}") for i, v in _entries(given, "x_along", 0, n).items()}
+    return {
+        i: _direction(v, f"assign_frames: x_along: frame {i}")
+        for i, v in _entries(given, "x_along", 0, n).items()
+    }
 
 
 def _angle(given):
@@ -229,7 +335,10 @@ def _angle(given):
         return None
     angle = _number(given, "parallel: expected an angle in rad")
     if not 0 <= angle < np.pi / 4:
-        raise ValueError(f"assign_frames: parallel: expected an angle from 0 to π/4 rad, found {given!r}; give radians, such as 1e-6")
+        raise ValueError(
+            f"assign_frames: parallel: expected an angle from 0 to π/4 rad, found {given!r}; give"
+            " radians, such as 1e-6"
+        )
     return angle
 
 
@@ -242,7 +351,10 @@ def _number(given, where):
 
 def _place(given):
     if given not in PLACES:
-        raise ValueError(f'assign_frames: prismatic: expected "auto", "previous", "next" or "given", found {given!r}; it says where sliding axes go')
+        raise ValueError(
+            'assign_frames: prismatic: expected "auto", "previous", "next" or "given", found'
+            f" {given!r}; it says where sliding axes go"
+        )
     return given
 
 
@@ -250,8 +362,13 @@ def _refuse_unused(choices, cases):
     """A choice where the geometry leaves none is a misunderstanding; say so."""
     for i in choices.slides:
         if cases[i] in ("skew", "meet"):
-            raise ValueError(f"assign_frames: slides: frame {i} cannot slide: the axes on both sides are not parallel, "
-                             f"so the common normal gives o{i}; leave it out")
+            raise ValueError(
+                f"assign_frames: slides: frame {i} cannot slide: the axes on both sides are not"
+                f" parallel, so the common normal gives o{i}; leave it out"
+            )
     for i in choices.x_along:
         if i and not cases[i].startswith("same line"):
-            raise ValueError(f"assign_frames: x_along: x{i} is not free: it lies along the common normal of two axes; only its sense is, see x_signs")
+            raise ValueError(
+                f"assign_frames: x_along: x{i} is not free: it lies along the common normal of two"
+                " axes; only its sense is, see x_signs"
+            )

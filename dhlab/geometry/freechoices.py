@@ -1,4 +1,6 @@
-"""Which free choices separate two tables of one arm: frame by frame, what lies between them is a move of :mod:`dhlab.geometry.freedoms`."""
+"""Which free choices separate two tables of one arm: frame by frame, what lies between them is a
+move of :mod:`dhlab.geometry.freedoms`.
+"""
 
 from dataclasses import dataclass
 
@@ -16,11 +18,13 @@ SAME_LENGTH = 1e-8  # × the size of the arm (m); likewise
 
 @dataclass(frozen=True)
 class FreeChoice:
-    """One free choice: ``kind`` is "flip-x", "flip-z", "slide", "twist", "prismatic-shift", "base", "tool" or "convention".
+    """One free choice: ``kind`` is "flip-x", "flip-z", "slide", "twist", "prismatic-shift", "base",
+    "tool" or "convention".
 
-    ``joint`` is the frame i of a flip, slide or twist, the joint of a prismatic shift, else None. ``amount`` is metres (slide, prismatic
-    shift), radians (twist), the pair (m, rad) of how far a base or tool frame was moved, or None. Slides, twists and flips, made in this order
-    with :mod:`dhlab.geometry.freedoms`, lead from the first table to the second.
+    ``joint`` is the frame i of a flip, slide or twist, the joint of a prismatic shift, else None.
+    ``amount`` is metres (slide, prismatic shift), radians (twist), the pair (m, rad) of how far a
+    base or tool frame was moved, or None. Slides, twists and flips, made in this order with
+    :mod:`dhlab.geometry.freedoms`, lead from the first table to the second.
     """
 
     kind: str
@@ -66,12 +70,17 @@ def _prismatic_shifts(a, F_a, F_b, same):
         A, B = F_a[k + first], F_b[k + first]
         h = np.linalg.norm(across(B[:3, 3] - A[:3, 3], A[:3, 2]))
         if h > same:
-            text = f"the line of sliding joint {k + 1} moved by {number(h)} m (only its direction counts)"
+            text = (
+                f"the line of sliding joint {k + 1} moved by {number(h)} m (only its direction"
+                " counts)"
+            )
             yield FreeChoice("prismatic-shift", int(k) + 1, float(h), text)
 
 
 def _at_frame(a, i, G, same):
-    """The choices at frame i: G = Tz(h) Rz(phi), then half turns about z (flip x) and about x (flip z)."""
+    """The choices at frame i: G = Tz(h) Rz(phi), then half turns about z (flip x) and about x (flip
+    z).
+    """
     n, standard = len(a), a.table.convention == "standard"
     h, phi = G[2, 3], np.arctan2(G[1, 0], G[0, 0])
     flips = _flips(a, i, G[2, 2] < 0, abs(phi) > np.pi - SAME_ANGLE)
@@ -79,7 +88,9 @@ def _at_frame(a, i, G, same):
         phi = 0.0
     if i in (0, n):
         rest = G @ _undo(flips)
-        loose = (i == n) == standard  # this frame's z lies on no joint, so a turned z alone is no flip
+        loose = (
+            i == n
+        ) == standard  # this frame's z lies on no joint, so a turned z alone is no flip
         ends = _at_end(i, n, rest, same)
         return ends + flips if not (loose and ends) else _at_end(i, n, G, same)
     lone = abs(np.sin(_alpha(a, i))) < SAME_ANGLE
@@ -87,8 +98,17 @@ def _at_frame(a, i, G, same):
     if abs(h) > same and lone:
         found.append(FreeChoice("slide", i, float(h), f"o{i} slid {number(h)} m along z{i}"))
     if abs(phi) > SAME_ANGLE and lone and abs(_a(a, i)) < same:
-        found.append(FreeChoice("twist", i, float(phi), f"x{i} turned by {number(np.rad2deg(phi), 4)}° about z{i} (theta{i}, theta{i + 1})"))
-    return found + flips  # what is not free by itself follows from the shift of a sliding joint next to it
+        found.append(
+            FreeChoice(
+                "twist",
+                i,
+                float(phi),
+                f"x{i} turned by {number(np.rad2deg(phi), 4)}° about z{i} (theta{i}, theta{i + 1})",
+            )
+        )
+    return (
+        found + flips
+    )  # what is not free by itself follows from the shift of a sliding joint next to it
 
 
 def _undo(flips):
@@ -99,12 +119,22 @@ def _undo(flips):
 
 
 def _flips(a, i, z_round, x_round):
-    """The half turns at frame i, with the entries that they change; those that the table does not have go to base or tool."""
+    """The half turns at frame i, with the entries that they change; those that the table does not
+    have go to base or tool.
+    """
     n, standard = len(a), a.table.convention == "standard"
     taken = {0: ", the base taking the rest", n: ", the tool taking the rest"}.get(i, "")
     found = []
     if x_round:
-        found.append(FreeChoice("flip-x", i, None, f"x{i} flipped ({_entries(a, ('theta', i), ('a', i), ('alpha', i), ('theta', i + 1))}{taken})"))
+        found.append(
+            FreeChoice(
+                "flip-x",
+                i,
+                None,
+                f"x{i} flipped"
+                f" ({_entries(a, ('theta', i), ('a', i), ('alpha', i), ('theta', i + 1))}{taken})",
+            )
+        )
     if z_round:
         k = i + 1 if standard else i
         counts = f", so that joint {k} counts the other way" if 1 <= k <= n else ""
@@ -114,10 +144,16 @@ def _flips(a, i, z_round, x_round):
 
 
 def _entries(a, *wanted):
-    """Those of the entries that the table has: rows run from 1 to n, a and alpha of a Craig table from 0 to n-1."""
+    """Those of the entries that the table has: rows run from 1 to n, a and alpha of a Craig table
+    from 0 to n-1.
+    """
     n, standard = len(a), a.table.convention == "standard"
     lengthwise = range(1, n + 1) if standard else range(n)
-    return ", ".join(f"{name}{' ' * (name == 'sign')}{k}" for name, k in wanted if k in (lengthwise if name in ("a", "alpha") else range(1, n + 1)))
+    return ", ".join(
+        f"{name}{' ' * (name == 'sign')}{k}"
+        for name, k in wanted
+        if k in (lengthwise if name in ("a", "alpha") else range(1, n + 1))
+    )
 
 
 def _at_end(i, n, rest, same):
@@ -126,7 +162,14 @@ def _at_end(i, n, rest, same):
     if shift <= same and turn <= SAME_ANGLE:
         return []
     kind, what = ("base", "frame 0 moved") if i == 0 else ("tool", f"frame {n} moved")
-    return [FreeChoice(kind, None, (float(shift), float(turn)), f"{what} by {far(shift, turn)}, which the {kind} takes up")]
+    return [
+        FreeChoice(
+            kind,
+            None,
+            (float(shift), float(turn)),
+            f"{what} by {far(shift, turn)}, which the {kind} takes up",
+        )
+    ]
 
 
 def turn_of(T):
@@ -143,11 +186,17 @@ def far(shift, turn):
 
 
 def end_choice(kind, T, same):
-    """The "base" or "tool" choice when that freedom was granted and used: T is what lies between the two."""
+    """The "base" or "tool" choice when that freedom was granted and used: T is what lies between
+    the two.
+    """
     shift, turn = np.linalg.norm(T[:3, 3]), turn_of(T)
     if shift <= same and turn <= SAME_ANGLE:
         return []
-    return [FreeChoice(kind, None, (float(shift), float(turn)), f"another {kind}, {far(shift, turn)} away")]
+    return [
+        FreeChoice(
+            kind, None, (float(shift), float(turn)), f"another {kind}, {far(shift, turn)} away"
+        )
+    ]
 
 
 def _alpha(a, i):
@@ -188,7 +237,9 @@ def _run(i, slides):
 
 
 def _slid(run, slides, a):
-    """What the slides of one run do to the column d: from one row to another, or frame by frame when more rows take part."""
+    """What the slides of one run do to the column d: from one row to another, or frame by frame
+    when more rows take part.
+    """
     gain = {row: 0.0 for row in range(run[0], run[-1] + 2)}
     for i in run:
         c = np.sign(np.cos(_alpha(a, i)))
@@ -200,6 +251,9 @@ def _slid(run, slides, a):
     if len(changed) == 2 and abs(sum(gain.values())) < 1e-9:
         taker = max(changed, key=gain.get)
         giver = min(changed, key=gain.get)
-        return f"{number(gain[taker])} m slid along the parallel axes {axes} from row {giver} to row {taker}"
+        return (
+            f"{number(gain[taker])} m slid along the parallel axes {axes} from row {giver} to row"
+            f" {taker}"
+        )
     moves = ", ".join(f"o{i} by {number(slides[i])} m" for i in run)
     return f"origins slid along the parallel axes {axes} ({moves})"

@@ -1,8 +1,10 @@
-"""What a DH table leaves free: every way to write the same arm in another table. Put G G⁻¹ between two rows; each move is one G.
+"""What a DH table leaves free: every way to write the same arm in another table. Put G G⁻¹ between
+two rows; each move is one G.
 
-Frames are numbered 0 … n. Between two rows (frame i = 1 … n-1) rows i and i+1 change; at the ends the base (i = 0) or the tool
-(i = n) takes the other half, so that the pose never changes. The formulas follow from the link matrices alone; every one is verified
-against poses in ``tests/test_conversion.py``.
+Frames are numbered 0 … n. Between two rows (frame i = 1 … n-1) rows i and i+1 change; at the ends
+the base (i = 0) or the tool (i = n) takes the other half, so that the pose never changes. The
+formulas follow from the link matrices alone; every one is verified against poses in
+``tests/test_conversion.py``.
 """
 
 import numpy as np
@@ -13,8 +15,13 @@ from ..transform import inverse, rot_x, rot_z, trans
 
 __all__ = ["flip_x", "flip_z", "slide", "twist", "move_base", "move_tool", "shift_prismatic"]
 
-FREE = 1e-12  # |sin alpha| (and |a| in m) below this leave the slide (and the twist) free: what it costs is below the rounding of a pose
-HALF_X, HALF_Z = np.diag([1.0, -1, -1, 1]), np.diag([-1.0, -1, 1, 1])  # half turns without the rounding of sin(pi)
+# |sin alpha| (and |a| in m) below this leave the slide (and the twist) free: what it costs is below
+# the rounding of a pose
+FREE = 1e-12
+HALF_X, HALF_Z = (
+    np.diag([1.0, -1, -1, 1]),
+    np.diag([-1.0, -1, 1, 1]),
+)  # half turns without the rounding of sin(pi)
 
 
 def flip_x(arm, i):
@@ -29,8 +36,8 @@ def flip_x(arm, i):
     Returns
     -------
     Arm
-        Standard: theta_i + 180°, -a_i, -alpha_i, theta_{i+1} - 180°. Craig: theta_i + 180°, -a_i, -alpha_i, theta_{i+1} - 180°,
-        where a_i and alpha_i stand in row i+1.
+        Standard: theta_i + 180°, -a_i, -alpha_i, theta_{i+1} - 180°. Craig: theta_i + 180°, -a_i,
+        -alpha_i, theta_{i+1} - 180°, where a_i and alpha_i stand in row i+1.
 
     Raises
     ------
@@ -57,7 +64,8 @@ def flip_x(arm, i):
 
 
 def flip_z(arm, i):
-    """Turn z_i round: a half turn of frame i about x_i. The joint on z_i then counts the other way, so its sign changes.
+    """Turn z_i round: a half turn of frame i about x_i. The joint on z_i then counts the other way,
+    so its sign changes.
 
     Parameters
     ----------
@@ -68,8 +76,8 @@ def flip_z(arm, i):
     Returns
     -------
     Arm
-        Standard: alpha_i + 180°; -theta_{i+1}, -d_{i+1}, the sign of joint i+1, alpha_{i+1} - 180°. Craig: alpha_{i-1} + 180°, -theta_i,
-        -d_i and the sign of joint i; alpha_i - 180°.
+        Standard: alpha_i + 180°; -theta_{i+1}, -d_{i+1}, the sign of joint i+1, alpha_{i+1} - 180°.
+        Craig: alpha_{i-1} + 180°, -theta_i, -d_i and the sign of joint i; alpha_i - 180°.
 
     Raises
     ------
@@ -94,7 +102,8 @@ def flip_z(arm, i):
 
 
 def slide(arm, i, h):
-    """Move the origin o_i by ``h`` along z_i; possible where the axes on both sides are parallel, so that the common normal is free.
+    """Move the origin o_i by ``h`` along z_i; possible where the axes on both sides are parallel,
+    so that the common normal is free.
 
     Parameters
     ----------
@@ -144,7 +153,8 @@ def twist(arm, i, phi):
     Returns
     -------
     Arm
-        Standard: theta_i + phi cos(alpha_i), theta_{i+1} - phi. Craig: theta_i + phi, theta_{i+1} - phi cos(alpha_i).
+        Standard: theta_i + phi cos(alpha_i), theta_{i+1} - phi. Craig: theta_i + phi, theta_{i+1} -
+        phi cos(alpha_i).
 
     Raises
     ------
@@ -171,7 +181,8 @@ def move_base(arm, turn=0.0, shift=0.0):
     ----------
     arm : Arm
     turn, shift : float
-        Radians and metres: about and along z_0 (standard: theta_1 and d_1 change), about and along x_0 (Craig: alpha_0, a_0).
+        Radians and metres: about and along z_0 (standard: theta_1 and d_1 change), about and along
+        x_0 (Craig: alpha_0, a_0).
 
     Returns
     -------
@@ -198,7 +209,8 @@ def move_tool(arm, turn=0.0, shift=0.0):
     ----------
     arm : Arm
     turn, shift : float
-        Radians and metres: about and along x_n (standard: alpha_n, a_n), about and along z_n (Craig: theta_n and d_n).
+        Radians and metres: about and along x_n (standard: alpha_n, a_n), about and along z_n
+        (Craig: theta_n and d_n).
 
     Returns
     -------
@@ -219,11 +231,13 @@ def move_tool(arm, turn=0.0, shift=0.0):
 
 
 def shift_prismatic(arm, k, h):
-    """Move the line of sliding joint k sideways by ``h``, in the one direction that leaves both neighbouring frames where they are.
+    """Move the line of sliding joint k sideways by ``h``, in the one direction that leaves both
+    neighbouring frames where they are.
 
-    Only the direction of a sliding axis counts. The frame on it (k-1 standard, k Craig) moves by v; that v_y vanishes in both rows
-    leaves one direction, of which ``h`` is the length. (A shift in any direction also moves the next frame:
-    :func:`dhlab.geometry.frames.assign_frames` with another point does that.)
+    Only the direction of a sliding axis counts. The frame on it (k-1 standard, k Craig) moves by v;
+    that v_y vanishes in both rows leaves one direction, of which ``h`` is the length. (A shift in
+    any direction also moves the next frame: :func:`dhlab.geometry.frames.assign_frames` with
+    another point does that.)
 
     Parameters
     ----------
@@ -249,15 +263,22 @@ def shift_prismatic(arm, k, h):
     >>> moved.table.d.round(4), moved.table.a.round(4)  # d2 was 0.154, a3 was 0.0203
     (array([0.412 , 0.1337, 0.    , 0.    , 0.    , 0.    ]), array([0., 0., 0., 0., 0., 0.]))
     """
-    if not (isinstance(k, (int, np.integer)) and 1 <= k <= len(arm) and arm.table.joints[k - 1] == "P"):
-        raise ValueError(f"shift_prismatic: expected the number of a prismatic joint, found {k!r}; the joints of this arm are {arm.table.joints}")
+    if not (
+        isinstance(k, (int, np.integer)) and 1 <= k <= len(arm) and arm.table.joints[k - 1] == "P"
+    ):
+        raise ValueError(
+            f"shift_prismatic: expected the number of a prismatic joint, found {k!r}; the joints of"
+            f" this arm are {arm.table.joints}"
+        )
     standard = arm.table.convention == "standard"
     edit = _Edit(arm, k - 1 if standard else k, "shift_prismatic")
     return _shift_standard(edit, k - 1, h) if standard else _shift_craig(edit, k - 1, h)
 
 
 def _shift_standard(edit, k, h):
-    """Row k slides (0-based); v = (v_x, lam sin(alpha), lam cos(alpha)) in frame k, alpha of the row before."""
+    """Row k slides (0-based); v = (v_x, lam sin(alpha), lam cos(alpha)) in frame k, alpha of the
+    row before.
+    """
     alpha = edit.alpha[k - 1] if k else 0.0
     s, c, st, ct = np.sin(alpha), np.cos(alpha), np.sin(edit.theta[k]), np.cos(edit.theta[k])
     v_x, lam = h * _direction(s * ct, st) if k else h * np.array([ct, 0.0])
@@ -271,7 +292,9 @@ def _shift_standard(edit, k, h):
 
 
 def _shift_craig(edit, k, h):
-    """Row k slides (0-based); v = (w_x cos(theta), -w_x sin(theta), v_z) in frame k+1, alpha of the row behind."""
+    """Row k slides (0-based); v = (w_x cos(theta), -w_x sin(theta), v_z) in frame k+1, alpha of the
+    row behind.
+    """
     last = k == len(edit.theta) - 1
     alpha = 0.0 if last else edit.alpha[k + 1]
     s, c, st, ct = np.sin(alpha), np.cos(alpha), np.sin(edit.theta[k]), np.cos(edit.theta[k])
@@ -285,13 +308,16 @@ def _shift_craig(edit, k, h):
 
 
 def _direction(first, second):
-    """The unit vector along (first, second), or along the first when both vanish and the direction is free."""
+    """The unit vector along (first, second), or along the first when both vanish and the direction
+    is free.
+    """
     length = np.hypot(first, second)
     return np.array([first, second]) / length if length > FREE else np.array([1.0, 0.0])
 
 
 def half_turn(angle):
-    """``angle`` and 180° more or less, whichever is nearer to 0: two half turns give the number back.
+    """``angle`` and 180° more or less, whichever is nearer to 0: two half turns give the number
+    back.
 
     Examples
     --------
@@ -302,12 +328,21 @@ def half_turn(angle):
 
 
 class _Edit:
-    """The columns of an arm opened for one move at frame i; :meth:`arm` closes it, giving G to the base or the tool at the ends."""
+    """The columns of an arm opened for one move at frame i; :meth:`arm` closes it, giving G to the
+    base or the tool at the ends.
+    """
 
     def __init__(self, arm, i, verb):
         n = len(arm)
-        if isinstance(i, (bool, np.bool_)) or not isinstance(i, (int, np.integer)) or not 0 <= i <= n:
-            raise ValueError(f"{verb}: expected a frame from 0 to {n}, found {i!r}; frames 1 to {n - 1} stand between two rows")
+        if (
+            isinstance(i, (bool, np.bool_))
+            or not isinstance(i, (int, np.integer))
+            or not 0 <= i <= n
+        ):
+            raise ValueError(
+                f"{verb}: expected a frame from 0 to {n}, found {i!r}; frames 1 to {n - 1} stand"
+                " between two rows"
+            )
         self.of, self.i, self.verb = arm, int(i), verb
         self.standard = arm.table.convention == "standard"
         self.theta, self.d, self.a, self.alpha = (np.array(column) for column in arm.table.rows.T)
@@ -332,15 +367,22 @@ class _Edit:
             return 1.0
         if abs(np.sin(self.alpha[k])) > FREE:
             angle = np.rad2deg(self.alpha[k])
-            raise ValueError(f"{self.verb}: frame {self.i} {cannot}, since alpha{self.i} = {angle:.6g}° is neither 0° nor 180°: "
-                             f"the axes there are not parallel, so {fixed} stays where it is")
+            raise ValueError(
+                f"{self.verb}: frame {self.i} {cannot}, since alpha{self.i} = {angle:.6g}° is"
+                f" neither 0° nor 180°: the axes there are not parallel, so {fixed} stays where"
+                " it is"
+            )
         if lengths_too and abs(self.a[k]) > FREE:
-            raise ValueError(f"{self.verb}: frame {self.i} {cannot}, since a{self.i} = {self.a[k]:.6g} m is not 0: "
-                             f"the axes there do not coincide, so {fixed} stays as it is")
+            raise ValueError(
+                f"{self.verb}: frame {self.i} {cannot}, since a{self.i} = {self.a[k]:.6g} m is not"
+                f" 0: the axes there do not coincide, so {fixed} stays as it is"
+            )
         return np.sign(np.cos(self.alpha[k]))
 
     def add(self, column, amount, cosine):
-        """``amount`` in frame i: into row i and out of row i + 1, one of them seen through alpha_i."""
+        """``amount`` in frame i: into row i and out of row i + 1, one of them seen through
+        alpha_i.
+        """
         before, behind = (cosine, 1.0) if self.standard else (1.0, cosine)
         if self.i > 0:
             column[self.i - 1] += amount * before
@@ -352,4 +394,12 @@ class _Edit:
         table = DHTable(t.convention, self.theta, self.d, self.a, self.alpha, t.joints)
         base = arm.base @ G if self.i == 0 else arm.base
         tool = inverse(G) @ arm.tool if self.i == len(arm) else arm.tool
-        return Arm(table, base=base, tool=tool, limits=arm.limits, sign=self.sign, name=arm.name, source=arm.source)
+        return Arm(
+            table,
+            base=base,
+            tool=tool,
+            limits=arm.limits,
+            sign=self.sign,
+            name=arm.name,
+            source=arm.source,
+        )

@@ -1,17 +1,29 @@
-"""Lines in space: nearest points, the common normal of two lines, and the angle about an axis. Plain arrays, metres and radians."""
+"""Lines in space: nearest points, the common normal of two lines, and the angle about an axis.
+Plain arrays, metres and radians.
+"""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["CommonNormal", "unit", "nearest_on", "common_normal", "parallel_normal", "tilt", "angle_about", "across"]
+__all__ = [
+    "CommonNormal",
+    "unit",
+    "nearest_on",
+    "common_normal",
+    "parallel_normal",
+    "tilt",
+    "angle_about",
+    "across",
+]
 
 
 @dataclass(frozen=True)
 class CommonNormal:
-    """The shortest way from a first line to a second: it leaves the first at ``out`` and reaches the second at ``into``
-    (metres from each line's own point, along its direction), along the unit vector ``x`` for ``a`` metres; ``alpha`` turns the first
-    direction into the second about ``x``. ``x`` is None when the lines coincide. ``a`` may be negative: the sense of ``x`` is a choice.
+    """The shortest way from a first line to a second: it leaves the first at ``out`` and reaches
+    the second at ``into`` (metres from each line's own point, along its direction), along the unit
+    vector ``x`` for ``a`` metres; ``alpha`` turns the first direction into the second about ``x``.
+    ``x`` is None when the lines coincide. ``a`` may be negative: the sense of ``x`` is a choice.
     """
 
     out: float
@@ -67,7 +79,8 @@ def tilt(z, w):
 
 
 def angle_about(z, x, y):
-    """The angle that turns ``x`` into ``y`` about ``z`` (all unit vectors, x and y across z), in (-π, π].
+    """The angle that turns ``x`` into ``y`` about ``z`` (all unit vectors, x and y across z), in
+    (-π, π].
 
     Examples
     --------
@@ -101,11 +114,14 @@ def common_normal(p, z, q, w):
     c = np.cross(z, w)
     s = np.linalg.norm(c)
     x, r = c / s, q - p
-    return CommonNormal(np.cross(r, w) @ x / s, np.cross(r, z) @ x / s, x, r @ x, np.arctan2(s, z @ w))
+    return CommonNormal(
+        np.cross(r, w) @ x / s, np.cross(r, z) @ x / s, x, r @ x, np.arctan2(s, z @ w)
+    )
 
 
 def parallel_normal(p, z, q, w, out, same):
-    """A common normal of two parallel (or antiparallel) lines; it is free, so it is asked to leave the first line at ``out``.
+    """A common normal of two parallel (or antiparallel) lines; it is free, so it is asked to leave
+    the first line at ``out``.
 
     Parameters
     ----------
@@ -131,4 +147,8 @@ def parallel_normal(p, z, q, w, out, same):
     a = np.linalg.norm(gap)
     into = (p + out * z - q) @ w
     alpha = 0.0 if z @ w > 0 else np.pi
-    return CommonNormal(out, into, gap / a, a, alpha) if a > same else CommonNormal(out, into, None, 0.0, alpha)
+    return (
+        CommonNormal(out, into, gap / a, a, alpha)
+        if a > same
+        else CommonNormal(out, into, None, 0.0, alpha)
+    )

@@ -1,7 +1,9 @@
-"""From joint axes in space to common normals and DH numbers: the geometry behind :func:`dhlab.geometry.frames.assign_frames`.
+"""From joint axes in space to common normals and DH numbers: the geometry behind
+:func:`dhlab.geometry.frames.assign_frames`.
 
-Axis k is the axis of joint k, axis n+1 the z axis of the tool. Normal k joins axis k to axis k+1 (normal 0 is a choice, on axis 1). Both
-conventions hold these normals and these numbers: theta_k and d_k between normals k-1 and k, a_k and alpha_k along normal k.
+Axis k is the axis of joint k, axis n+1 the z axis of the tool. Normal k joins axis k to axis k+1
+(normal 0 is a choice, on axis 1). Both conventions hold these normals and these numbers: theta_k
+and d_k between normals k-1 and k, a_k and alpha_k along normal k.
 """
 
 from dataclasses import dataclass, field
@@ -21,10 +23,15 @@ from .lines import (
 
 __all__ = ["Axis", "Choices", "Placement", "place"]
 
-ROUNDING = 1e-12  # rad; axes out of a chain of matrices that should be parallel differ by some 1e-16, and snapping costs this much × reach
-SAME_PLACE = 1e-13  # × reach; lines nearer than this meet or coincide, since positions are not known better
+# rad; axes out of a chain of matrices that should be parallel differ by some 1e-16, and snapping
+# costs this much × reach
+ROUNDING = 1e-12
+SAME_PLACE = (
+    1e-13  # × reach; lines nearer than this meet or coincide, since positions are not known better
+)
 CLEAR_SIDE = 1e-6  # × reach; from here on a common normal is long enough to say which way x points
-NEARLY = 0.05  # rad, 3°; below it a tilt of the tool is left to arm.tool, and a common normal may be far away
+# rad, 3°; below it a tilt of the tool is left to arm.tool, and a common normal may be far away
+NEARLY = 0.05
 EPS = np.finfo(float).eps
 
 
@@ -51,7 +58,9 @@ class Choices:
 
 @dataclass
 class Placement:
-    """What :func:`place` found: ``axes`` 1 … n+1 and ``normals`` 0 … n, how each was found (``cases``), and the size of the arm in m."""
+    """What :func:`place` found: ``axes`` 1 … n+1 and ``normals`` 0 … n, how each was found
+    (``cases``), and the size of the arm in m.
+    """
 
     axes: list
     normals: list
@@ -66,7 +75,14 @@ class Placement:
     def row(self, k):
         before, normal, axis = self.normals[k - 1], self.normals[k], self.axes[k - 1]
         theta = angle_about(axis.z, before.x, normal.x)
-        return np.array([_tidy(theta), _no_dust(normal.out - before.into, self.reach), _no_dust(normal.a, self.reach), _tidy(normal.alpha)])
+        return np.array(
+            [
+                _tidy(theta),
+                _no_dust(normal.out - before.into, self.reach),
+                _no_dust(normal.a, self.reach),
+                _tidy(normal.alpha),
+            ]
+        )
 
     def frame_0(self):
         """Frame 0 in the base frame: on axis 1, at normal 0."""
@@ -101,7 +117,14 @@ def place(axes, end, choices):
     (['start', 'parallel', 'parallel'], 0.4)
     """
     target = end[:3, 3]
-    axes = [Axis(nearest_on(axis.p, axis.z, target) if axis.letter == "R" else axis.p, axis.z, axis.letter) for axis in axes]
+    axes = [
+        Axis(
+            nearest_on(axis.p, axis.z, target) if axis.letter == "R" else axis.p,
+            axis.z,
+            axis.letter,
+        )
+        for axis in axes
+    ]
     axes.append(Axis(target, unit(end[:3, 2]), "tool"))
     reach = _reach(axes, target)
     found = Placement(axes, [], [], reach, {})
@@ -112,14 +135,23 @@ def place(axes, end, choices):
 
 
 def _reach(axes, target):
-    """The size of the arm: how far the axes pass from the end point or the base; free of where points were chosen on the axes."""
+    """The size of the arm: how far the axes pass from the end point or the base; free of where
+    points were chosen on the axes.
+    """
     turning = [axis for axis in axes if axis.letter == "R"]
-    places = [axis.p for axis in turning] + [nearest_on(axis.p, axis.z, np.zeros(3)) for axis in turning[:1]]
-    return max([np.linalg.norm(p - target) for p in places] + [np.linalg.norm(target) if not turning else 0.0])
+    places = [axis.p for axis in turning] + [
+        nearest_on(axis.p, axis.z, np.zeros(3)) for axis in turning[:1]
+    ]
+    return max(
+        [np.linalg.norm(p - target) for p in places]
+        + [np.linalg.norm(target) if not turning else 0.0]
+    )
 
 
 def _start(found, choices):
-    """Normal 0: from the point of axis 1 nearest to the base's origin, along the base's x (y when axis 1 runs along x)."""
+    """Normal 0: from the point of axis 1 nearest to the base's origin, along the base's x (y when
+    axis 1 runs along x).
+    """
     axis = found.axes[0]
     if axis.letter == "P":
         _locate(found, 1, np.zeros(3), choices)
@@ -131,7 +163,9 @@ def _start(found, choices):
 
 
 def _locate(found, k, previous, choices):
-    """Give the sliding axis k a place: only its direction counts. ``previous`` is the last origin that is already known."""
+    """Give the sliding axis k a place: only its direction counts. ``previous`` is the last origin
+    that is already known.
+    """
     axis, behind = found.axes[k - 1], found.axes[k]
     how = choices.prismatic
     if how == "auto":
@@ -144,11 +178,16 @@ def _locate(found, k, previous, choices):
 
 
 def _next_origin(axes, k):
-    """A point of axis k+1 that the rest of the chain singles out: where the normal behind it starts, else the point given."""
+    """A point of axis k+1 that the rest of the chain singles out: where the normal behind it
+    starts, else the point given.
+    """
     if axes[k].letter == "P":
         return _next_origin(axes, k + 1)
     if k + 1 < len(axes) and axes[k + 1].letter == "R" and tilt(axes[k].z, axes[k + 1].z) > NEARLY:
-        return axes[k].p + axes[k].z * common_normal(axes[k].p, axes[k].z, axes[k + 1].p, axes[k + 1].z).out
+        return (
+            axes[k].p
+            + axes[k].z * common_normal(axes[k].p, axes[k].z, axes[k + 1].p, axes[k + 1].z).out
+        )
     return axes[k].p
 
 
@@ -168,9 +207,10 @@ def _add_normal(found, k, end, choices):
 def _is_parallel(found, k, choices):
     """Whether axis k+1 counts as parallel to axis k; its direction is then made so.
 
-    Below ROUNDING always. Above it, when the caller said so, or when the exact table would be the less exact one: its numbers are as large
-    as the distance to the common normal and lose EPS of it, where taking the axes as parallel loses the angle × reach. A small tilt of
-    the tool costs nothing at all, since arm.tool holds it.
+    Below ROUNDING always. Above it, when the caller said so, or when the exact table would be the
+    less exact one: its numbers are as large as the distance to the common normal and lose EPS of
+    it, where taking the axes as parallel loses the angle × reach. A small tilt of the tool costs
+    nothing at all, since arm.tool holds it.
     """
     here, there = found.axes[k - 1], found.axes[k]
     angle = tilt(here.z, there.z)
@@ -191,19 +231,27 @@ def _aligned(z, w):
 
 
 def _crossing(here, there, sign, reach):
-    """The one common normal of two axes that are not parallel; x from the first to the second, along z × z' when they meet."""
+    """The one common normal of two axes that are not parallel; x from the first to the second,
+    along z × z' when they meet.
+    """
     N = common_normal(here.p, here.z, there.p, there.z)
     meet = abs(N.a) <= SAME_PLACE * reach
     if N.a < -CLEAR_SIDE * reach:
         sign = -sign
-    return CommonNormal(N.out, N.into, sign * N.x, 0.0 if meet else sign * N.a, sign * N.alpha), "meet" if meet else "skew"
+    return CommonNormal(N.out, N.into, sign * N.x, 0.0 if meet else sign * N.a, sign * N.alpha), (
+        "meet" if meet else "skew"
+    )
 
 
 def _alongside(found, k, end, choices):
-    """A normal of parallel axes: through the previous origin (the tool's: through the end point) unless slid; x as before when they coincide."""
+    """A normal of parallel axes: through the previous origin (the tool's: through the end point)
+    unless slid; x as before when they coincide.
+    """
     here, there, before = found.axes[k - 1], found.axes[k], found.normals[-1]
     out = (there.p - here.p) @ here.z if there.letter == "tool" else before.into
-    along_z_k = np.sign(here.z @ there.z) if choices.standard else 1.0  # z_k is axis k+1 (standard) or axis k (Craig)
+    along_z_k = (
+        np.sign(here.z @ there.z) if choices.standard else 1.0
+    )  # z_k is axis k+1 (standard) or axis k (Craig)
     out += choices.slides.get(k, 0.0) * along_z_k
     N = parallel_normal(here.p, here.z, there.p, there.z, out, SAME_PLACE * found.reach)
     x, sign = N.x, choices.x_signs.get(k, 1)
@@ -212,11 +260,15 @@ def _alongside(found, k, end, choices):
         return CommonNormal(N.out, N.into, sign * x, sign * N.a, N.alpha), sense
     x = end[:3, 0] if there.letter == "tool" else before.x
     x = unit(across(choices.x_along.get(k, x), here.z))
-    return CommonNormal(N.out, N.into, sign * x, 0.0, N.alpha), "same line" if sense == "parallel" else "same line, opposite"
+    return CommonNormal(N.out, N.into, sign * x, 0.0, N.alpha), (
+        "same line" if sense == "parallel" else "same line, opposite"
+    )
 
 
 def _tidy(angle):
-    """An angle that only rounding keeps from a multiple of 15° becomes that multiple; -180° becomes 180°."""
+    """An angle that only rounding keeps from a multiple of 15° becomes that multiple; -180° becomes
+    180°.
+    """
     step = np.pi / 12
     near = round(angle / step) * step
     angle = near if abs(angle - near) < 4 * EPS else angle

@@ -1,4 +1,6 @@
-"""What :func:`dhlab.geometry.frames.assign_frames` did, in sentences that a learner can follow with a drawing of the arm."""
+"""What :func:`dhlab.geometry.frames.assign_frames` did, in sentences that a learner can follow with
+a drawing of the arm.
+"""
 
 import numpy as np
 
@@ -40,7 +42,9 @@ def describe(found, convention, sign, base, tool):
 
 
 class _Words:
-    """The names of things in one convention: z_{k-1} (standard) or z_k (Craig) is axis k; x_k is normal k in both."""
+    """The names of things in one convention: z_{k-1} (standard) or z_k (Craig) is axis k; x_k is
+    normal k in both.
+    """
 
     def __init__(self, found, convention):
         self.found, self.standard = found, convention == "standard"
@@ -53,77 +57,153 @@ class _Words:
     def start(self, base):
         o = "o0" if self.standard else "o0 = o1 at q = 0"
         along = _axis_name(self.found.normals[0].x)
-        lead = "z0 is the axis of joint 1" if self.standard else "z0 is taken on z1, the axis of joint 1, so a0 = 0 and alpha0 = 0°"
+        lead = (
+            "z0 is the axis of joint 1"
+            if self.standard
+            else "z0 is taken on z1, the axis of joint 1, so a0 = 0 and alpha0 = 0°"
+        )
         if np.array_equal(base, np.eye(4)):
-            return f"{lead}; it runs through the base's origin, which is o0, and x0 is taken along the base's x: frame 0 is the base frame."
-        return f"{lead}; o0 is its point {_point(base[:3, 3])}, x0 is taken along {along}; arm.base holds this frame."
+            return (
+                f"{lead}; it runs through the base's origin, which is o0, and x0 is taken along the"
+                " base's x: frame 0 is the base frame."
+            )
+        return (
+            f"{lead}; o0 is its point {_point(base[:3, 3])}, x0 is taken along {along}; arm.base"
+            " holds this frame."
+        )
 
     def axis(self, k, sign):
         """What is to be said of axis k before it is used."""
         axis = self.found.axes[k - 1]
         if k <= len(sign) and sign[k - 1] < 0:
-            yield f"{self.z(k)} is put against the direction of joint {k}, so the joint counts the other way: its sign is -1."
+            yield (
+                f"{self.z(k)} is put against the direction of joint {k}, so the joint counts the"
+                " other way: its sign is -1."
+            )
         if axis.letter == "P":
-            yield f"Joint {k} slides: only the direction of {self.z(k)} counts; its line is taken through {_point(axis.p)}, and d{k} is the variable."
+            yield (
+                f"Joint {k} slides: only the direction of {self.z(k)} counts; its line is taken"
+                f" through {_point(axis.p)}, and d{k} is the variable."
+            )
 
     def normal(self, k):
         case, N = self.found.cases[k], self.found.normals[k]
-        text = {"skew": self._skew, "meet": self._meet}.get(case, self._parallel if N.a else self._same_line)(k, N, case)
+        text = {"skew": self._skew, "meet": self._meet}.get(
+            case, self._parallel if N.a else self._same_line
+        )(k, N, case)
         if k in self.found.snapped and k == len(self.found.normals) - 1:
-            text = text[:-1] + f" (the tool's z is off by {np.rad2deg(self.found.snapped[k][0]):.2g}°, which arm.tool holds)."
+            text = (
+                text[:-1]
+                + f" (the tool's z is off by {np.rad2deg(self.found.snapped[k][0]):.2g}°, which"
+                " arm.tool holds)."
+            )
         return text[0].upper() + text[1:] if text.startswith("the ") else text
 
     def _skew(self, k, N, case):
-        sense = f"from {self.z(k)} to {self.z(k + 1)}" if N.a > 0 else f"from {self.z(k + 1)} to {self.z(k)}"
-        return (f"{self.z(k)} and {self.z(k + 1)} are skew: x{k} lies on their common normal, {sense}, so a{k} = {number(N.a)} m; "
-                f"alpha{k} = {_deg(N.alpha)}.")
+        sense = (
+            f"from {self.z(k)} to {self.z(k + 1)}"
+            if N.a > 0
+            else f"from {self.z(k + 1)} to {self.z(k)}"
+        )
+        return (
+            f"{self.z(k)} and {self.z(k + 1)} are skew: x{k} lies on their common normal, {sense},"
+            f" so a{k} = {number(N.a)} m; alpha{k} = {_deg(N.alpha)}."
+        )
 
     def _meet(self, k, N, case):
         first, second = (self.z(k), self.z(k + 1)) if N.alpha > 0 else (self.z(k + 1), self.z(k))
-        return (f"{self.z(k)} and {self.z(k + 1)} meet: o{k} is the meeting point, so a{k} = 0, and x{k} is taken along {first} × {second}, "
-                f"so alpha{k} = {_deg(N.alpha)}.")
+        return (
+            f"{self.z(k)} and {self.z(k + 1)} meet: o{k} is the meeting point, so a{k} = 0, and"
+            f" x{k} is taken along {first} × {second}, so alpha{k} = {_deg(N.alpha)}."
+        )
 
     def _parallel(self, k, N, case):
-        mark = f"{self.z(k + 1)} ∥ {self.z(k)}" if case == "parallel" else f"{self.z(k + 1)} ∥ -{self.z(k)} (opposite senses, alpha{k} = 180°)"
-        sense = f"from {self.z(k)} to {self.z(k + 1)}" if N.a > 0 else f"from {self.z(k + 1)} to {self.z(k)}"
-        return f"{mark}: the common normal is free; taken {self._where(k)}; x{k} points {sense}, a{k} = {number(N.a)} m."
+        mark = (
+            f"{self.z(k + 1)} ∥ {self.z(k)}"
+            if case == "parallel"
+            else f"{self.z(k + 1)} ∥ -{self.z(k)} (opposite senses, alpha{k} = 180°)"
+        )
+        sense = (
+            f"from {self.z(k)} to {self.z(k + 1)}"
+            if N.a > 0
+            else f"from {self.z(k + 1)} to {self.z(k)}"
+        )
+        return (
+            f"{mark}: the common normal is free; taken {self._where(k)}; x{k} points {sense}, a{k}"
+            f" = {number(N.a)} m."
+        )
 
     def _same_line(self, k, N, case):
-        lies = f"{self.z(k + 1)} lies on {self.z(k)}{'' if case == 'same line' else ', the other way'}: "
+        lies = (
+            f"{self.z(k + 1)} lies on"
+            f" {self.z(k)}{'' if case == 'same line' else ', the other way'}: "
+        )
         if k == len(self.found.normals) - 1:
             free = f"o{k}" if self.standard else "the common normal"
-            return f"{lies}x{k} and {free} are free; taken as the tool's, so a{k} = 0 and alpha{k} = {_deg(N.alpha)}."
+            return (
+                f"{lies}x{k} and {free} are free; taken as the tool's, so a{k} = 0 and alpha{k} ="
+                f" {_deg(N.alpha)}."
+            )
         theta = self.found.row(k)[0]
-        along = f"along x{k - 1}, so theta{k} = 0" if theta == 0 else f"along {_axis_name(N.x)}, so theta{k} = {_deg(theta)}"
-        return (f"{lies}x{k} and the place of the normal are free; x{k} is taken {along}, the normal {self._where(k)}; "
-                f"a{k} = 0, alpha{k} = {_deg(N.alpha)}.")
+        along = (
+            f"along x{k - 1}, so theta{k} = 0"
+            if theta == 0
+            else f"along {_axis_name(N.x)}, so theta{k} = {_deg(theta)}"
+        )
+        return (
+            f"{lies}x{k} and the place of the normal are free; x{k} is taken {along}, the normal"
+            f" {self._where(k)}; a{k} = 0, alpha{k} = {_deg(N.alpha)}."
+        )
 
     def _where(self, k):
         d = self.found.row(k)[1]
         if k == len(self.found.normals) - 1:
             return f"through the tool's origin, so d{k} = {number(d)} m"
         through = f"o{k - 1}" if self.standard else f"the foot of x{k - 1}"
-        return f"through {through}, so d{k} = 0" if d == 0 else f"{number(d)} m from {through} along {self.z(k)}, so d{k} = {number(d)} m"
+        return (
+            f"through {through}, so d{k} = 0"
+            if d == 0
+            else f"{number(d)} m from {through} along {self.z(k)}, so d{k} = {number(d)} m"
+        )
 
     def row(self, k):
         theta, d, a, alpha = self.found.row(k)
         z, w, x = self.z(k), self.z(k + 1), f"x{k}"
         start = f"{'o' if self.standard else 'x'}{k - 1}"
-        first = f"theta{k} = {_deg(theta)} (x{k - 1} to {x} about {z}), d{k} = {number(d)} m ({start} to {x} along {z})"
+        first = (
+            f"theta{k} = {_deg(theta)} (x{k - 1} to {x} about {z}), d{k} = {number(d)} m ({start}"
+            f" to {x} along {z})"
+        )
         if self.standard:
-            return f"Row {k}: {first}, a{k} = {number(a)} m ({z} to {w} along {x}), alpha{k} = {_deg(alpha)} ({z} to {w} about {x})."
+            return (
+                f"Row {k}: {first}, a{k} = {number(a)} m ({z} to {w} along {x}), alpha{k} ="
+                f" {_deg(alpha)} ({z} to {w} about {x})."
+            )
         before = self.found.row(k - 1) if k > 1 else np.zeros(4)
         y = self.z(k - 1) if k > 1 else "z0"
         length, angle = f"a{k - 1} = {number(before[2])} m", f"alpha{k - 1} = {_deg(before[3])}"
-        return f"Row {k}: {length} ({y} to {z} along x{k - 1}), {angle} ({y} to {z} about x{k - 1}), {first}."
+        return (
+            f"Row {k}: {length} ({y} to {z} along x{k - 1}), {angle} ({y} to {z} about x{k - 1}),"
+            f" {first}."
+        )
 
     def end(self, n, tool):
         if np.array_equal(tool, np.eye(4)):
             return f"Frame {n} is the tool's frame, so arm.tool is the identity."
         if np.abs(tool - np.eye(4)).max() < 1e-9:
-            return f"Frame {n} is the tool's frame up to rounding in the end pose ({turn_of(tool):.1g} rad), which arm.tool holds."
-        run = f"z{n} runs along the tool's z; " if self.standard and n not in self.found.snapped and tool[2, 2] > 0 else ""
-        return f"{run}arm.tool holds the way that is left from frame {n} to the end: shift {_point(tool[:3, 3])}, and turn {_turn(tool)}."
+            return (
+                f"Frame {n} is the tool's frame up to rounding in the end pose ({turn_of(tool):.1g}"
+                " rad), which arm.tool holds."
+            )
+        run = (
+            f"z{n} runs along the tool's z; "
+            if self.standard and n not in self.found.snapped and tool[2, 2] > 0
+            else ""
+        )
+        return (
+            f"{run}arm.tool holds the way that is left from frame {n} to the end: shift"
+            f" {_point(tool[:3, 3])}, and turn {_turn(tool)}."
+        )
 
 
 def _deg(angle):

@@ -1,4 +1,6 @@
-"""When two arms differ only in where their joints' zeros are, and which way they count: the usual gap between two publishers."""
+"""When two arms differ only in where their joints' zeros are, and which way they count: the usual
+gap between two publishers.
+"""
 
 from dataclasses import dataclass
 
@@ -20,8 +22,8 @@ SHOWN = 1e-8  # rad or m; a smaller offset is none
 
 @dataclass(frozen=True)
 class Rezeroed:
-    """``b(q) = base · a(sign · q + offset) · tool``: ``sign`` and ``offset`` (n,), rad or m; ``base`` and ``tool`` "fixed" or "free"; ``letters``
-    are the joints' types."""
+    """``b(q) = base · a(sign · q + offset) · tool``: ``sign`` and ``offset`` (n,), rad or m;
+    ``base`` and ``tool`` "fixed" or "free"; ``letters`` are the joints' types."""
 
     sign: np.ndarray
     offset: np.ndarray
@@ -39,9 +41,15 @@ class Rezeroed:
         parts = []
         turned = [str(k) for k, s in enumerate(self.sign, 1) if s < 0]
         if turned:
-            parts.append(f"joint{'s' * (len(turned) > 1)} {', '.join(turned)} counted the other way")
+            parts.append(
+                f"joint{'s' * (len(turned) > 1)} {', '.join(turned)} counted the other way"
+            )
         offsets = zip(range(1, len(self.letters) + 1), self.offset, self.letters)
-        shifts = [f"joint {k}'s zero moved by {_amount(x, letter)}" for k, x, letter in offsets if abs(x) > SHOWN]
+        shifts = [
+            f"joint {k}'s zero moved by {_amount(x, letter)}"
+            for k, x, letter in offsets
+            if abs(x) > SHOWN
+        ]
         free = " and ".join(name for name in ("base", "tool") if getattr(self, name) == "free")
         return ", ".join(parts + shifts) + (f", and {free} free," if free else "")
 
@@ -65,14 +73,23 @@ def with_zeros(arm, sign, offset):
     t, given = arm.table, arm.sign * np.asarray(offset)
     theta, d = t.theta + np.where(t.prismatic, 0, given), t.d + np.where(t.prismatic, given, 0)
     table = DHTable(t.convention, theta, d, t.a, t.alpha, t.joints)
-    return Arm(table, base=arm.base, tool=arm.tool, sign=arm.sign * np.asarray(sign), name=arm.name, source=arm.source)
+    return Arm(
+        table,
+        base=arm.base,
+        tool=arm.tool,
+        sign=arm.sign * np.asarray(sign),
+        name=arm.name,
+        source=arm.source,
+    )
 
 
 def rezero(a, b):
-    """Signs and zero offsets that make arm a move like arm b, if some do; the fewest changes, base and tool fixed when that is enough.
+    """Signs and zero offsets that make arm a move like arm b, if some do; the fewest changes, base
+    and tool fixed when that is enough.
 
-    Joint by joint: the next axis of b is turned about the present axis of a until it lies on a's next axis, in either sense. A search that
-    finds nothing proves little where neighbouring axes coincide.
+    Joint by joint: the next axis of b is turned about the present axis of a until it lies on a's
+    next axis, in either sense. A search that finds nothing proves little where neighbouring axes
+    coincide.
 
     Parameters
     ----------
@@ -91,24 +108,40 @@ def rezero(a, b):
     """
     A, B = joint_axes(a), joint_axes(b)
     for base in ("fixed", "free"):
-        found = [_settled(A, B, signs, offsets, Z, base) for signs, offsets, Z in _search(A, B, base)]
+        found = [
+            _settled(A, B, signs, offsets, Z, base) for signs, offsets, Z in _search(A, B, base)
+        ]
         if found:
-            return min(found, key=lambda r: (r.tool == "free", (r.sign < 0).sum() + (abs(r.offset) > SHOWN).sum()))
+            return min(
+                found,
+                key=lambda r: (
+                    r.tool == "free",
+                    (r.sign < 0).sum() + (abs(r.offset) > SHOWN).sum(),
+                ),
+            )
     return None
 
 
 def _search(A, B, base):
-    """Every (signs, offsets of joints 1 … n-1, Z) for which all axes of b, moved along, lie on those of a."""
+    """Every (signs, offsets of joints 1 … n-1, Z) for which all axes of b, moved along, lie on
+    those of a.
+    """
     same = SAME_LENGTH * max(A.reach, 1e-3)
     states = list(_starts(A, B, base, same))
     for i in range(1, len(A.letters)):
-        states = [(s + [sign], o + [offset], screw(A, i - 1, offset) @ Z) for s, o, Z in states for sign in (1.0, -1.0)
-                  for offset in _offset(A, moved(Z, B), i, sign, same)]
+        states = [
+            (s + [sign], o + [offset], screw(A, i - 1, offset) @ Z)
+            for s, o, Z in states
+            for sign in (1.0, -1.0)
+            for offset in _offset(A, moved(Z, B), i, sign, same)
+        ]
     return states
 
 
 def _starts(A, B, base, same):
-    """First axis on first axis; with the base free, what lays the first two axes on each other goes into the base."""
+    """First axis on first axis; with the base free, what lays the first two axes on each other goes
+    into the base.
+    """
     for sign in (1.0, -1.0):
         if base == "fixed":
             angle, distance = gaps(A, _counted(B, 0, sign))
@@ -130,25 +163,34 @@ def _counted(axes, i, sign):
 
 
 def _offset(A, M, i, sign, same):
-    """The offset of joint i-1 (0-based) that carries axis i of M onto axis i of A, as a list of none or one."""
+    """The offset of joint i-1 (0-based) that carries axis i of M onto axis i of A, as a list of
+    none or one.
+    """
     z, p = A.z[i - 1], A.p[i - 1]
     there, here = M.z[i] * sign, A.z[i]
     if abs(z @ there - z @ here) > SAME_ANGLE:
         return []
     slides, loose = A.letters[i - 1] == "P", A.letters[i] == "P"
     crossing = np.linalg.norm(np.cross(z, here)) > 1e-6
-    x_there, x_here = (_across(p, z, M.p[i], there, crossing, loose), _across(p, z, A.p[i], here, crossing, loose))
+    x_there, x_here = (
+        _across(p, z, M.p[i], there, crossing, loose),
+        _across(p, z, A.p[i], here, crossing, loose),
+    )
     if slides:
         return _slide_offset(z, here, there, A.p[i], M.p[i], crossing, loose, same)
     if np.linalg.norm(x_here) < same or np.linalg.norm(x_there) < same:
         offset = 0.0
     else:
-        offset = float(angle_about(z, x_there / np.linalg.norm(x_there), x_here / np.linalg.norm(x_here)))
+        offset = float(
+            angle_about(z, x_there / np.linalg.norm(x_there), x_here / np.linalg.norm(x_here))
+        )
     return [offset] if _lands(A, M, i, sign, offset, same) else []
 
 
 def _across(p, z, q, w, crossing, loose):
-    """What the turn about (p, z) has to bring round: the direction across z, or the way across when the axes are parallel."""
+    """What the turn about (p, z) has to bring round: the direction across z, or the way across when
+    the axes are parallel.
+    """
     if crossing:
         return across(w, z)
     return np.zeros(3) if loose else across(q - p, z)
@@ -179,11 +221,15 @@ def screw(A, i, q):
 
 
 def _settled(A, B, signs, offsets, Z, base):
-    """The last joint's offset from the end poses, if one brings them together; the tool is free otherwise. What turned b onto a turns a back."""
+    """The last joint's offset from the end poses, if one brings them together; the tool is free
+    otherwise. What turned b onto a turns a back.
+    """
     end, target = Z @ B.end, A.end
     n = len(A.letters) - 1
     for q in _last_offsets(A, n, end, target):
-        if np.abs(inverse(screw(A, n, q) @ end) @ target - np.eye(4)).max() < 10 * SAME_LENGTH * max(A.reach, 1e-3):
+        if np.abs(
+            inverse(screw(A, n, q) @ end) @ target - np.eye(4)
+        ).max() < 10 * SAME_LENGTH * max(A.reach, 1e-3):
             return Rezeroed(np.array(signs), -np.array([*offsets, q]), base, "fixed", A.letters)
     return Rezeroed(np.array(signs), -np.array([*offsets, 0.0]) + 0.0, base, "free", A.letters)
 

@@ -1,10 +1,13 @@
-"""Grading on a Dask cluster: the same tasks and the same cage, on each worker; a lost worker's tasks go to another."""
+"""Grading on a Dask cluster: the same tasks and the same cage, on each worker; a lost worker's
+tasks go to another.
+"""
 
 from .judging.work import work
 
 __all__ = ["over_cluster"]
 
-AHEAD = 4  # tasks a worker has in hand, so that it never waits and the scheduler never holds the whole class
+# tasks a worker has in hand, so that it never waits and the scheduler never holds the whole class
+AHEAD = 4
 RETRIES = 3
 
 
@@ -28,6 +31,7 @@ def over_cluster(address, todo):
     """
     client = _client(address)
     from distributed import as_completed
+
     todo, given = iter(todo), {}
     with client:
         ahead = max(2, AHEAD * len(client.scheduler_info(n_workers=-1)["workers"]))
@@ -40,7 +44,10 @@ def over_cluster(address, todo):
             future = next(done)
             entry = given.pop(future)
             if future.status == "error":
-                raise ValueError(f"grade: expected {entry[0].student!r} to be graded, found that the worker stopped ({future.exception()}); run again to grade the rest") from None
+                raise ValueError(
+                    f"grade: expected {entry[0].student!r} to be graded, found that the worker"
+                    f" stopped ({future.exception()}); run again to grade the rest"
+                ) from None
             yield future.result()
 
 
@@ -54,8 +61,14 @@ def _client(address):
     try:
         from distributed import Client
     except ImportError:
-        raise ValueError('grade: --scheduler: expected Dask, found that it is not installed; run: pip install "dhlab-kinematics[teach]"') from None
+        raise ValueError(
+            "grade: --scheduler: expected Dask, found that it is not installed; run: pip install"
+            ' "dhlab-kinematics[teach]"'
+        ) from None
     try:
         return Client(address, timeout=10)
     except (OSError, ValueError, TypeError):
-        raise ValueError(f"grade: --scheduler: {address}: expected a Dask scheduler there, found that none answers; start one with dask scheduler") from None
+        raise ValueError(
+            f"grade: --scheduler: {address}: expected a Dask scheduler there, found that none"
+            " answers; start one with dask scheduler"
+        ) from None

@@ -1,4 +1,6 @@
-"""``course.yaml``: which lessons count, when they are due, what they are worth, what lateness costs and what a submission may use."""
+"""``course.yaml``: which lessons count, when they are due, what they are worth, what lateness costs
+and what a submission may use.
+"""
 
 import math
 from dataclasses import dataclass, field
@@ -15,7 +17,9 @@ TOP = {"lessons", "late", "timezone", "partial", "own_kinematics", "limits", "ca
 
 @dataclass(frozen=True)
 class Limits:
-    """What one notebook may use: seconds for a cell and in all, MB of memory above the warm start, MB of files, threads."""
+    """What one notebook may use: seconds for a cell and in all, MB of memory above the warm start,
+    MB of files, threads.
+    """
 
     cell_seconds: float = 10.0
     seconds: float = 60.0
@@ -26,7 +30,9 @@ class Limits:
 
 @dataclass(frozen=True)
 class Lesson:
-    """One lesson of the course: when it is due (None: never late) and points that differ from the exercises' own."""
+    """One lesson of the course: when it is due (None: never late) and points that differ from the
+    exercises' own.
+    """
 
     due: datetime | None = None
     points: dict = field(default_factory=dict)
@@ -34,7 +40,8 @@ class Lesson:
 
 @dataclass(frozen=True)
 class Settings:
-    """The course as the teacher sets it; the default grades every lesson that is handed in, never late.
+    """The course as the teacher sets it; the default grades every lesson that is handed in, never
+    late.
 
     Examples
     --------
@@ -53,9 +60,11 @@ class Settings:
     zone: tzinfo = timezone.utc
 
     def lateness(self, lesson, when):
-        """(days after the due date, share of the points taken off) of work on a lesson that came at ``when``, a datetime or None.
+        """(days after the due date, share of the points taken off) of work on a lesson that came at
+        ``when``, a datetime or None.
 
-        Every day that has begun counts, once the hours of grace are over; what is left never falls below the floor.
+        Every day that has begun counts, once the hours of grace are over; what is left never falls
+        below the floor.
 
         Examples
         --------
@@ -71,7 +80,9 @@ class Settings:
         days = (when - due).total_seconds() / 86400
         if days <= self.grace_hours / 24:
             return 0.0, 0.0
-        return round(days, 4), round(min(self.percent_per_day * math.ceil(days), 100 - self.floor) / 100, 6)
+        return round(days, 4), round(
+            min(self.percent_per_day * math.ceil(days), 100 - self.floor) / 100, 6
+        )
 
     def points(self, exercise):
         """What an exercise is worth in this course."""
@@ -91,11 +102,12 @@ def read_settings(path):
             lessons:
               "05": {due: 2026-11-20}       # without a time: the end of that day
               "06": {due: 2026-11-27 23:59, points: {"06.2": 5}}
-            late: {percent_per_day: 10, floor: 50, grace_hours: 1}
-            partial: 0.5          # share of the points for a wrong answer whose one mistake is recognised; 0 when left out
-            own_kinematics: 0     # share for a function that calls the library's kinematics where it is to be written
-            limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb: 16, threads: 32}
-            cage: bubblewrap      # or landlock, rlimits; the best there is when left out
+            late: {percent_per_day: 10, floor: 50, grace_hours: 1} partial: 0.5          # share of
+            the points for a wrong answer whose one mistake is recognised; 0 when left out
+            own_kinematics: 0     # share for a function that calls the library's kinematics where
+            it is to be written limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb:
+            16, threads: 32} cage: bubblewrap      # or landlock, rlimits; the best there is when
+            left out
 
     Returns
     -------
@@ -109,11 +121,25 @@ def read_settings(path):
     top = plainyaml.read(path, "a course's settings")
     known = plainyaml.fields(top, "course", required=set(), allowed=TOP)
     zone = _zone(known.get("timezone"))
-    given = {"zone": zone} | ({"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {})
+    given = {"zone": zone} | (
+        {"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {}
+    )
     if "late" in known:
-        late = plainyaml.fields(known["late"], "late", required={"percent_per_day"}, allowed={"percent_per_day", "floor", "grace_hours"})
-        given |= {key: _between(item, f"late: {key}", 0, 10_000 if key == "grace_hours" else 100) for key, item in late.items()}
-    given |= {key: _between(known[key], key, 0, 1) for key in ("partial", "own_kinematics") if key in known}
+        late = plainyaml.fields(
+            known["late"],
+            "late",
+            required={"percent_per_day"},
+            allowed={"percent_per_day", "floor", "grace_hours"},
+        )
+        given |= {
+            key: _between(item, f"late: {key}", 0, 10_000 if key == "grace_hours" else 100)
+            for key, item in late.items()
+        }
+    given |= {
+        key: _between(known[key], key, 0, 1)
+        for key in ("partial", "own_kinematics")
+        if key in known
+    }
     if "limits" in known:
         given["limits"] = _limits(known["limits"])
     if "cage" in known:
@@ -128,15 +154,21 @@ def _zone(item):
     try:
         return ZoneInfo(name)
     except (KeyError, ValueError, OSError):
-        raise ValueError(f"{item.where}: timezone: expected a name such as Europe/Vienna or UTC, found {name!r}") from None
+        raise ValueError(
+            f"{item.where}: timezone: expected a name such as Europe/Vienna or UTC, found {name!r}"
+        ) from None
 
 
 def _lessons(item, zone):
     from ..course.exercises import exercises
+
     known = {key.split(".")[0] for key in exercises()}
     for name, entry in item.value.items() if isinstance(item.value, dict) else ():
         if name not in known:
-            raise ValueError(f'{entry.where}: lessons: expected lessons from {", ".join(sorted(known))}, unknown key "{name}"; write two digits, such as "05"')
+            raise ValueError(
+                f"{entry.where}: lessons: expected lessons from {', '.join(sorted(known))}, unknown"
+                f' key "{name}"; write two digits, such as "05"'
+            )
     lessons = plainyaml.fields(item, "lessons", required=set(), allowed=known)
     return {name: _lesson(name, entry, zone) for name, entry in lessons.items()}
 
@@ -145,13 +177,18 @@ def _lesson(name, item, zone):
     if item.value is None:
         return Lesson()
     from ..course.exercises import exercises
+
     known = plainyaml.fields(item, f"lesson {name}", required=set(), allowed={"due", "points"})
     points = {}
     if "points" in known:
         ids = {key for key in exercises() if key.startswith(f"{name}.")}
-        given = plainyaml.fields(known["points"], f"lesson {name}: points", required=set(), allowed=ids)
+        given = plainyaml.fields(
+            known["points"], f"lesson {name}: points", required=set(), allowed=ids
+        )
         points = {key: _between(entry, f"points of {key}", 0, 1000) for key, entry in given.items()}
-    return Lesson(_moment(known["due"], f"lesson {name}: due", zone) if "due" in known else None, points)
+    return Lesson(
+        _moment(known["due"], f"lesson {name}: due", zone) if "due" in known else None, points
+    )
 
 
 def _moment(item, what, zone):
@@ -159,7 +196,9 @@ def _moment(item, what, zone):
     try:
         moment = datetime.fromisoformat(words)
     except ValueError:
-        raise ValueError(f"{item.where}: {what}: expected a date such as 2026-11-20 23:59, found {words!r}") from None
+        raise ValueError(
+            f"{item.where}: {what}: expected a date such as 2026-11-20 23:59, found {words!r}"
+        ) from None
     if _is_date(words):
         moment = datetime.combine(moment, time(23, 59, 59))
     return moment if moment.tzinfo else moment.replace(tzinfo=zone)
@@ -176,18 +215,28 @@ def _is_date(words):
 def _between(item, what, low, high):
     value = plainyaml.number(item, what)
     if not low <= value <= high:
-        raise ValueError(f"{item.where}: {what}: expected a number from {low} to {high}, found {value}")
+        raise ValueError(
+            f"{item.where}: {what}: expected a number from {low} to {high}, found {value}"
+        )
     return value
 
 
 def _limits(item):
     names = {name: type(value) for name, value in vars(Limits()).items()}
     known = plainyaml.fields(item, "limits", required=set(), allowed=set(names))
-    return Limits(**{name: names[name](_between(entry, f"limits: {name}", 1, 100_000)) for name, entry in known.items()})
+    return Limits(
+        **{
+            name: names[name](_between(entry, f"limits: {name}", 1, 100_000))
+            for name, entry in known.items()
+        }
+    )
 
 
 def _level(item):
     name = plainyaml.text(item, "cage")
     if name not in LEVELS:
-        raise ValueError(f"{item.where}: cage: expected {', '.join(LEVELS)}, found {name!r}; leave it out for the best there is")
+        raise ValueError(
+            f"{item.where}: cage: expected {', '.join(LEVELS)}, found {name!r}; leave it out for"
+            " the best there is"
+        )
     return name

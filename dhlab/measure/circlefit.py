@@ -1,4 +1,6 @@
-"""The circle of least squared distances through points that a joint drew, with its standard deviations."""
+"""The circle of least squared distances through points that a joint drew, with its standard
+deviations.
+"""
 
 from dataclasses import dataclass
 
@@ -9,13 +11,16 @@ __all__ = ["fit_circle", "Fit"]
 
 FLAT = 1e-7  # second singular value over the first; below it the points are a line
 NO_RADIUS = 10.0  # × the scatter; a smaller circle is a cloud
-IN_STEP = 0.9  # mean resultant length of the angles minus q; below it the points do not go round with the joint
+# mean resultant length of the angles minus q; below it the points do not go round with the joint
+IN_STEP = 0.9
 NOTHING = 1e-7  # m; exact points that move less did not move
 
 
 @dataclass(frozen=True)
 class Fit:
-    """Axis in the sense of increasing q, centre, radius, direction of the radius at q = 0, misfits and standard deviations."""
+    """Axis in the sense of increasing q, centre, radius, direction of the radius at q = 0, misfits
+    and standard deviations.
+    """
 
     axis: np.ndarray
     centre: np.ndarray
@@ -27,7 +32,8 @@ class Fit:
 
 
 def fit_circle(q, points, noise):
-    """The :class:`Fit` to ``points`` (m, 3) drawn at joint values ``q`` (m,), or a clause that says why there is none.
+    """The :class:`Fit` to ``points`` (m, 3) drawn at joint values ``q`` (m,), or a clause that says
+    why there is none.
 
     Examples
     --------
@@ -39,16 +45,25 @@ def fit_circle(q, points, noise):
     middle = points.mean(axis=0)
     _, spread, directions = np.linalg.svd(points - middle, full_matrices=False)
     if spread[0] / np.sqrt(len(q)) < max(NOTHING, 3 * (noise or 0)):
-        return f"the measured point stays where it is (within {1000 * spread[0] / np.sqrt(len(q)):.2g} mm), so it lies on the axis of this joint"
+        return (
+            f"the measured point stays where it is (within {1000 * spread[0] / np.sqrt(len(q)):.2g}"
+            " mm), so it lies on the axis of this joint"
+        )
     if spread[1] < FLAT * spread[0]:
         return "its points lie on a straight line"
     centre, basis, radius = _first_guess(points - middle, directions)
-    for _ in range(2):  # the second time about the solution, where the tilts are 0 and the covariance is simple
-        centre, basis, radius, J, off = _refine(points, centre + (middle if _ == 0 else 0), basis, radius)
-    scatter = np.sqrt((off ** 2).sum() / (2 * len(q) - 6))
+    for _ in range(
+        2
+    ):  # the second time about the solution, where the tilts are 0 and the covariance is simple
+        centre, basis, radius, J, off = _refine(
+            points, centre + (middle if _ == 0 else 0), basis, radius
+        )
+    scatter = np.sqrt((off**2).sum() / (2 * len(q) - 6))
     if radius < NO_RADIUS * max(scatter, noise or 0):
-        return (f"the measured point moves only {1000 * radius:.2g} mm from the axis of this joint, "
-                f"no more than its scatter of {1000 * scatter:.2g} mm allows, so it lies on the axis")
+        return (
+            f"the measured point moves only {1000 * radius:.2g} mm from the axis of this joint, "
+            f"no more than its scatter of {1000 * scatter:.2g} mm allows, so it lies on the axis"
+        )
     return _with_angles(q, points, centre, basis, radius, J, off, noise or scatter)
 
 
@@ -56,7 +71,7 @@ def _first_guess(points, directions):
     """Plane by singular values, circle in it by linear least squares (Kåsa 1976)."""
     flat = points @ directions[:2].T
     system = np.column_stack([2 * flat, np.ones(len(flat))])
-    (x, y, k), *_ = np.linalg.lstsq(system, (flat ** 2).sum(axis=1), rcond=None)
+    (x, y, k), *_ = np.linalg.lstsq(system, (flat**2).sum(axis=1), rcond=None)
     basis = np.array([directions[0], directions[1], np.cross(directions[0], directions[1])])
     return x * directions[0] + y * directions[1], basis, np.sqrt(max(k + x * x + y * y, 0))
 
@@ -87,34 +102,69 @@ def _refine(points, centre, basis, radius):
         drho[:, 5] -= 1
         return np.vstack([dh, drho])
 
-    found = least_squares(off, [0, 0, 0, 0, 0, radius], jacobian, x_scale=[size, size, size, 1, 1, size], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    found = least_squares(
+        off,
+        [0, 0, 0, 0, 0, radius],
+        jacobian,
+        x_scale=[size, size, size, 1, 1, size],
+        xtol=1e-15,
+        ftol=1e-15,
+        gtol=1e-15,
+    )
     x, n = found.x, parts(found.x)[1] @ basis
     e1 = basis[0] - (basis[0] @ n) * n
     e1 /= np.linalg.norm(e1)
-    return centre + x[:3] @ basis, np.array([e1, np.cross(n, e1), n]), float(x[5]), found.jac, found.fun
+    return (
+        centre + x[:3] @ basis,
+        np.array([e1, np.cross(n, e1), n]),
+        float(x[5]),
+        found.jac,
+        found.fun,
+    )
 
 
 def _with_angles(q, points, centre, basis, radius, J, off, noise):
     """Sense and phase from the joint values, and the standard deviations of everything."""
     x, y, _ = ((points - centre) @ basis.T).T
     psi = np.arctan2(y, x)
-    sense = 1.0 if abs(np.exp(1j * (psi - q)).mean()) >= abs(np.exp(1j * (psi + q)).mean()) else -1.0
+    sense = (
+        1.0 if abs(np.exp(1j * (psi - q)).mean()) >= abs(np.exp(1j * (psi + q)).mean()) else -1.0
+    )
     lead = np.exp(1j * (sense * psi - q)).mean()
     if abs(lead) < IN_STEP:
-        return "its points do not go round in step with the joint: is q in radians, and is it the joint that moved?"
+        return (
+            "its points do not go round in step with the joint: is q in radians, and is it the"
+            " joint that moved?"
+        )
     phase = np.angle(lead)
     axis = sense * basis[2]
     at_zero = np.cos(phase) * basis[0] + sense * np.sin(phase) * basis[1]
     off_angle = np.sqrt((np.angle(np.exp(1j * (sense * psi - q - phase))) ** 2).mean())
-    off_circle = float(np.sqrt((off ** 2).sum() / len(q)))
-    return Fit(axis, centre, radius, at_zero, off_circle, float(off_angle), _sigmas(J, basis, centre, radius, psi, noise))
+    off_circle = float(np.sqrt((off**2).sum() / len(q)))
+    return Fit(
+        axis,
+        centre,
+        radius,
+        at_zero,
+        off_circle,
+        float(off_angle),
+        _sigmas(J, basis, centre, radius, psi, noise),
+    )
 
 
 def _sigmas(J, basis, centre, radius, psi, noise):
-    """Standard deviations from the covariance σ² (JᵀJ)⁻¹ of (centre in the basis, tilts, radius); the scatter along the circle is independent."""
-    C = noise ** 2 * np.linalg.pinv(J.T @ J)
+    """Standard deviations from the covariance σ² (JᵀJ)⁻¹ of (centre in the basis, tilts, radius);
+    the scatter along the circle is independent.
+    """
+    C = noise**2 * np.linalg.pinv(J.T @ J)
     tilted = np.r_[0, 0, 1, basis[:2] @ centre, 0]  # of the centre's height along its own axis
     turned = np.r_[np.sin(psi).mean(), -np.cos(psi).mean(), 0, 0, 0, 0] / radius
-    variances = {"axis": C[3, 3] + C[4, 4], "centre": C[0, 0] + C[1, 1], "along": C[2, 2], "height": tilted @ C @ tilted, "radius": C[5, 5],
-                 "phase": turned @ C @ turned + noise ** 2 / (len(psi) * radius ** 2)}
+    variances = {
+        "axis": C[3, 3] + C[4, 4],
+        "centre": C[0, 0] + C[1, 1],
+        "along": C[2, 2],
+        "height": tilted @ C @ tilted,
+        "radius": C[5, 5],
+        "phase": turned @ C @ turned + noise**2 / (len(psi) * radius**2),
+    }
     return {name: float(np.sqrt(variance)) for name, variance in variances.items()}

@@ -1,4 +1,6 @@
-"""Poses of an arm as functions of its zero offsets, and of where it stands and what it holds; with derivatives."""
+"""Poses of an arm as functions of its zero offsets, and of where it stands and what it holds; with
+derivatives.
+"""
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -15,8 +17,8 @@ PRECISION = {"xtol": 1e-13, "ftol": 1e-13, "gtol": 1e-13}
 class OffsetModel:
     """``W · arm(q + offsets) · E`` against what was measured.
 
-    The unknowns are a vector: n offsets (added to theta, or to d), then, when free, W as shift and rotation vector (6), then E likewise
-    (its shift alone when only positions were measured).
+    The unknowns are a vector: n offsets (added to theta, or to d), then, when free, W as shift and
+    rotation vector (6), then E likewise (its shift alone when only positions were measured).
 
     Parameters
     ----------
@@ -29,19 +31,24 @@ class OffsetModel:
 
     def __init__(self, arm, q, poses, base, tool):
         self.arm, self.q, self.n, self.slides = arm, q, len(arm), arm.table.prismatic
-        self.points, self.R = (poses, None) if poses.ndim == 2 else (poses[:, :3, 3], poses[:, :3, :3])
+        self.points, self.R = (
+            (poses, None) if poses.ndim == 2 else (poses[:, :3, 3], poses[:, :3, :3])
+        )
         self.n_base, self.n_tool = 6 * base, (3 if self.R is None else 6) * tool
-        self.size, self.numbers = self.n + self.n_base + self.n_tool, self.points.size * (1 if self.R is None else 2)
+        self.size, self.numbers = (
+            self.n + self.n_base + self.n_tool,
+            self.points.size * (1 if self.R is None else 2),
+        )
 
     def start(self, offsets=None):
         """Unknowns to begin from: the offsets, with base and tool put where they fit best."""
         x = np.zeros(self.size)
-        x[:self.n] = 0.0 if offsets is None else offsets
+        x[: self.n] = 0.0 if offsets is None else offsets
         T = self.arm.forward(self._moved(x))
         R, p, R_W = T[:, :3, :3], T[:, :3, 3], np.eye(3)
         if self.n_base:
             R_W = self._turn_of_base(R, p)
-            x[self.n:self.n + 6] = np.r_[(self.points - p @ R_W.T).mean(axis=0), _log(R_W)]
+            x[self.n : self.n + 6] = np.r_[(self.points - p @ R_W.T).mean(axis=0), _log(R_W)]
         if self.n_tool == 6:
             x[-3:] = _log(_mean(np.swapaxes(R_W @ R, 1, 2) @ self.R))
         return x
@@ -53,11 +60,16 @@ class OffsetModel:
         return turn.as_matrix()
 
     def _moved(self, x):
-        return self.q + self.arm.sign * x[:self.n]  # sign · (q + sign · x) = sign · q + x
+        return self.q + self.arm.sign * x[: self.n]  # sign · (q + sign · x) = sign · q + x
 
     def _split(self, x):
         """Shifts and rotation vectors of W and E; zeros where fixed."""
-        rest = np.r_[x[self.n:self.n + self.n_base], np.zeros(6 - self.n_base), x[self.n + self.n_base:], np.zeros(6 - self.n_tool)]
+        rest = np.r_[
+            x[self.n : self.n + self.n_base],
+            np.zeros(6 - self.n_base),
+            x[self.n + self.n_base :],
+            np.zeros(6 - self.n_tool),
+        ]
         return rest[:3], rest[3:6], rest[6:9], rest[9:]
 
     def base(self, x):
@@ -71,7 +83,9 @@ class OffsetModel:
         return _pose(_exp(e), u)
 
     def parts(self, x):
-        """Model minus measurement: positions (m, 3) in m, and rotations (m, 9) as chords, in rad to first order, or None."""
+        """Model minus measurement: positions (m, 3) in m, and rotations (m, 9) as chords, in rad to
+        first order, or None.
+        """
         T = self.base(x) @ self.arm.forward(self._moved(x)) @ self.tool(x)
         rotation = None if self.R is None else (T[:, :3, :3] - self.R).reshape(-1, 9) / np.sqrt(2)
         return T[:, :3, 3] - self.points, rotation
@@ -79,12 +93,21 @@ class OffsetModel:
     def residual(self, x, weights):
         """All of it in standard deviations, flat; ``weights`` are (m, rad)."""
         p, r = self.parts(x)
-        return p.ravel() / weights[0] if r is None else np.r_[p.ravel() / weights[0], r.ravel() / weights[1]]
+        return (
+            p.ravel() / weights[0]
+            if r is None
+            else np.r_[p.ravel() / weights[0], r.ravel() / weights[1]]
+        )
 
     def jacobian(self, x, weights):
         """Derivative of :meth:`residual` by the unknowns: (numbers, size)."""
         q, (t, w, u, e) = self._moved(x), self._split(x)
-        W, E, F, J = self.base(x), self.tool(x), self.arm.forward(q), self.arm.jacobian(q) * self.arm.sign
+        W, E, F, J = (
+            self.base(x),
+            self.tool(x),
+            self.arm.forward(q),
+            self.arm.jacobian(q) * self.arm.sign,
+        )
         T = W @ F @ E
         omega = np.swapaxes(J[:, 3:], 1, 2)
         v = np.swapaxes(J[:, :3], 1, 2) + np.cross(omega, (F[:, :3, :3] @ u)[:, None])
@@ -97,12 +120,23 @@ class OffsetModel:
             omega = np.concatenate([omega, np.zeros(many), turn], axis=1)
         if self.n_tool:
             R = W[:3, :3] @ F[:, :3, :3]
-            v = np.concatenate([v, np.swapaxes(R, 1, 2), np.zeros((len(q), self.n_tool - 3, 3))], axis=1)
-            omega = np.concatenate([omega, np.zeros(many), np.swapaxes(R @ _left(e), 1, 2)[:, :self.n_tool - 3]], axis=1)
+            v = np.concatenate(
+                [v, np.swapaxes(R, 1, 2), np.zeros((len(q), self.n_tool - 3, 3))], axis=1
+            )
+            omega = np.concatenate(
+                [omega, np.zeros(many), np.swapaxes(R @ _left(e), 1, 2)[:, : self.n_tool - 3]],
+                axis=1,
+            )
         rows = [np.swapaxes(v, 1, 2).reshape(-1, self.size) / weights[0]]
         if self.R is not None:
-            dR = np.cross(omega[:, :, None, :], np.swapaxes(T[:, :3, :3], 1, 2)[:, None])  # (m, unknown, column, 3)
-            rows.append(np.moveaxis(np.swapaxes(dR, 2, 3), 1, 3).reshape(-1, self.size) / weights[1] / np.sqrt(2))
+            dR = np.cross(
+                omega[:, :, None, :], np.swapaxes(T[:, :3, :3], 1, 2)[:, None]
+            )  # (m, unknown, column, 3)
+            rows.append(
+                np.moveaxis(np.swapaxes(dR, 2, 3), 1, 3).reshape(-1, self.size)
+                / weights[1]
+                / np.sqrt(2)
+            )
         return np.vstack(rows)
 
     def solve(self, x, weights, keep=None):
@@ -113,19 +147,31 @@ class OffsetModel:
             full = x.copy()
             full[keep] = part
             return full
-        found = least_squares(lambda part: self.residual(whole(part), weights), x[keep],
-                              lambda part: self.jacobian(whole(part), weights)[:, keep], **PRECISION)
+
+        found = least_squares(
+            lambda part: self.residual(whole(part), weights),
+            x[keep],
+            lambda part: self.jacobian(whole(part), weights)[:, keep],
+            **PRECISION,
+        )
         return whole(found.x)
 
     def corrected(self, x):
         """The arm with offsets, base and tool put in."""
         table = self.arm.table
-        theta = table.theta + np.where(self.slides, 0.0, x[:self.n])
-        d = table.d + np.where(self.slides, x[:self.n], 0.0)
+        theta = table.theta + np.where(self.slides, 0.0, x[: self.n])
+        d = table.d + np.where(self.slides, x[: self.n], 0.0)
         base = self.base(x) @ self.arm.base if self.n_base else self.arm.base
         tool = self.arm.tool @ self.tool(x) if self.n_tool else self.arm.tool
-        return Arm(DHTable(table.convention, theta, d, table.a, table.alpha, table.joints), base, tool, self.arm.limits, self.arm.sign, self.arm.name,
-                   self.arm.source)
+        return Arm(
+            DHTable(table.convention, theta, d, table.a, table.alpha, table.joints),
+            base,
+            tool,
+            self.arm.limits,
+            self.arm.sign,
+            self.arm.name,
+            self.arm.source,
+        )
 
 
 def _mean(R):
@@ -147,9 +193,13 @@ def _pose(R, p):
 
 
 def _left(w):
-    """The left Jacobian of a rotation vector: ω = _left(w) dw/dt (Barfoot, State Estimation for Robotics, chapter 7)."""
+    """The left Jacobian of a rotation vector: ω = _left(w) dw/dt (Barfoot, State Estimation for
+    Robotics, chapter 7).
+    """
     angle = np.linalg.norm(w)
     K = np.cross(np.eye(3), w)  # [w×]
     if angle < 1e-6:
         return np.eye(3) + K / 2
-    return np.eye(3) + (1 - np.cos(angle)) / angle ** 2 * K + (angle - np.sin(angle)) / angle ** 3 * K @ K
+    return (
+        np.eye(3) + (1 - np.cos(angle)) / angle**2 * K + (angle - np.sin(angle)) / angle**3 * K @ K
+    )

@@ -7,14 +7,18 @@ from scipy.linalg import qr
 
 __all__ = ["Undetermined", "undetermined_groups", "null_space", "pivots"]
 
-NO_EFFECT = 1e-9  # singular value over the largest; derivatives are exact, so true ones lie far above
+NO_EFFECT = (
+    1e-9  # singular value over the largest; derivatives are exact, so true ones lie far above
+)
 PART = 0.02  # component of a unit vector from which an unknown takes part
 VAGUE = {"R": np.deg2rad(5), "P": 0.02}  # rad, m; a worse standard deviation is said aloud
 
 
 @dataclass(frozen=True)
 class Undetermined:
-    """Joints (1-based) whose offsets the data cannot tell, and why, in ``words``; ``vague``: it can, but only roughly."""
+    """Joints (1-based) whose offsets the data cannot tell, and why, in ``words``; ``vague``: it
+    can, but only roughly.
+    """
 
     joints: tuple
     words: str
@@ -29,39 +33,58 @@ def null_space(J):
     >>> null_space(np.array([[1.0, 1.0], [2.0, 2.0]])).round(3).shape
     (2, 1)
     """
-    _, s, V = np.linalg.svd(np.linalg.qr(J, mode="r"), full_matrices=True)  # as large as there are unknowns, however many rows J has
+    _, s, V = np.linalg.svd(
+        np.linalg.qr(J, mode="r"), full_matrices=True
+    )  # as large as there are unknowns, however many rows J has
     s = np.r_[s, np.zeros(J.shape[1] - len(s))]
     return V[s <= NO_EFFECT * max(s[0], 1e-300)].T
 
 
 def pivots(N, n):
-    """Which unknowns to hold so that nothing is left free: one per direction, offsets (the first n) before others."""
+    """Which unknowns to hold so that nothing is left free: one per direction, offsets (the first n)
+    before others.
+    """
     held = np.zeros(len(N), dtype=bool)
     if N.shape[1]:
         preferred = np.where(np.arange(len(N)) < n, 1.0, 1e-3)
         _, _, order = qr((N * preferred[:, None]).T, pivoting=True, mode="economic")
-        held[order[:N.shape[1]]] = True
+        held[order[: N.shape[1]]] = True
     return held
 
 
 def undetermined_groups(J, sigma, model):
-    """Groups of joints that cannot be told apart (from each other, the base or the tool), and joints known only roughly."""
+    """Groups of joints that cannot be told apart (from each other, the base or the tool), and
+    joints known only roughly.
+    """
     N, n = null_space(J), model.n
     P = N @ N.T
     groups, seen = [], set()
     for i in range(n):
-        if i not in seen and P[i, i] > PART ** 2:
+        if i not in seen and P[i, i] > PART**2:
             members = _connected(P, i)
             seen |= members
             joints = tuple(sorted(k + 1 for k in members if k < n))
-            places = [name for name, (first, last) in {"base": (n, n + model.n_base), "tool": (n + model.n_base, model.size)}.items()
-                      if any(first <= k < last for k in members)]
+            places = [
+                name
+                for name, (first, last) in {
+                    "base": (n, n + model.n_base),
+                    "tool": (n + model.n_base, model.size),
+                }.items()
+                if any(first <= k < last for k in members)
+            ]
             groups.append(Undetermined(joints, _words(joints, places, model.R is None)))
     for i in range(n):
         limit = VAGUE["P" if model.slides[i] else "R"]
         if i not in seen and limit < sigma[i]:
-            size = f"{1000 * sigma[i]:.0f} mm" if model.slides[i] else f"{np.rad2deg(sigma[i]):.0f} deg"
-            words = f"The offset of joint {i + 1} is known only to about {size} from these poses; measure more, or others."
+            size = (
+                f"{1000 * sigma[i]:.0f} mm"
+                if model.slides[i]
+                else f"{np.rad2deg(sigma[i]):.0f} deg"
+            )
+            words = (
+                f"The offset of joint {i + 1} is known only to about {size} from these poses;"
+                " measure more, or others."
+            )
             groups.append(Undetermined((i + 1,), words, True))
     return tuple(groups)
 
@@ -71,7 +94,7 @@ def _connected(P, i):
     members, fresh = set(), {i}
     while fresh:
         members |= fresh
-        fresh = {int(k) for j in fresh for k in np.flatnonzero(abs(P[j]) > PART ** 2)} - members
+        fresh = {int(k) for j in fresh for k in np.flatnonzero(abs(P[j]) > PART**2)} - members
     return members
 
 
@@ -80,10 +103,23 @@ def _words(joints, places, positions_only):
     if len(joints) == 1 and not places:
         todo = "; measure rotations too, or a point off its axis" if positions_only else ""
         return f"The offset of joint {joints[0]} does not show in {by}; it was left as it is{todo}."
-    names = f"joint {joints[0]}" if len(joints) == 1 else f"joints {', '.join(map(str, joints[:-1]))} and {joints[-1]}"
+    names = (
+        f"joint {joints[0]}"
+        if len(joints) == 1
+        else f"joints {', '.join(map(str, joints[:-1]))} and {joints[-1]}"
+    )
     offsets = "offset" if len(joints) == 1 else "offsets"
     if places:
-        where = " and ".join({"base": "where the base stands", "tool": "how the tool sits"}[place] for place in places)
+        where = " and ".join(
+            {"base": "where the base stands", "tool": "how the tool sits"}[place]
+            for place in places
+        )
         each = "" if len(joints) == 1 else "each other or from "
-        return f"The {offsets} of {names} cannot be told apart from {each}{where} by {by}: a change of one hides in the other; one is kept at 0."
-    return f"The {offsets} of {names} cannot be told apart by {by}: only their combination is known; one is kept at 0."
+        return (
+            f"The {offsets} of {names} cannot be told apart from {each}{where} by {by}: a change of"
+            " one hides in the other; one is kept at 0."
+        )
+    return (
+        f"The {offsets} of {names} cannot be told apart by {by}: only their combination is known;"
+        " one is kept at 0."
+    )

@@ -1,4 +1,6 @@
-"""Frames placed by hand on bare joint axes: the board, its rules and the geometry that both look at."""
+"""Frames placed by hand on bare joint axes: the board, its rules and the geometry that both look
+at.
+"""
 
 from .board import Placement
 

@@ -1,4 +1,6 @@
-"""A learner places DH frames on bare joint axes, step by step, and every step is judged: any valid choice passes, a wrong one is told its rule."""
+"""A learner places DH frames on bare joint axes, step by step, and every step is judged: any valid
+choice passes, a wrong one is told its rule.
+"""
 
 import numpy as np
 
@@ -19,7 +21,8 @@ class Placement:
     Parameters
     ----------
     axes : list
-        As :func:`dhlab.geometry.frames.assign_frames` takes them: per joint (point, direction) or (point, direction, "R" | "P").
+        As :func:`dhlab.geometry.frames.assign_frames` takes them: per joint (point, direction) or
+        (point, direction, "R" | "P").
     end : array (4, 4)
         The end pose at q = 0.
     convention : "standard" or "craig"
@@ -27,7 +30,8 @@ class Placement:
     Attributes
     ----------
     z, o, x : dict
-        What is placed so far, by frame: unit vectors (3,) and points (3,) in m, exact where the hand was a little off.
+        What is placed so far, by frame: unit vectors (3,) and points (3,) in m, exact where the
+        hand was a little off.
     model : PlacedArm
         What ``assign_frames`` makes of the same axes.
 
@@ -38,9 +42,10 @@ class Placement:
 
     Notes
     -----
-    A right step is kept; a wrong one changes nothing. A step made again puts away what no longer fits it. In a frame z comes first, then the
-    origin, then x. A sliding joint has only a direction, so its z runs through the origin it is given (or through ``point``); so does
-    the z that lies on no joint: z_n (standard) or z_0 (Craig).
+    A right step is kept; a wrong one changes nothing. A step made again puts away what no longer
+    fits it. In a frame z comes first, then the origin, then x. A sliding joint has only a
+    direction, so its z runs through the origin it is given (or through ``point``); so does the z
+    that lies on no joint: z_n (standard) or z_0 (Craig).
 
     Examples
     --------
@@ -80,7 +85,8 @@ class Placement:
         return k if 1 <= k <= len(self) else None
 
     def choices(self, i):
-        """What the axes leave open for frame i now: the case, the lines, the common normal, and origin and x where there is only one.
+        """What the axes leave open for frame i now: the case, the lines, the common normal, and
+        origin and x where there is only one.
 
         Returns
         -------
@@ -101,7 +107,9 @@ class Placement:
         """
         before = self._comes_first(self._frame(i))
         if before:
-            raise ValueError(f"Placement.choices: frame {i}: what is open depends on {before}; place it first")
+            raise ValueError(
+                f"Placement.choices: frame {i}: what is open depends on {before}; place it first"
+            )
         return self._geometry(i, self.o.get(i))
 
     def set_z(self, i, direction, point=None):
@@ -114,13 +122,16 @@ class Placement:
         direction : array (3,)
             Of any length, in the base frame.
         point : array (3,), optional
-            A point of the line, m: it tells parallel axes apart, and says where a z runs whose line is open.
+            A point of the line, m: it tells parallel axes apart, and says where a z runs whose line
+            is open.
 
         Returns
         -------
         Judgement
         """
-        judgement, exact = judge_z(self._frame(i), self.axes, self.convention, self.reach, direction, point)
+        judgement, exact = judge_z(
+            self._frame(i), self.axes, self.convention, self.reach, direction, point
+        )
         if judgement:
             self.z[i], self._points[i] = exact
             self._keep(judgement)
@@ -135,7 +146,12 @@ class Placement:
         """
         before = self._comes_first(self._frame(i), "o")
         if before:
-            return Judgement(f"o{i}", False, "order", f"Place {before} first: which point is right depends on it.")
+            return Judgement(
+                f"o{i}",
+                False,
+                "order",
+                f"Place {before} first: which point is right depends on it.",
+            )
         judgement, exact = judge_origin(self._geometry(i), point)
         if judgement:
             self.o[i] = self._on_next_line(i, exact)
@@ -160,9 +176,19 @@ class Placement:
 
     @property
     def missing(self):
-        """The steps that are left, in an order in which they can be made: every z, then frame by frame the origin and x."""
+        """The steps that are left, in an order in which they can be made: every z, then frame by
+        frame the origin and x.
+        """
         left = [f"z{i}" for i in range(len(self) + 1) if i not in self.z]
-        return (*left, *(f"{letter}{i}" for i in self._order for letter, placed in (("o", self.o), ("x", self.x)) if i not in placed))
+        return (
+            *left,
+            *(
+                f"{letter}{i}"
+                for i in self._order
+                for letter, placed in (("o", self.o), ("x", self.x))
+                if i not in placed
+            ),
+        )
 
     @property
     def finished(self):
@@ -172,7 +198,9 @@ class Placement:
     @property
     def steps(self):
         """What is placed, a sentence each: every z, then frame by frame the origin and x."""
-        every = [f"z{i}" for i in range(len(self) + 1)] + [f"{letter}{i}" for i in self._order for letter in "ox"]
+        every = [f"z{i}" for i in range(len(self) + 1)] + [
+            f"{letter}{i}" for i in self._order for letter in "ox"
+        ]
         return tuple(f"{step}: {self._said[step].message}" for step in every if step in self._said)
 
     @property
@@ -182,7 +210,8 @@ class Placement:
 
     @property
     def arm(self):
-        """The finished frames as a PlacedArm: the table, the base and tool that take up what is free, the joints' signs, the steps.
+        """The finished frames as a PlacedArm: the table, the base and tool that take up what is
+        free, the joints' signs, the steps.
 
         Raises
         ------
@@ -190,19 +219,36 @@ class Placement:
             A frame is not finished.
         """
         if not self.finished:
-            raise ValueError(f"Placement.arm: expected every frame placed, found {len(self.missing)} steps left; the next is {self.missing[0]}")
+            raise ValueError(
+                f"Placement.arm: expected every frame placed, found {len(self.missing)} steps left;"
+                f" the next is {self.missing[0]}"
+            )
         n, frames = len(self), self.frames
         theta, d, a, alpha = np.array([self._row(k) for k in range(1, n + 1)]).T
-        table = DHTable(self.convention, theta, d, a, alpha, "".join(axis.letter for axis in self.axes[:n]))
+        table = DHTable(
+            self.convention, theta, d, a, alpha, "".join(axis.letter for axis in self.axes[:n])
+        )
         sign = [np.sign(self.z[k - self.standard] @ self.axes[k - 1].z) for k in range(1, n + 1)]
-        return PlacedArm(table, base=_clean(frames[0], self.reach), tool=_clean(inverse(frames[n]) @ self.end, self.reach), sign=sign, steps=self.steps)
+        return PlacedArm(
+            table,
+            base=_clean(frames[0], self.reach),
+            tool=_clean(inverse(frames[n]) @ self.end, self.reach),
+            sign=sign,
+            steps=self.steps,
+        )
 
     def _row(self, k):
-        """theta_k, d_k and this row's a and alpha; in the two conventions a row's moves are made about other axes, that is all."""
+        """theta_k, d_k and this row's a and alpha; in the two conventions a row's moves are made
+        about other axes, that is all.
+        """
         z, x = (self.z[k - 1], self.x[k]) if self.standard else (self.z[k], self.x[k - 1])
         way = self.o[k] - self.o[k - 1]
-        return (_tidy(angle_about(z, self.x[k - 1], self.x[k])), _no_dust(way @ z, self.reach), _no_dust(way @ x, self.reach),
-                _tidy(angle_about(x, self.z[k - 1], self.z[k])))
+        return (
+            _tidy(angle_about(z, self.x[k - 1], self.x[k])),
+            _no_dust(way @ z, self.reach),
+            _no_dust(way @ x, self.reach),
+            _tidy(angle_about(x, self.z[k - 1], self.z[k])),
+        )
 
     @property
     def _order(self):
@@ -211,7 +257,10 @@ class Placement:
 
     def _frame(self, i):
         if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not 0 <= i <= len(self):
-            raise ValueError(f"Placement: expected a frame from 0 to {len(self)}, found {i!r}; frames count from 0")
+            raise ValueError(
+                f"Placement: expected a frame from 0 to {len(self)}, found {i!r}; frames count"
+                " from 0"
+            )
         return int(i)
 
     def _other(self, i):
@@ -227,7 +276,9 @@ class Placement:
         return None if self._points.get(i) is None else (self._points[i], self.z[i])
 
     def _comes_first(self, i, part=""):
-        """The step that must come before this one of frame i, or "": z before the origin before x, and the other line before both."""
+        """The step that must come before this one of frame i, or "": z before the origin before x,
+        and the other line before both.
+        """
         if i not in self.z and (part or self._line(i) is None):
             return f"z{i}"
         j = self._other(i)
@@ -239,10 +290,14 @@ class Placement:
         j, line = self._other(i), self._line(i)
         other = None if j is None else self._line(j) or (self.o[j], self.z[j])
         z = self.z[i] if line is None else line[1]
-        return geometry(i, (f"z{i}", f"z{j}"), self.reach, z, line, other, anchor=self.o.get(j), o=o)
+        return geometry(
+            i, (f"z{i}", f"z{j}"), self.reach, z, line, other, anchor=self.o.get(j), o=o
+        )
 
     def _on_next_line(self, i, o):
-        """The origin of a sliding joint, moved onto the line of the next z where the two are so near that one line is meant."""
+        """The origin of a sliding joint, moved onto the line of the next z where the two are so
+        near that one line is meant.
+        """
         j = i + 1 if self.standard else i - 1
         line = self._line(j) if self._line(i) is None and 0 <= j <= len(self) else None
         if line is None or tilt(line[1], self.z[i]) > ROUNDING:
@@ -250,7 +305,9 @@ class Placement:
         on = nearest_on(*line, o)
         reached = judge_origin(self._geometry(i), on)[1]
         gap = np.zeros(3) if reached is None else reached - on
-        if abs(line[1] @ gap) > ROUNDING * self.reach:  # one row reaches another point of the line, a little further along it
+        if (
+            abs(line[1] @ gap) > ROUNDING * self.reach
+        ):  # one row reaches another point of the line, a little further along it
             on = on + line[1] * (gap @ gap) / (line[1] @ gap)
         return on if reached is not None and np.linalg.norm(on - o) <= LENGTH * self.reach else o
 
@@ -259,7 +316,12 @@ class Placement:
         self._said[judgement.step] = judgement
         for i in self._order:
             self._again(self.o, i, "o", lambda i=i: judge_origin(self._geometry(i), self.o[i]))
-            self._again(self.x, i, "x", lambda i=i: judge_x(self._geometry(i, self.o[i]), self.z[i], self.x[i]))
+            self._again(
+                self.x,
+                i,
+                "x",
+                lambda i=i: judge_x(self._geometry(i, self.o[i]), self.z[i], self.x[i]),
+            )
 
     def _again(self, placed, i, letter, judge):
         if i not in placed:

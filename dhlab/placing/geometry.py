@@ -1,7 +1,8 @@
 """What bare joint axes leave open for one frame: the geometry behind :mod:`dhlab.placing`.
 
-A frame stands on its own line (that of z_i) and has at most one other line to look at: that of z_{i-1} (standard) or z_{i+1} (Craig),
-because a row leads from one to the other along their common normal. How the two lines lie to each other decides what is right.
+A frame stands on its own line (that of z_i) and has at most one other line to look at: that of
+z_{i-1} (standard) or z_{i+1} (Craig), because a row leads from one to the other along their common
+normal. How the two lines lie to each other decides what is right.
 """
 
 from dataclasses import dataclass
@@ -23,16 +24,20 @@ class Geometry:
     Attributes
     ----------
     case : str
-        "start" (the frame at the free end of the chain), "skew", "meet", "parallel", "antiparallel", "same line", "same line, opposite";
-        "loose" and "loose, parallel" where only the direction of z_i is settled and its line goes through o_i.
+        "start" (the frame at the free end of the chain), "skew", "meet", "parallel",
+        "antiparallel", "same line", "same line, opposite"; "loose" and "loose, parallel" where only
+        the direction of z_i is settled and its line goes through o_i.
     line, other : pair of arrays (3,), or None
-        The line of z_i, and the line that x_i must meet; None when it is not settled, or there is none.
+        The line of z_i, and the line that x_i must meet; None when it is not settled, or there is
+        none.
     feet : array (2, 3) or None
-        Where the common normal meets ``other`` and ``line``; of parallel lines the one through o_i, else through the neighbour's origin.
+        Where the common normal meets ``other`` and ``line``; of parallel lines the one through o_i,
+        else through the neighbour's origin.
     origin : array (3,) or None
         The only right o_i; None: anywhere on ``line`` (or, loose, wherever one row reaches).
     x : array (3,) or None
-        The direction of x_i, either way; None: any at right angles to z_i, or not known before o_i is.
+        The direction of x_i, either way; None: any at right angles to z_i, or not known before o_i
+        is.
     names : pair of str
         z_i and the other z, as they are written.
     reach : float
@@ -65,7 +70,8 @@ def geometry(i, names, reach, z, line, other, anchor=None, o=None):
     z : array (3,)
         The direction of z_i.
     line, other : pair of arrays (3,), or None
-        The line of z_i, None when only its direction is settled; the other line, None when there is none.
+        The line of z_i, None when only its direction is settled; the other line, None when there is
+        none.
     anchor : array (3,), optional
         Where the normal of parallel lines is shown while o_i is not placed.
     o : array (3,), optional
@@ -91,12 +97,23 @@ def geometry(i, names, reach, z, line, other, anchor=None, o=None):
     if tilt(w, z) > ROUNDING:
         N = common_normal(p, w, q, z)
         feet = np.array([p + N.out * w, q + N.into * z])
-        return Geometry(case="meet" if abs(N.a) <= SAME_PLACE * reach else "skew", feet=feet, origin=feet[1], x=N.x, **common)
+        return Geometry(
+            case="meet" if abs(N.a) <= SAME_PLACE * reach else "skew",
+            feet=feet,
+            origin=feet[1],
+            x=N.x,
+            **common,
+        )
     target = next(point for point in (o, anchor, p) if point is not None)
     N = parallel_normal(p, w, q, z, (target - p) @ w, SAME_PLACE * reach)
     if N.x is None:
         return Geometry(case="same line" if z @ w > 0 else "same line, opposite", **common)
-    return Geometry(case="parallel" if z @ w > 0 else "antiparallel", feet=np.array([p + N.out * w, q + N.into * z]), x=N.x, **common)
+    return Geometry(
+        case="parallel" if z @ w > 0 else "antiparallel",
+        feet=np.array([p + N.out * w, q + N.into * z]),
+        x=N.x,
+        **common,
+    )
 
 
 def _loose(p, w, z, o, common):

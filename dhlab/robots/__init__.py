@@ -1,4 +1,6 @@
-"""The library of arms: one YAML file each, the best table first, alternatives by name, every table with its source and check poses."""
+"""The library of arms: one YAML file each, the best table first, alternatives by name, every table
+with its source and check poses.
+"""
 
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -22,7 +24,9 @@ EXTRA_KEYS = {"note", "checks"}  # what a library table says beyond a table file
 
 @dataclass(frozen=True)
 class CheckPose:
-    """A pose that a table must give: ``q`` (n,) in rad or m, ``xyz`` (3,) in m, ``R`` (3, 3) or None, and where it comes from."""
+    """A pose that a table must give: ``q`` (n,) in rad or m, ``xyz`` (3,) in m, ``R`` (3, 3) or
+    None, and where it comes from.
+    """
 
     q: np.ndarray
     xyz: np.ndarray
@@ -32,7 +36,9 @@ class CheckPose:
 
 @dataclass(frozen=True)
 class Entry:
-    """One arm of the library: ``tables`` maps a table's name to its Arm, the best first; ``notes`` and ``checks`` likewise."""
+    """One arm of the library: ``tables`` maps a table's name to its Arm, the best first; ``notes``
+    and ``checks`` likewise.
+    """
 
     key: str
     name: str
@@ -64,7 +70,8 @@ def load(name):
     Parameters
     ----------
     name : str or path
-        ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), or the path of a ``.yaml`` or ``.csv`` table file.
+        ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), or the path of a
+        ``.yaml`` or ``.csv`` table file.
 
     Returns
     -------
@@ -89,8 +96,14 @@ def load(name):
     key, _, table = str(name).partition(".")
     if key not in robots():
         near = get_close_matches(key, robots(), 1)
-        todo = f"did you mean {near[0]}?" if near else f"the arms are {', '.join(robots())}; a file's name ends in .yaml or .csv"
-        raise ValueError(f"load: expected an arm of the library or a table file, found no {str(name)!r}; {todo}")
+        todo = (
+            f"did you mean {near[0]}?"
+            if near
+            else f"the arms are {', '.join(robots())}; a file's name ends in .yaml or .csv"
+        )
+        raise ValueError(
+            f"load: expected an arm of the library or a table file, found no {str(name)!r}; {todo}"
+        )
     tables = entry(key).tables
     if table and table not in tables:
         raise ValueError(f"load: expected a table of {key} ({', '.join(tables)}), found {table!r}")
@@ -116,8 +129,16 @@ def entry(key):
     ['sdk_new', 'sdk_old']
     """
     item = plainyaml.read(FOLDER / f"{key}.yaml", "a library file")
-    top = fields(item, "the file", required={"name", "tables"}, allowed={"name", "topology", "limits", "ambiguity", "tables"})
-    words = {word: text(top[word], word) if word in top else "" for word in ("name", "topology", "ambiguity")}
+    top = fields(
+        item,
+        "the file",
+        required={"name", "tables"},
+        allowed={"name", "topology", "limits", "ambiguity", "tables"},
+    )
+    words = {
+        word: text(top[word], word) if word in top else ""
+        for word in ("name", "topology", "ambiguity")
+    }
     best = next(iter(top["tables"].value))
     tables, notes, checks = {}, {}, {}
     for name, table in top["tables"].value.items():
@@ -134,7 +155,10 @@ def _shared_limits(top, given):
     """The arm's limits, for a table that does not state its own; in degrees and metres."""
     if "limits" not in top or "limits" in given:
         return {}
-    letters = ["P" if "type" in row.value and row.value["type"].value == "prismatic" else "R" for row in given["joints"].value]
+    letters = [
+        "P" if "type" in row.value and row.value["type"].value == "prismatic" else "R"
+        for row in given["joints"].value
+    ]
     return {"limits": read_limits(top["limits"], letters, units.LENGTH["m"], units.ANGLE["deg"])}
 
 

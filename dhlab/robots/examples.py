@@ -31,5 +31,8 @@ def example(name):
     """
     known = sorted(path.name for path in FOLDER.iterdir() if path.suffix in (".urdf", ".csv"))
     if name not in known:
-        raise ValueError(f"example: expected one of {', '.join(known)}, found {name!r}; a file of your own is named by its path, without example()")
+        raise ValueError(
+            f"example: expected one of {', '.join(known)}, found {name!r}; a file of your own is"
+            " named by its path, without example()"
+        )
     return FOLDER / name

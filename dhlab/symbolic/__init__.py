@@ -1,4 +1,6 @@
-"""The derivation in SymPy: exact numbers, the link matrix from its moves, the product of a whole arm."""
+"""The derivation in SymPy: exact numbers, the link matrix from its moves, the product of a whole
+arm.
+"""
 
 from .derivation import (
     Step,

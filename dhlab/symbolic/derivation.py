@@ -1,6 +1,8 @@
-"""The derivation in SymPy: the link matrix from its four elementary moves, the product of a whole arm, its derivatives; all as LaTeX in a notebook.
+"""The derivation in SymPy: the link matrix from its four elementary moves, the product of a whole
+arm, its derivatives; all as LaTeX in a notebook.
 
-Needs the extra ``symbolic`` (``pip install dhlab-kinematics[symbolic]``). Angles are radians and lengths metres, as exact numbers or as symbols.
+Needs the extra ``symbolic`` (``pip install dhlab-kinematics[symbolic]``). Angles are radians and
+lengths metres, as exact numbers or as symbols.
 """
 
 from dataclasses import dataclass
@@ -10,16 +12,42 @@ from ..table import CONVENTIONS, DHTable
 from .gathered import gathered_product
 from .numbers import elementary, exact, exact_pose, the_sympy
 
-__all__ = ["Step", "Steps", "steps", "link", "product", "variables", "derivative", "short", "latex", "exact"]
+__all__ = [
+    "Step",
+    "Steps",
+    "steps",
+    "link",
+    "product",
+    "variables",
+    "derivative",
+    "short",
+    "latex",
+    "exact",
+]
 
-# the order of the moves: Siciliano et al., Robotics, eq. 2.52; Craig, Introduction to Robotics, eq. 3.6
-MOVES = {"standard": (("Rot", "z", "theta"), ("Trans", "z", "d"), ("Trans", "x", "a"), ("Rot", "x", "alpha")),
-         "craig": (("Rot", "x", "alpha"), ("Trans", "x", "a"), ("Rot", "z", "theta"), ("Trans", "z", "d"))}
+# the order of the moves: Siciliano et al., Robotics, eq. 2.52; Craig, Introduction to Robotics, eq.
+# 3.6
+MOVES = {
+    "standard": (
+        ("Rot", "z", "theta"),
+        ("Trans", "z", "d"),
+        ("Trans", "x", "a"),
+        ("Rot", "x", "alpha"),
+    ),
+    "craig": (
+        ("Rot", "x", "alpha"),
+        ("Trans", "x", "a"),
+        ("Rot", "z", "theta"),
+        ("Trans", "z", "d"),
+    ),
+}
 
 
 @dataclass(frozen=True)
 class Step:
-    """One elementary move of the link matrix: ``name``, its own ``matrix`` and the ``product`` of all moves so far (SymPy)."""
+    """One elementary move of the link matrix: ``name``, its own ``matrix`` and the ``product`` of
+    all moves so far (SymPy).
+    """
 
     name: str
     matrix: object
@@ -31,14 +59,21 @@ class Step:
     def _latex(self):
         kind, axis, symbol = self.name.replace("(", " ").replace(")", "").replace(",", "").split()
         greek = {"theta": r"\theta", "alpha": r"\alpha"}.get(symbol, symbol)
-        return rf"\mathrm{{{kind}}}({axis}, {greek}) = {latex(self.matrix)} \qquad \text{{so far: }} {latex(self.product)}"
+        return (
+            rf"\mathrm{{{kind}}}({axis}, {greek}) = {latex(self.matrix)} \qquad \text{{so far: }}"
+            rf" {latex(self.product)}"
+        )
 
 
 class Steps(tuple):
     """The four moves in their order; a notebook shows them one below the other."""
 
     def _repr_latex_(self):
-        return r"$$\begin{array}{l}" + r" \\[2ex] ".join(step._latex() for step in self) + r"\end{array}$$"
+        return (
+            r"$$\begin{array}{l}"
+            + r" \\[2ex] ".join(step._latex() for step in self)
+            + r"\end{array}$$"
+        )
 
 
 def steps(convention="standard"):
@@ -82,7 +117,8 @@ def link(theta=None, d=None, a=None, alpha=None, convention="standard"):
     Parameters
     ----------
     theta, d, a, alpha : number or SymPy expression, optional
-        Radians and metres; a symbol of that name when left out. Numbers are made exact (:func:`exact`).
+        Radians and metres; a symbol of that name when left out. Numbers are made exact
+        (:func:`exact`).
     convention : "standard" or "craig"
 
     Returns
@@ -119,14 +155,16 @@ def variables(n):
 def product(table_or_arm, fixed=None):
     """The end pose as formulas in the joint variables, base, tool and signs included.
 
-    Turns about parallel axes are gathered before anything is multiplied, so ``cos(q_2 + q_3)`` stands where a plain product has four terms.
-    Numbers are exact; only a constant that would take more than 40 operations to write is a decimal of 16 digits.
+    Turns about parallel axes are gathered before anything is multiplied, so ``cos(q_2 + q_3)``
+    stands where a plain product has four terms. Numbers are exact; only a constant that would take
+    more than 40 operations to write is a decimal of 16 digits.
 
     Parameters
     ----------
     table_or_arm : DHTable or Arm
     fixed : dict, optional
-        Joint number (from 1) to its value, radians or metres, or a SymPy expression; the other joints stay symbols.
+        Joint number (from 1) to its value, radians or metres, or a SymPy expression; the other
+        joints stay symbols.
 
     Returns
     -------
@@ -147,7 +185,10 @@ def product(table_or_arm, fixed=None):
     """
     arm = Arm(table_or_arm) if isinstance(table_or_arm, DHTable) else table_or_arm
     if not isinstance(arm, Arm):
-        raise ValueError(f"product: expected a DHTable or an Arm, found {type(arm).__name__}; make one with DHTable.standard or dhlab.load")
+        raise ValueError(
+            f"product: expected a DHTable or an Arm, found {type(arm).__name__}; make one with"
+            " DHTable.standard or dhlab.load"
+        )
     return gathered_product(*_chain(arm, _joint_values(arm, fixed or {})))
 
 
@@ -155,20 +196,27 @@ def _joint_values(arm, fixed):
     values = dict(enumerate(variables(len(arm)), 1))
     for i, value in fixed.items():
         if i not in values:
-            raise ValueError(f"product: fixed: expected joints from 1 to {len(arm)}, found {i!r}; joints are counted from 1")
+            raise ValueError(
+                f"product: fixed: expected joints from 1 to {len(arm)}, found {i!r}; joints are"
+                " counted from 1"
+            )
         values[i] = exact(value, "length" if arm.table.joints[i - 1] == "P" else "angle")
     return values
 
 
 def _chain(arm, values):
-    """``(before, rows, after)``: a list of ``(turn, shift)`` about and along z, each with the constant matrix behind it."""
+    """``(before, rows, after)``: a list of ``(turn, shift)`` about and along z, each with the
+    constant matrix behind it.
+    """
     table, craig = arm.table, arm.table.convention == "craig"
     before, after, rows = exact_pose(arm.base), exact_pose(arm.tool), []
     for i, (theta, d, a, alpha) in enumerate(table.rows):
         turn, shift = exact(theta, "angle"), exact(d, "length")
         moved = int(arm.sign[i]) * values[i + 1]
         turn, shift = (turn, shift + moved) if table.prismatic[i] else (turn + moved, shift)
-        bend = elementary("Trans", "x", exact(a, "length")) * elementary("Rot", "x", exact(alpha, "angle"))
+        bend = elementary("Trans", "x", exact(a, "length")) * elementary(
+            "Rot", "x", exact(alpha, "angle")
+        )
         if not craig:
             rows.append((turn, shift, bend))
             continue
@@ -193,7 +241,8 @@ def derivative(T, q):
     Returns
     -------
     sympy.Matrix or expression
-        Of the shape of T; the last column of dT/dq_i is column i of the position rows of ``arm.jacobian``.
+        Of the shape of T; the last column of dT/dq_i is column i of the position rows of
+        ``arm.jacobian``.
 
     Examples
     --------
@@ -204,12 +253,16 @@ def derivative(T, q):
     sympy = the_sympy()
     symbol = variables(q)[-1] if isinstance(q, int) and not isinstance(q, bool) and q > 0 else q
     if not isinstance(symbol, sympy.Symbol):
-        raise ValueError(f"derivative: expected the number of a joint (from 1) or its symbol, found {q!r}; see dhlab.symbolic.variables")
+        raise ValueError(
+            f"derivative: expected the number of a joint (from 1) or its symbol, found {q!r}; see"
+            " dhlab.symbolic.variables"
+        )
     return sympy.diff(T, symbol)
 
 
 def short(T):
-    """The same in a textbook's shorthand: ``cos(q_2 + q_3)`` becomes ``c_23``, ``sin(q_2 - q_3)`` becomes ``s_2-3``; to read, not to compute with.
+    """The same in a textbook's shorthand: ``cos(q_2 + q_3)`` becomes ``c_23``, ``sin(q_2 - q_3)``
+    becomes ``s_2-3``; to read, not to compute with.
 
     Examples
     --------
@@ -227,7 +280,7 @@ def short(T):
 
 
 def _label(angle):
-    """"23" for q_2 + q_3, "2-3" for q_2 - q_3, None for anything else."""
+    """ "23" for q_2 + q_3, "2-3" for q_2 - q_3, None for anything else."""
     terms = angle.as_ordered_terms() if angle.is_Add else [angle]
     label = ""
     for term in sorted(terms, key=lambda term: sorted(map(str, term.free_symbols))):
@@ -256,5 +309,8 @@ def _symbols(names):
 
 def _known(convention):
     if convention not in CONVENTIONS:
-        raise ValueError(f'symbolic: expected the convention "standard" or "craig", found {convention!r}; "modified" is "craig" here')
+        raise ValueError(
+            f'symbolic: expected the convention "standard" or "craig", found {convention!r};'
+            ' "modified" is "craig" here'
+        )
     return convention

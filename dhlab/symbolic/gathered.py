@@ -1,11 +1,15 @@
-"""The product of an arm in SymPy, short from the start: neighbouring turns about parallel axes are added before anything is multiplied."""
+"""The product of an arm in SymPy, short from the start: neighbouring turns about parallel axes are
+added before anything is multiplied.
+"""
 
 from .numbers import exact, the_sympy
 
 __all__ = ["gathered_product"]
 
 PARALLEL = 1e-30  # of numbers computed to DIGITS: exact zeros pass, 1.5708 for pi/2 does not
-LONG = 40  # operations; an exact number longer than this is nothing to read, and SymPy needs minutes to print some of them
+# operations; an exact number longer than this is nothing to read, and SymPy needs minutes to print
+# some of them
+LONG = 40
 DIGITS = 50
 
 
@@ -44,7 +48,9 @@ def gathered_product(before, rows, after):
 
 
 class _Run:
-    """``trans(p) · Rz(angle) · Rx(0 or 180°)``: all that a run of joints with parallel axes can do."""
+    """``trans(p) · Rz(angle) · Rx(0 or 180°)``: all that a run of joints with parallel axes can
+    do.
+    """
 
     def __init__(self, angle=0, up=1, p=(0, 0, 0)):
         self.angle, self.up, self.p = angle, up, p
@@ -67,7 +73,14 @@ class _Run:
     def matrix(self):
         sympy = the_sympy()
         c, s = sympy.cos(self.angle), sympy.sin(self.angle)
-        return sympy.Matrix([[c, -s * self.up, 0, self.p[0]], [s, c * self.up, 0, self.p[1]], [0, 0, self.up, self.p[2]], [0, 0, 0, 1]])
+        return sympy.Matrix(
+            [
+                [c, -s * self.up, 0, self.p[0]],
+                [s, c * self.up, 0, self.p[1]],
+                [0, 0, self.up, self.p[2]],
+                [0, 0, 0, 1],
+            ]
+        )
 
 
 def _angle(s, c):
@@ -79,7 +92,9 @@ def _angle(s, c):
 
 
 def _from_the_right(factors):
-    """The tool's end first, so that brackets nest as in the textbooks: ``c_1 (c_23 (…) - s_23 (…))``."""
+    """The tool's end first, so that brackets nest as in the textbooks: ``c_1 (c_23 (…) - s_23
+    (…))``.
+    """
     *rest, T = factors
     for factor in reversed(rest):
         T = factor * T
@@ -87,7 +102,9 @@ def _from_the_right(factors):
 
 
 def _numbers(T):
-    """A constant matrix with products of sines and cosines written as sums where that is shorter: equal angles then cancel."""
+    """A constant matrix with products of sines and cosines written as sums where that is shorter:
+    equal angles then cancel.
+    """
     sympy = the_sympy()
     from sympy.simplify.fu import TR8
 
@@ -95,6 +112,7 @@ def _numbers(T):
         if sympy.count_ops(entry) > LONG:
             return entry.evalf(DIGITS)
         return min(entry, TR8(sympy.expand(entry)), key=sympy.count_ops)
+
     return T.applyfunc(shorter)
 
 

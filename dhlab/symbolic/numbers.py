@@ -1,4 +1,6 @@
-"""Floats as the exact numbers they stand for, in SymPy: 0.35 is 7/20, 1.5707963267948966 is π/2; and the elementary moves made of them."""
+"""Floats as the exact numbers they stand for, in SymPy: 0.35 is 7/20, 1.5707963267948966 is π/2;
+and the elementary moves made of them.
+"""
 
 from functools import cache
 
@@ -9,7 +11,9 @@ from ..transform import to_xyz_rpy
 
 __all__ = ["the_sympy", "exact", "exact_pose", "elementary"]
 
-DIGITS = 12  # a stored number with more digits than this came out of a computation: it is rounded before it is made exact
+# a stored number with more digits than this came out of a computation: it is rounded before it is
+# made exact
+DIGITS = 12
 
 
 @cache
@@ -18,12 +22,16 @@ def the_sympy():
     try:
         import sympy
     except ImportError:
-        raise ValueError("dhlab.symbolic: expected SymPy, found it is not installed; run pip install dhlab-kinematics[symbolic]") from None
+        raise ValueError(
+            "dhlab.symbolic: expected SymPy, found it is not installed; run pip install"
+            " dhlab-kinematics[symbolic]"
+        ) from None
     return sympy
 
 
 def exact(value, kind="length"):
-    """The exact number that a float stands for: a decimal as a fraction, an angle that is a decimal number of degrees as a part of π.
+    """The exact number that a float stands for: a decimal as a fraction, an angle that is a decimal
+    number of degrees as a part of π.
 
     Parameters
     ----------
@@ -43,13 +51,20 @@ def exact(value, kind="length"):
     sympy = the_sympy()
     if isinstance(value, sympy.Basic):
         return value
-    if isinstance(value, bool) or np.ndim(value) or np.asarray(value).dtype.kind not in "iuf" or not np.isfinite(value):
+    if (
+        isinstance(value, bool)
+        or np.ndim(value)
+        or np.asarray(value).dtype.kind not in "iuf"
+        or not np.isfinite(value)
+    ):
         raise ValueError(f"exact: expected a finite number or a SymPy expression, found {value!r}")
     plain = sympy.Rational(_digits(value))
     if kind != "angle":
         return plain
     degrees = sympy.Rational(_digits(float(value) / units.ANGLE["deg"]))
-    as_turn = abs(float(degrees) * units.ANGLE["deg"] - value) < 1e-15 * max(1.0, abs(value)) and len(str(degrees)) <= len(str(plain))
+    as_turn = abs(float(degrees) * units.ANGLE["deg"] - value) < 1e-15 * max(
+        1.0, abs(value)
+    ) and len(str(degrees)) <= len(str(plain))
     return degrees * sympy.pi / 180 if as_turn else plain
 
 
@@ -62,13 +77,17 @@ def exact_pose(T):
     """A pose (4, 4) with exact roll, pitch, yaw and shift, as a SymPy matrix."""
     (x, y, z), rpy = to_xyz_rpy(T)
     roll, pitch, yaw = (exact(angle, "angle") for angle in rpy)
-    pose = elementary("Rot", "z", yaw) * elementary("Rot", "y", pitch) * elementary("Rot", "x", roll)
+    pose = (
+        elementary("Rot", "z", yaw) * elementary("Rot", "y", pitch) * elementary("Rot", "x", roll)
+    )
     pose[:3, 3] = the_sympy().Matrix([exact(x), exact(y), exact(z)])
     return pose
 
 
 def elementary(kind, axis, value):
-    """``Rot`` about or ``Trans`` along ``x``, ``y`` or ``z`` by an expression, as a SymPy matrix (4, 4)."""
+    """``Rot`` about or ``Trans`` along ``x``, ``y`` or ``z`` by an expression, as a SymPy matrix
+    (4, 4).
+    """
     sympy = the_sympy()
     matrix, k = sympy.eye(4), "xyz".index(axis)
     if kind == "Trans":

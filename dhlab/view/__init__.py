@@ -1,4 +1,5 @@
-"""Pictures for the page and the notebook: frames, arms, configurations, one row of a table. Each says in words and numbers what it shows.
+"""Pictures for the page and the notebook: frames, arms, configurations, one row of a table. Each
+says in words and numbers what it shows.
 
 Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
 """
@@ -13,4 +14,17 @@ from .pictures.condition import condition
 from .pictures.conventions import conventions
 from .pictures.link import link
 
-__all__ = ["Explorer", "Picture", "arm", "axes", "circle", "compared", "condition", "conventions", "explore", "frames", "link", "poses"]
+__all__ = [
+    "Explorer",
+    "Picture",
+    "arm",
+    "axes",
+    "circle",
+    "compared",
+    "condition",
+    "conventions",
+    "explore",
+    "frames",
+    "link",
+    "poses",
+]

@@ -6,7 +6,15 @@ from ..arm import Arm
 from ..transform import pose_fault
 from .drawing.style import POSES
 
-__all__ = ["require_arm", "given_poses", "given_names", "given_arm_at", "given_arm_at_all", "all_frames", "spread"]
+__all__ = [
+    "require_arm",
+    "given_poses",
+    "given_names",
+    "given_arm_at",
+    "given_arm_at_all",
+    "all_frames",
+    "spread",
+]
 
 
 def given_poses(poses):
@@ -18,10 +26,16 @@ def given_poses(poses):
     if chain.shape == (4, 4):
         chain = chain[None]
     if chain.ndim != 3 or chain.shape[1:] != (4, 4) or not len(chain):
-        raise ValueError(f"view.frames: expected one pose (4, 4) or several (k, 4, 4), found shape {chain.shape}; build them with dhlab.transform")
+        raise ValueError(
+            "view.frames: expected one pose (4, 4) or several (k, 4, 4), found shape"
+            f" {chain.shape}; build them with dhlab.transform"
+        )
     fault = pose_fault(chain)
     if fault:
-        raise ValueError(f"view.frames: expected poses, but of what was given {fault}; build them with dhlab.transform")
+        raise ValueError(
+            f"view.frames: expected poses, but of what was given {fault}; build them with"
+            " dhlab.transform"
+        )
     return chain.astype(float)
 
 
@@ -31,7 +45,10 @@ def given_names(names, count, default):
         return default
     listed = [names] if isinstance(names, str) or not np.iterable(names) else list(names)
     if len(listed) != count:
-        raise ValueError(f"names: expected {count}, one for each, found {len(listed)}; leave them out for numbers")
+        raise ValueError(
+            f"names: expected {count}, one for each, found {len(listed)}; leave them out for"
+            " numbers"
+        )
     for name in listed:
         if not isinstance(name, (str, int)):
             raise ValueError(f"names: expected texts, found {name!r}; write it in quotes")
@@ -41,7 +58,10 @@ def given_names(names, count, default):
 def require_arm(arm, where):
     """A sentence when this is no Arm."""
     if not isinstance(arm, Arm):
-        raise ValueError(f"{where}: expected an Arm first, found {type(arm).__name__}; make one with dhlab.Arm(table) or dhlab.load(name)")
+        raise ValueError(
+            f"{where}: expected an Arm first, found {type(arm).__name__}; make one with"
+            " dhlab.Arm(table) or dhlab.load(name)"
+        )
 
 
 def given_arm_at(arm, q):
@@ -50,7 +70,10 @@ def given_arm_at(arm, q):
     q = np.zeros(len(arm)) if q is None else q
     chain = arm.frames(q)
     if chain.ndim != 3:
-        raise ValueError(f"view.arm: expected one configuration of {len(arm)} values, found shape {np.shape(q)}; several are for view.poses")
+        raise ValueError(
+            f"view.arm: expected one configuration of {len(arm)} values, found shape {np.shape(q)};"
+            " several are for view.poses"
+        )
     return np.asarray(q, dtype=float), chain
 
 
@@ -59,12 +82,16 @@ def given_arm_at_all(arm, qs):
     require_arm(arm, "view.poses")
     chains = arm.frames(qs)
     if chains.ndim != 4 or not 1 <= len(chains) <= len(POSES):
-        raise ValueError(f"view.poses: expected 1 to {len(POSES)} configurations (k, {len(arm)}), found shape {np.shape(qs)}; give a list of them")
+        raise ValueError(
+            f"view.poses: expected 1 to {len(POSES)} configurations (k, {len(arm)}), found shape"
+            f" {np.shape(qs)}; give a list of them"
+        )
     return chains
 
 
 def all_frames(arm, chain):
-    """Every frame of an arm with its tool's: poses (k, 4, 4), subscripts, and what to write at the origins.
+    """Every frame of an arm with its tool's: poses (k, 4, 4), subscripts, and what to write at the
+    origins.
 
     Base and tool are named when they are not the identity; the base's frame is frame 0.
     """

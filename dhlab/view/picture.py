@@ -1,4 +1,6 @@
-"""``Picture``: a figure with the words and the table that say the same to someone who cannot see it."""
+"""``Picture``: a figure with the words and the table that say the same to someone who cannot see
+it.
+"""
 
 import base64
 import io
@@ -14,11 +16,16 @@ from ..printing import grid_html, grid_text
 __all__ = ["Picture"]
 
 # dates and version numbers left out: the same picture is the same bytes
-FORMATS = {".png": {"Software": None}, ".svg": {"Date": None, "Creator": None}, ".pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
+FORMATS = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None, "Creator": None},
+    ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
 
 
 class Picture:
-    """What the functions of :mod:`dhlab.view` return; a notebook shows it, with the table to unfold below.
+    """What the functions of :mod:`dhlab.view` return; a notebook shows it, with the table to unfold
+    below.
 
     Attributes
     ----------
@@ -29,7 +36,8 @@ class Picture:
     table : str
         The numbers behind it, as plain text; ``table_html`` is the same for a page.
     points : dict of arrays (k, 3)
-        What was drawn, by name, in metres before it was projected: ``"x-axis:1"``, ``"joint:2"``, ...
+        What was drawn, by name, in metres before it was projected: ``"x-axis:1"``, ``"joint:2"``,
+        ...
 
     Examples
     --------
@@ -72,21 +80,40 @@ class Picture:
         path = Path(path)
         suffix = path.suffix.lower()
         if suffix not in FORMATS:
-            raise ValueError(f"{path}: expected a name that ends in .png, .svg or .pdf, found {suffix!r}; choose one of these")
+            raise ValueError(
+                f"{path}: expected a name that ends in .png, .svg or .pdf, found {suffix!r}; choose"
+                " one of these"
+            )
         files.write_bytes(path, self._bytes(suffix), overwrite=overwrite)
 
     def _bytes(self, suffix):
         buffer = io.BytesIO()
-        with matplotlib.rc_context({"svg.hashsalt": "dhlab", "svg.fonttype": "path", "savefig.bbox": None}):
-            self.figure.savefig(buffer, format=suffix[1:], dpi=self.figure.dpi, facecolor="white", metadata=FORMATS[suffix])
+        with matplotlib.rc_context(
+            {"svg.hashsalt": "dhlab", "svg.fonttype": "path", "savefig.bbox": None}
+        ):
+            self.figure.savefig(
+                buffer,
+                format=suffix[1:],
+                dpi=self.figure.dpi,
+                facecolor="white",
+                metadata=FORMATS[suffix],
+            )
         return buffer.getvalue() if suffix != ".png" else _fewer_colours(buffer)
 
     def _repr_mimebundle_(self, include=None, exclude=None):
         data = base64.b64encode(self._bytes(".png")).decode("ascii")
-        width = round(self.figure.get_figwidth() * 100)  # the file has more dots than that, for fine screens
-        image = f'<img alt="{escape(self.alt)}" src="data:image/png;base64,{data}" width="{width}" style="max-width:100%">'
+        width = round(
+            self.figure.get_figwidth() * 100
+        )  # the file has more dots than that, for fine screens
+        image = (
+            f'<img alt="{escape(self.alt)}" src="data:image/png;base64,{data}" width="{width}"'
+            ' style="max-width:100%">'
+        )
         details = f"<details><summary>{self.summary}</summary>{self.table_html}</details>"
-        return {"text/html": f'<figure class="dhlab-picture">{image}{details}</figure>', "text/plain": f"{self.alt}\n{self.table}"}
+        return {
+            "text/html": f'<figure class="dhlab-picture">{image}{details}</figure>',
+            "text/plain": f"{self.alt}\n{self.table}",
+        }
 
     summary = "The frames as a table"
 
@@ -95,7 +122,9 @@ class Picture:
 
 
 def _fewer_colours(png):
-    """The same picture with a palette of 128 colours: a fourth of the bytes, and these pictures have some thirty colours and their blends."""
+    """The same picture with a palette of 128 colours: a fourth of the bytes, and these pictures
+    have some thirty colours and their blends.
+    """
     small = io.BytesIO()
     image = Image.open(png).convert("RGB")
     image.quantize(128, dither=Image.Dither.NONE).save(small, format="PNG", optimize=True)

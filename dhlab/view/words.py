@@ -1,19 +1,34 @@
-"""What a picture shows, said from its numbers: directions, places, frames that coincide, and the table of the frames."""
+"""What a picture shows, said from its numbers: directions, places, frames that coincide, and the
+table of the frames.
+"""
 
 import numpy as np
 
 from ..printing import number
 from .drawing.triads import coincident
 
-__all__ = ["FRAME_HEADINGS", "frame_rows", "direction", "place", "listed", "joint_words", "configuration", "who", "arm_sentences",
-           "frame_sentences"]
+__all__ = [
+    "FRAME_HEADINGS",
+    "frame_rows",
+    "direction",
+    "place",
+    "listed",
+    "joint_words",
+    "configuration",
+    "who",
+    "arm_sentences",
+    "frame_sentences",
+]
 
 FRAME_HEADINGS = ("frame", "x (m)", "y (m)", "z (m)", "x axis", "y axis", "z axis")
 
 
 def frame_rows(poses, names):
     """A row of texts per frame: name, origin in metres, directions of x, y and z."""
-    return [[name, *(number(v, 4) for v in pose[:3, 3]), *(_vector(axis) for axis in pose[:3, :3].T)] for name, pose in zip(names, poses)]
+    return [
+        [name, *(number(v, 4) for v in pose[:3, 3]), *(_vector(axis) for axis in pose[:3, :3].T)]
+        for name, pose in zip(names, poses)
+    ]
 
 
 def _vector(axis):
@@ -61,7 +76,9 @@ def listed(words):
 def _shared_origins(poses, names):
     """A sentence for each set of frames with one origin; empty when there is none."""
     groups = [group for group in coincident(poses[:, :3, 3]) if len(group) > 1]
-    return "".join(f" Frames {listed(names[k] for k in group)} share one origin." for group in groups)
+    return "".join(
+        f" Frames {listed(names[k] for k in group)} share one origin." for group in groups
+    )
 
 
 def joint_words(joints):
@@ -73,7 +90,9 @@ def joint_words(joints):
     ('6 revolute joints', '3 revolute joints and 1 prismatic joint', '1 revolute joint')
     """
     counts = [(joints.count("R"), "revolute"), (joints.count("P"), "prismatic")]
-    return listed(f"{count} {kind} joint{'s' if count > 1 else ''}" for count, kind in counts if count)
+    return listed(
+        f"{count} {kind} joint{'s' if count > 1 else ''}" for count, kind in counts if count
+    )
 
 
 def configuration(joints, q):
@@ -84,7 +103,10 @@ def configuration(joints, q):
     >>> configuration("RP", [np.pi / 2, 0.1])
     '90°, 0.1 m'
     """
-    return ", ".join(f"{number(value, 4)} m" if letter == "P" else f"{number(np.rad2deg(value), 2)}°" for letter, value in zip(joints, q))
+    return ", ".join(
+        f"{number(value, 4)} m" if letter == "P" else f"{number(np.rad2deg(value), 2)}°"
+        for letter, value in zip(joints, q)
+    )
 
 
 def who(arm):
@@ -96,13 +118,20 @@ def who(arm):
 def arm_sentences(arm, q, poses, names):
     """What is to be seen of an arm at ``q``; the last of the poses is its end."""
     end = poses[-1]
-    return (f"{who(arm)}, drawn at q = {configuration(arm.table.joints, q)}. Its end is at {place(end[:3, 3])}, its x axis {direction(end[:3, 0])} "
-            f"and its z axis {direction(end[:3, 2])}.{_shared_origins(poses, names)}")
+    return (
+        f"{who(arm)}, drawn at q = {configuration(arm.table.joints, q)}. Its end is at"
+        f" {place(end[:3, 3])}, its x axis {direction(end[:3, 0])} and its z axis"
+        f" {direction(end[:3, 2])}.{_shared_origins(poses, names)}"
+    )
 
 
 def frame_sentences(poses, names):
     """Where each frame is and which way its z axis points; of many, the last."""
     told = list(zip(poses, names))
     told = told if len(told) <= 4 else told[-1:]
-    each = [f"{name} is at {place(pose[:3, 3])}, its x axis {direction(pose[:3, 0])}, its z axis {direction(pose[:3, 2])}." for pose, name in told]
+    each = [
+        f"{name} is at {place(pose[:3, 3])}, its x axis {direction(pose[:3, 0])}, its z axis"
+        f" {direction(pose[:3, 2])}."
+        for pose, name in told
+    ]
     return " ".join(each) + _shared_origins(poses, names)

@@ -10,19 +10,31 @@ import pytest
 
 
 def dhlab(*arguments, **options):
-    return subprocess.run([sys.executable, "-m", "dhlab", *arguments], capture_output=True, text=True, encoding="utf-8", **options)
+    return subprocess.run(
+        [sys.executable, "-m", "dhlab", *arguments],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        **options,
+    )
 
 
 def test_fk_gives_the_articles_numbers():
     zero = dhlab("fk", "article-6r")
     assert zero.returncode == 0 and "0.75  -0.2  0.1\n" in zero.stdout and "90  0  0" in zero.stdout
     quarter = json.loads(dhlab("fk", "article-6r", "--q", "90,0,0,0,0,0", "--deg", "--json").stdout)
-    assert np.allclose(np.array(quarter["pose"])[:3, 3], [0.2, 0.75, 0.1]) and np.allclose(quarter["q"], [np.pi / 2, 0, 0, 0, 0, 0])
+    assert np.allclose(np.array(quarter["pose"])[:3, 3], [0.2, 0.75, 0.1]) and np.allclose(
+        quarter["q"], [np.pi / 2, 0, 0, 0, 0, 0]
+    )
 
 
 def test_fk_with_frames_and_negative_first_values():
-    answer = json.loads(dhlab("fk", "ur5e", "--q", "-10, 20,-90,90,0,0", "--deg", "--frames", "--json").stdout)
-    assert np.array(answer["frames"]).shape == (7, 4, 4) and np.allclose(answer["frames"][-1], answer["pose"])
+    answer = json.loads(
+        dhlab("fk", "ur5e", "--q", "-10, 20,-90,90,0,0", "--deg", "--frames", "--json").stdout
+    )
+    assert np.array(answer["frames"]).shape == (7, 4, 4) and np.allclose(
+        answer["frames"][-1], answer["pose"]
+    )
     assert dhlab("fk", "ur5e", "--frames").stdout.count("frame ") == 7
 
 
@@ -37,8 +49,12 @@ def test_limits_are_noted_and_not_enforced():
 
 
 def test_a_table_file(tmp_path):
-    (tmp_path / "two.csv").write_text("# convention: standard\ntheta_deg,d_m,a_m,alpha_deg\n0,0,1,0\n0,0,0.5,0\n")
-    answer = json.loads(dhlab("fk", str(tmp_path / "two.csv"), "--q", "90,-90", "--deg", "--json").stdout)
+    (tmp_path / "two.csv").write_text(
+        "# convention: standard\ntheta_deg,d_m,a_m,alpha_deg\n0,0,1,0\n0,0,0.5,0\n"
+    )
+    answer = json.loads(
+        dhlab("fk", str(tmp_path / "two.csv"), "--q", "90,-90", "--deg", "--json").stdout
+    )
     assert np.allclose(np.array(answer["pose"])[:3, 3], [0.5, 1, 0])
 
 
@@ -47,17 +63,35 @@ def test_robots():
     assert len(rows) == 19 and {"name", "title", "tables"} <= rows[0].keys()
     assert "piper" in dhlab("robots").stdout
     one = json.loads(dhlab("robots", "piper.sdk_old", "--json").stdout)
-    assert one["convention"] == "craig" and np.isclose(np.rad2deg(one["rows"][1][0]), -174.22) and len(one["limits"]) == 6
+    assert (
+        one["convention"] == "craig"
+        and np.isclose(np.rad2deg(one["rows"][1][0]), -174.22)
+        and len(one["limits"]) == 6
+    )
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (["fk", "ur5"], "did you mean"), (["fk", "ur5e", "--q", "1,2"], "expected 6 numbers"), (["fk", "ur5e", "--q", "a,0,0,0,0,0"], "separated by commas"),
-    (["fk", "ur5e", "--q", "nan,0,0,0,0,0"], "joint 1 is NaN"), (["fk"], "ARM"), (["fk", "ur5e", "--nonsense"], "nonsense"), (["nonsense"], "nonsense"),
-    (["fk", "no-such.yaml"], "no such file"), (["lab", os.devnull], "folder"),
-])
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["fk", "ur5"], "did you mean"),
+        (["fk", "ur5e", "--q", "1,2"], "expected 6 numbers"),
+        (["fk", "ur5e", "--q", "a,0,0,0,0,0"], "separated by commas"),
+        (["fk", "ur5e", "--q", "nan,0,0,0,0,0"], "joint 1 is NaN"),
+        (["fk"], "ARM"),
+        (["fk", "ur5e", "--nonsense"], "nonsense"),
+        (["nonsense"], "nonsense"),
+        (["fk", "no-such.yaml"], "no such file"),
+        (["lab", os.devnull], "folder"),
+    ],
+)
 def test_errors_are_one_sentence_and_status_2(arguments, words):
     answer = dhlab(*arguments)
-    assert answer.returncode == 2 and words in answer.stderr and answer.stderr.count("\n") == 1 and "Traceback" not in answer.stderr
+    assert (
+        answer.returncode == 2
+        and words in answer.stderr
+        and answer.stderr.count("\n") == 1
+        and "Traceback" not in answer.stderr
+    )
     assert answer.stdout == ""
 
 
@@ -72,7 +106,11 @@ def test_a_terminal_without_greek_letters_gets_an_answer():
 
 
 def test_a_closed_pipe_is_no_traceback():
-    process = subprocess.Popen([sys.executable, "-m", "dhlab", "robots", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    process = subprocess.Popen(
+        [sys.executable, "-m", "dhlab", "robots", "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
     process.stdout.close()
     _, errors = process.communicate()
     assert b"Traceback" not in errors
@@ -82,7 +120,10 @@ def test_convert_keeps_the_pose(tmp_path):
     answer = dhlab("convert", "panda", "--to", "standard", "--out", str(tmp_path / "panda.yaml"))
     assert answer.returncode == 0 and "standard DH, 7 joints" in answer.stdout
     q = "0.1,0.2,0.3,-0.4,0.5,0.6,0.7"
-    poses = [json.loads(dhlab("fk", name, "--q", q, "--json").stdout)["pose"] for name in ("panda", str(tmp_path / "panda.yaml"))]
+    poses = [
+        json.loads(dhlab("fk", name, "--q", q, "--json").stdout)["pose"]
+        for name in ("panda", str(tmp_path / "panda.yaml"))
+    ]
     assert np.allclose(*poses, atol=1e-14)
     again = dhlab("convert", "panda", "--to", "craig", "--out", str(tmp_path / "panda.yaml"))
     assert again.returncode == 2 and "found one that exists" in again.stderr
@@ -90,6 +131,7 @@ def test_convert_keeps_the_pose(tmp_path):
 
 def test_from_urdf(tmp_path):
     import dhlab as dh
+
     dh.to_urdf(dh.load("ur5e"), tmp_path / "ur5e.urdf")
     answer = json.loads(dhlab("from-urdf", str(tmp_path / "ur5e.urdf"), "--json").stdout)
     assert answer["convention"] == "standard" and len(answer["rows"]) == 6

@@ -1,4 +1,6 @@
-"""Building a lesson: what would hand out an answer or leave a student without a verdict is refused in a sentence, with its line."""
+"""Building a lesson: what would hand out an answer or leave a student without a verdict is refused
+in a sentence, with its line.
+"""
 
 import os
 import re
@@ -17,24 +19,49 @@ from dhlab.course.kinds import Option, Said
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "add-an-exercise.md").read_text(encoding="utf-8")
-BLOCK = re.compile(r"^(`{3,})\{code-block\} (\w+)\n:caption: (\S+)\n\n(.*?)^\1$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(
+    r"^(`{3,})\{code-block\} (\w+)\n:caption: (\S+)\n\n(.*?)^\1$", re.DOTALL | re.MULTILINE
+)
 SHEET = {name: text for _, _, name, text in BLOCK.findall(PAGE)}["solutions/10-suction-cup.md"]
 
 
 # ---- stubs
 
-@pytest.mark.parametrize("source, stub", [
-    ('x = ...\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION', "# your answer here: replace the dots\nx = ..."),
-    ('q = 1  # in m, ...\nx = ...\n### BEGIN SOLUTION \nx = 1\n### END SOLUTION\nshow(x)', "q = 1  # in m, ...\n# your answer here: replace the dots\nx = ...\nshow(x)"),
-    ('x = [1,\n     ..., ...]\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION', "x = [1,\n     # your answer here: replace the dots\n     ..., ...]"),
-    ('x = -1\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION', "x = -1\n# your answer here: change the lines above"),
-    ('def f():\n    """Of (rows, ...)."""\n    ### BEGIN SOLUTION\n    return 1\n    ### END SOLUTION', 'def f():\n    """Of (rows, ...)."""\n    ...  # your code here'),
-])
+
+@pytest.mark.parametrize(
+    "source, stub",
+    [
+        (
+            "x = ...\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION",
+            "# your answer here: replace the dots\nx = ...",
+        ),
+        (
+            "q = 1  # in m, ...\nx = ...\n### BEGIN SOLUTION \nx = 1\n### END SOLUTION\nshow(x)",
+            "q = 1  # in m, ...\n# your answer here: replace the dots\nx = ...\nshow(x)",
+        ),
+        (
+            "x = [1,\n     ..., ...]\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION",
+            "x = [1,\n     # your answer here: replace the dots\n     ..., ...]",
+        ),
+        (
+            "x = -1\n### BEGIN SOLUTION\nx = 1\n### END SOLUTION",
+            "x = -1\n# your answer here: change the lines above",
+        ),
+        (
+            (
+                'def f():\n    """Of (rows, ...)."""\n    ### BEGIN SOLUTION\n    return 1\n    ###'
+                " END SOLUTION"
+            ),
+            'def f():\n    """Of (rows, ...)."""\n    ...  # your code here',
+        ),
+    ],
+)
 def test_a_stub_says_where_the_answer_goes(source, stub):
     assert build._stub(source) == stub
 
 
 # ---- sources, before anything is run: lesson 05 with one change
+
 
 def source(tmp_path, old, new):
     text = (build.SOLUTIONS / "05-link-matrix.md").read_text(encoding="utf-8")
@@ -58,16 +85,32 @@ def test_every_lesson_of_the_course_may_be_built():
 RULE = 'rule = ...\n### BEGIN SOLUTION\nrule = "b"\n### END SOLUTION'
 
 
-@pytest.mark.parametrize("begin, end", [
-    ("### BEGIN SOLUTION", "### END SOLUTON"), ("### BEGIN SOLUTION", None), (None, "### END SOLUTION"), ("### Begin solution", "### END SOLUTION"),
-    ("# BEGIN SOLUTION", "# END SOLUTION"), ("###BEGIN SOLUTION", "### END SOLUTION"), ("### BEGIN SOLUTIONS", "### END SOLUTION"), ("### BEGIN SOLUTION", "### ENDSOLUTION"),
-    ("### BEGIN SOLUTION", "### BEGIN SOLUTION"), ("### END SOLUTION", "### BEGIN SOLUTION"), ("### BEGIN SOLUTION ###", "### END SOLUTION"), (None, None), ("### LÖSUNG", "### ENDE"),
-])
+@pytest.mark.parametrize(
+    "begin, end",
+    [
+        ("### BEGIN SOLUTION", "### END SOLUTON"),
+        ("### BEGIN SOLUTION", None),
+        (None, "### END SOLUTION"),
+        ("### Begin solution", "### END SOLUTION"),
+        ("# BEGIN SOLUTION", "# END SOLUTION"),
+        ("###BEGIN SOLUTION", "### END SOLUTION"),
+        ("### BEGIN SOLUTIONS", "### END SOLUTION"),
+        ("### BEGIN SOLUTION", "### ENDSOLUTION"),
+        ("### BEGIN SOLUTION", "### BEGIN SOLUTION"),
+        ("### END SOLUTION", "### BEGIN SOLUTION"),
+        ("### BEGIN SOLUTION ###", "### END SOLUTION"),
+        (None, None),
+        ("### LÖSUNG", "### ENDE"),
+    ],
+)
 def test_a_marker_that_would_hand_out_the_answer_is_refused(begin, end, tmp_path):
     path = source(tmp_path, RULE, "\n".join(filter(None, ["rule = ...", begin, 'rule = "b"', end])))
     stub = path.read_text(encoding="utf-8").splitlines().index("rule = ...") + 1
     words = said(path)
-    assert all(re.match(r"solutions/05-link-matrix.md, line \d+: expected ### (BEGIN|END) SOLUTION", line) for line in words.splitlines()), words
+    assert all(
+        re.match(r"solutions/05-link-matrix.md, line \d+: expected ### (BEGIN|END) SOLUTION", line)
+        for line in words.splitlines()
+    ), words
     lines = [int(line) for line in re.findall(r"line (\d+)", words)]
     assert lines and all(stub - 6 <= line <= stub + 3 for line in lines), (words, stub)
 
@@ -75,29 +118,72 @@ def test_a_marker_that_would_hand_out_the_answer_is_refused(begin, end, tmp_path
 def test_a_marker_is_named_with_its_line(tmp_path):
     path = source(tmp_path, RULE, RULE.replace("END SOLUTION", "END SOLUTON"))
     line = path.read_text(encoding="utf-8").splitlines().index("### END SOLUTON") + 1
-    assert said(path) == (f"solutions/05-link-matrix.md, line {line}: expected ### BEGIN SOLUTION or ### END SOLUTION alone in its line, "
-                          "found '### END SOLUTON'; write it exactly so")
+    assert (
+        said(path)
+        == f"solutions/05-link-matrix.md, line {line}: expected ### BEGIN SOLUTION or ### END"
+        " SOLUTION alone in its line, found '### END SOLUTON'; write it exactly so"
+    )
 
 
-@pytest.mark.parametrize("old, new, words", [
-    ("```{code-cell} ipython3\n:tags: [exercise, why]", "```{code-cel} ipython3\n:tags: [exercise, why]", "expected ### BEGIN SOLUTION in a code cell, found it in the text"),
-    (':exercise: "05.2"', ':exercise: "05.22"', "found :exercise: '05.22' above this line; did you mean \"05.2\"?"),
-    (':exercise: "05.2"', ":exercise: 05.2", "expected the id of an exercise in quotes, found :exercise: 5.2"),
-    (':exercise: "05.2"', ':exercise: "05.1"', 'expected one cell with :exercise: "05.1" above its code, found 2'),
-    ('check("05.2", rule)', 'check("05.22", rule)', "expected the id of an exercise in quotes, found check(\"05.22\"); did you mean \"05.2\"?"),
-    ('predict("05.P1"', 'predict("05.1"', "expected the id of a prediction in quotes, found predict(\"05.1\")"),
-    ('```{code-cell} ipython3\ncheck("05.2", rule)\n```\n', "", 'expected one cell that begins with check("05.2", ...), found none'),
-    ("  minutes: 45", "  minutes: [45", "expected YAML in the head"), (":tags: [worked]", ":tags: [worked", "expected YAML in the head"),
-    ("dhlab:\n", "dhlab: yes\nmore:\n", "expected dhlab: in the head with lines such as minutes: 15 under it"),
-    ("rule = ...", "rule = (", "expected Python, found a syntax error"),
-])
+@pytest.mark.parametrize(
+    "old, new, words",
+    [
+        (
+            "```{code-cell} ipython3\n:tags: [exercise, why]",
+            "```{code-cel} ipython3\n:tags: [exercise, why]",
+            "expected ### BEGIN SOLUTION in a code cell, found it in the text",
+        ),
+        (
+            ':exercise: "05.2"',
+            ':exercise: "05.22"',
+            "found :exercise: '05.22' above this line; did you mean \"05.2\"?",
+        ),
+        (
+            ':exercise: "05.2"',
+            ":exercise: 05.2",
+            "expected the id of an exercise in quotes, found :exercise: 5.2",
+        ),
+        (
+            ':exercise: "05.2"',
+            ':exercise: "05.1"',
+            'expected one cell with :exercise: "05.1" above its code, found 2',
+        ),
+        (
+            'check("05.2", rule)',
+            'check("05.22", rule)',
+            'expected the id of an exercise in quotes, found check("05.22"); did you mean "05.2"?',
+        ),
+        (
+            'predict("05.P1"',
+            'predict("05.1"',
+            'expected the id of a prediction in quotes, found predict("05.1")',
+        ),
+        (
+            '```{code-cell} ipython3\ncheck("05.2", rule)\n```\n',
+            "",
+            'expected one cell that begins with check("05.2", ...), found none',
+        ),
+        ("  minutes: 45", "  minutes: [45", "expected YAML in the head"),
+        (":tags: [worked]", ":tags: [worked", "expected YAML in the head"),
+        (
+            "dhlab:\n",
+            "dhlab: yes\nmore:\n",
+            "expected dhlab: in the head with lines such as minutes: 15 under it",
+        ),
+        ("rule = ...", "rule = (", "expected Python, found a syntax error"),
+    ],
+)
 def test_a_source_that_is_no_lesson_is_refused(old, new, words, tmp_path):
     found = said(source(tmp_path, old, new))
-    assert words in found and all(line.startswith("solutions/05-link-matrix.md") for line in found.splitlines()), found
+    assert words in found and all(
+        line.startswith("solutions/05-link-matrix.md") for line in found.splitlines()
+    ), found
 
 
 def test_ipythons_commands_are_python(tmp_path):
-    sourcefaults.refuse_sources([source(tmp_path, "rot_z(np.pi / 2)\n", "%precision 3\nrot_z(np.pi / 2)\n")])
+    sourcefaults.refuse_sources(
+        [source(tmp_path, "rot_z(np.pi / 2)\n", "%precision 3\nrot_z(np.pi / 2)\n")]
+    )
 
 
 def misspelt(exercise):
@@ -105,47 +191,132 @@ def misspelt(exercise):
     return replace(exercise, options=options)
 
 
-@pytest.mark.parametrize("key, change, words", [
-    ("05.2", lambda e: replace(e, correct="z"), "expected correct= one of a, b, c, d, found 'z'"),
-    ("05.P1", lambda e: replace(e, correct="z"), "expected correct= one of a, b, c, found 'z'"),
-    ("05.2", misspelt, "found 'wrong-frame-comparred'; did you mean 'wrong-frame-compared'?"),
-    ("05.2", lambda e: replace(e, words={"product-revresed": Said("x")}), "did you mean 'product-reversed'?"),
-    ("05.5", lambda e: replace(e, mistakes=lambda **row: [("lenght-unit", "", [1, 2, 3])]), "did you mean 'length-unit'?"),
-    ("05.5", lambda e: replace(e, mistakes=lambda theta: []), "expected draw, answer and mistakes that run, found TypeError"),
-    ("05.3", lambda e: replace(e, explain=lambda letters: ("lenght-unit", "")), "did you mean 'length-unit'?"),
-    ("05.4", lambda e: replace(e, family="dh_transfrom"), "found 'dh_transfrom'"),
-])
-def test_an_exercise_that_would_fail_a_student_is_refused(key, change, words, tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    "key, change, words",
+    [
+        (
+            "05.2",
+            lambda e: replace(e, correct="z"),
+            "expected correct= one of a, b, c, d, found 'z'",
+        ),
+        ("05.P1", lambda e: replace(e, correct="z"), "expected correct= one of a, b, c, found 'z'"),
+        ("05.2", misspelt, "found 'wrong-frame-comparred'; did you mean 'wrong-frame-compared'?"),
+        (
+            "05.2",
+            lambda e: replace(e, words={"product-revresed": Said("x")}),
+            "did you mean 'product-reversed'?",
+        ),
+        (
+            "05.5",
+            lambda e: replace(e, mistakes=lambda **row: [("lenght-unit", "", [1, 2, 3])]),
+            "did you mean 'length-unit'?",
+        ),
+        (
+            "05.5",
+            lambda e: replace(e, mistakes=lambda theta: []),
+            "expected draw, answer and mistakes that run, found TypeError",
+        ),
+        (
+            "05.3",
+            lambda e: replace(e, explain=lambda letters: ("lenght-unit", "")),
+            "did you mean 'length-unit'?",
+        ),
+        ("05.4", lambda e: replace(e, family="dh_transfrom"), "found 'dh_transfrom'"),
+    ],
+)
+def test_an_exercise_that_would_fail_a_student_is_refused(
+    key, change, words, tmp_path, monkeypatch
+):
     changed = {**exercises(), key: change(exercises()[key])}
     monkeypatch.setattr(sourcefaults, "exercises", lambda: changed)
     found = said(source(tmp_path, "Press *Play all*", "Press *Play all*"))
-    assert words in found and found.startswith(f"dhlab/course/exercises/lesson05.py, {key}: ") and "\n" not in found
+    assert (
+        words in found
+        and found.startswith(f"dhlab/course/exercises/lesson05.py, {key}: ")
+        and "\n" not in found
+    )
 
 
 # ---- a sheet of one's own, built in a copy
+
 
 @pytest.fixture(scope="module")
 def clone(tmp_path_factory):
     place = tmp_path_factory.mktemp("clone")
     for name in ("dhlab", "solutions"):
-        shutil.copytree(ROOT / name, place / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
+        shutil.copytree(
+            ROOT / name, place / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules")
+        )
     blocks = {name: text for _, _, name, text in BLOCK.findall(PAGE)}
-    (place / "dhlab/course/exercises/lesson10.py").write_text(blocks["dhlab/course/exercises/lesson10.py"], encoding="utf-8")
+    (place / "dhlab/course/exercises/lesson10.py").write_text(
+        blocks["dhlab/course/exercises/lesson10.py"], encoding="utf-8"
+    )
     return place
 
 
-@pytest.mark.parametrize("file, old, new, words", [
-    ("sheet", 'changed = "b"', 'changed = "c"', "expected 10.2 to be 'right' in the solution, found '✗ 10.2  Not yet: The base is where the arm stands.'; correct the solution"),
-    ("sheet", "changed = ...", 'changed = "b"', "expected 10.2 to be 'not attempted' in the lesson that is handed out, found '✓ 10.2  Right"),
-    ("sheet", 'check("10.2", changed)', 'check("10.2", changed);', "found 'no verdict: the check must be the last line of its cell'"),
-    ("sheet", 'changed = "b"', "changed = letter", "expected the solution to run, found NameError in this cell: name 'letter' is not defined"),
-    ("sheet", "print(task)\n", "print(task)\nT_0F = nothing\n", "NameError"),
-    ("exercises", 'correct="b"', 'correct="z"', "dhlab/course/exercises/lesson10.py, 10.2: expected correct= one of a, b, c, found 'z'"),
-    ("exercises", 'title="A longer cup",', 'title="A longer cup"', "dhlab/course/exercises/lesson10.py, line "),
-    ("exercises", "tolerance=1e-4", "tolerence=1e-4", "found TypeError: Value.__init__() got an unexpected keyword argument 'tolerence'"),
-])
+@pytest.mark.parametrize(
+    "file, old, new, words",
+    [
+        (
+            "sheet",
+            'changed = "b"',
+            'changed = "c"',
+            (
+                "expected 10.2 to be 'right' in the solution, found '✗ 10.2  Not yet: The base is"
+                " where the arm stands.'; correct the solution"
+            ),
+        ),
+        (
+            "sheet",
+            "changed = ...",
+            'changed = "b"',
+            (
+                "expected 10.2 to be 'not attempted' in the lesson that is handed out, found '✓"
+                " 10.2  Right"
+            ),
+        ),
+        (
+            "sheet",
+            'check("10.2", changed)',
+            'check("10.2", changed);',
+            "found 'no verdict: the check must be the last line of its cell'",
+        ),
+        (
+            "sheet",
+            'changed = "b"',
+            "changed = letter",
+            (
+                "expected the solution to run, found NameError in this cell: name 'letter' is not"
+                " defined"
+            ),
+        ),
+        ("sheet", "print(task)\n", "print(task)\nT_0F = nothing\n", "NameError"),
+        (
+            "exercises",
+            'correct="b"',
+            'correct="z"',
+            "dhlab/course/exercises/lesson10.py, 10.2: expected correct= one of a, b, c, found 'z'",
+        ),
+        (
+            "exercises",
+            'title="A longer cup",',
+            'title="A longer cup"',
+            "dhlab/course/exercises/lesson10.py, line ",
+        ),
+        (
+            "exercises",
+            "tolerance=1e-4",
+            "tolerence=1e-4",
+            "found TypeError: Value.__init__() got an unexpected keyword argument 'tolerence'",
+        ),
+    ],
+)
 def test_what_a_sheet_of_ones_own_is_told(file, old, new, words, clone):
-    module, sheet, lesson = clone / "dhlab/course/exercises/lesson10.py", clone / "solutions/10-suction-cup.md", clone / "lessons/10-suction-cup.ipynb"
+    module, sheet, lesson = (
+        clone / "dhlab/course/exercises/lesson10.py",
+        clone / "solutions/10-suction-cup.md",
+        clone / "lessons/10-suction-cup.ipynb",
+    )
     sheet.write_text(SHEET, encoding="utf-8")
     lesson.unlink(missing_ok=True)
     kept, changed = module.read_text(encoding="utf-8"), sheet if file == "sheet" else module
@@ -153,9 +324,20 @@ def test_what_a_sheet_of_ones_own_is_told(file, old, new, words, clone):
     assert old in text
     changed.write_text(text.replace(old, new), encoding="utf-8")
     try:
-        done = subprocess.run([sys.executable, "-m", "dhlab.course.building.notebooks", "10"], cwd=clone, env={**os.environ, "PYTHONPATH": str(clone), "PYTHONDONTWRITEBYTECODE": "1"},
-                              capture_output=True, text=True, encoding="utf-8")
+        done = subprocess.run(
+            [sys.executable, "-m", "dhlab.course.building.notebooks", "10"],
+            cwd=clone,
+            env={**os.environ, "PYTHONPATH": str(clone), "PYTHONDONTWRITEBYTECODE": "1"},
+            capture_output=True,
+            text=True,
+            encoding="utf-8",
+        )
     finally:
         module.write_text(kept, encoding="utf-8")
-    assert done.returncode == 1 and words in done.stderr and "Traceback" not in done.stderr and not lesson.exists(), done.stdout + done.stderr
+    assert (
+        done.returncode == 1
+        and words in done.stderr
+        and "Traceback" not in done.stderr
+        and not lesson.exists()
+    ), done.stdout + done.stderr
     assert len(done.stderr.removeprefix("nothing was built:\n").strip().splitlines()) == 1

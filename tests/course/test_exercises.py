@@ -1,4 +1,6 @@
-"""Every exercise: right answers written differently pass, wrong ones fail and are named, an untouched stub is no error."""
+"""Every exercise: right answers written differently pass, wrong ones fail and are named, an
+untouched stub is no error.
+"""
 
 import inspect
 
@@ -25,10 +27,13 @@ def test_an_untouched_stub_is_not_attempted(key):
     def stub(*args):
         """What is asked."""
         ...
+
     untouched = [..., None, (..., ...), [...] * 4]
     if isinstance(SCORED[key], Function):
+
         def refuses(*args):
             raise NotImplementedError
+
         untouched += [stub, refuses]
     for answer in untouched:
         verdict = SCORED[key].judge(answer)
@@ -36,7 +41,24 @@ def test_an_untouched_stub_is_not_attempted(key):
 
 
 @pytest.mark.parametrize("key", SCORED)
-@pytest.mark.parametrize("answer", [float("nan"), "nonsense", {}, [], [[]], object(), np.array([]), np.eye(4) * 7, lambda *a: print(), lambda *a: "x", 3 + 4j, b"x", [[1], [1, 2]]])
+@pytest.mark.parametrize(
+    "answer",
+    [
+        float("nan"),
+        "nonsense",
+        {},
+        [],
+        [[]],
+        object(),
+        np.array([]),
+        np.eye(4) * 7,
+        lambda *a: print(),
+        lambda *a: "x",
+        3 + 4j,
+        b"x",
+        [[1], [1, 2]],
+    ],
+)
 def test_nonsense_is_wrong_and_never_an_error(key, answer):
     verdict = SCORED[key].judge(answer)
     assert verdict.status == "wrong" and verdict.points == 0 and verdict.headline
@@ -48,7 +70,14 @@ def test_nonsense_is_wrong_and_never_an_error(key, answer):
 def test_values_right_in_any_dress(key, variant):
     exercise = SCORED[key]
     right = np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
-    for answer in (right, right.tolist(), tuple(right.tolist()), right.astype(np.float32), right + 1e-12, np.asmatrix(right) if right.ndim == 2 else right):
+    for answer in (
+        right,
+        right.tolist(),
+        tuple(right.tolist()),
+        right.astype(np.float32),
+        right + 1e-12,
+        np.asmatrix(right) if right.ndim == 2 else right,
+    ):
         assert exercise.judge(answer, variant).status == "right", key
 
 
@@ -95,6 +124,7 @@ def closed(theta, d, a, alpha):
 
 def by_blocks(theta, d, a, alpha):
     from scipy.spatial.transform import Rotation
+
     T = np.eye(4, dtype=np.float64)
     T[:3, :3] = (Rotation.from_euler("z", theta) * Rotation.from_euler("x", alpha)).as_matrix()
     T[:3, 3] = Rotation.from_euler("z", theta).apply([a, 0, d])
@@ -104,17 +134,30 @@ def by_blocks(theta, d, a, alpha):
 def as_complex(theta, d, a, alpha):
     e, f = np.exp(1j * theta), np.exp(1j * alpha)
     print("thinking ...")
-    return np.array([[e.real, -e.imag * f.real, e.imag * f.imag, a * e.real], [e.imag, e.real * f.real, -e.real * f.imag, a * e.imag],
-                     [0, f.imag, f.real, d], [0, 0, 0, 1]])
+    return np.array(
+        [
+            [e.real, -e.imag * f.real, e.imag * f.imag, a * e.real],
+            [e.imag, e.real * f.real, -e.real * f.imag, a * e.imag],
+            [0, f.imag, f.real, d],
+            [0, 0, 0, 1],
+        ]
+    )
 
 
 def recursive(rows, q):
-    return np.eye(4) if len(q) == 0 else np.array(closed(rows[0][0] + q[0], *rows[0][1:])) @ recursive(rows[1:], q[1:])
+    return (
+        np.eye(4)
+        if len(q) == 0
+        else np.array(closed(rows[0][0] + q[0], *rows[0][1:])) @ recursive(rows[1:], q[1:])
+    )
 
 
 def with_reduce(rows, q):
     from functools import reduce
-    return reduce(np.matmul, [np.array(closed(r[0] + x, r[1], r[2], r[3])) for r, x in zip(rows, q)]).tolist()
+
+    return reduce(
+        np.matmul, [np.array(closed(r[0] + x, r[1], r[2], r[3])) for r, x in zip(rows, q)]
+    ).tolist()
 
 
 def with_the_library(rows, q):
@@ -128,16 +171,46 @@ def craig_closed(theta, d, a, alpha):
 
 def craig_by_blocks(theta, d, a, alpha):
     from scipy.spatial.transform import Rotation
+
     turned = Rotation.from_euler("x", alpha)
-    return np.vstack([np.column_stack([(turned * Rotation.from_euler("z", theta)).as_matrix(), turned.apply([0, 0, d]) + [a, 0, 0]]), [0, 0, 0, 1]])
+    return np.vstack(
+        [
+            np.column_stack(
+                [
+                    (turned * Rotation.from_euler("z", theta)).as_matrix(),
+                    turned.apply([0, 0, d]) + [a, 0, 0],
+                ]
+            ),
+            [0, 0, 0, 1],
+        ]
+    )
 
 
 RIGHT_FUNCTIONS = {
-    "03.3": [craig_closed, craig_by_blocks, lambda th, d, a, al: np.linalg.inv(closed(-th, -d, -a, -al))],
-    "01.4": [lambda A, B: A @ B, lambda A, B: np.dot(A, B).tolist(), lambda A, B: np.block([[A[:3, :3] @ B[:3, :3], A[:3, :3] @ B[:3, 3:] + A[:3, 3:]], [np.zeros((1, 3)), 1]])],
-    "05.1": [lambda al: closed(0, 0, 0, al), lambda al: np.array(closed(0, 0, 0, al)), lambda al: by_blocks(0, 0, 0, al)],
-    "05.4": [closed, by_blocks, as_complex], "05.6": [closed, by_blocks, as_complex], "05.7": [closed, by_blocks, as_complex],
-    "06.2": [recursive, with_reduce, with_the_library], "06.7": [recursive, with_reduce, with_the_library], "07.2": [recursive, with_reduce, with_the_library], "09.8": [recursive, with_reduce, with_the_library],
+    "03.3": [
+        craig_closed,
+        craig_by_blocks,
+        lambda th, d, a, al: np.linalg.inv(closed(-th, -d, -a, -al)),
+    ],
+    "01.4": [
+        lambda A, B: A @ B,
+        lambda A, B: np.dot(A, B).tolist(),
+        lambda A, B: np.block(
+            [[A[:3, :3] @ B[:3, :3], A[:3, :3] @ B[:3, 3:] + A[:3, 3:]], [np.zeros((1, 3)), 1]]
+        ),
+    ],
+    "05.1": [
+        lambda al: closed(0, 0, 0, al),
+        lambda al: np.array(closed(0, 0, 0, al)),
+        lambda al: by_blocks(0, 0, 0, al),
+    ],
+    "05.4": [closed, by_blocks, as_complex],
+    "05.6": [closed, by_blocks, as_complex],
+    "05.7": [closed, by_blocks, as_complex],
+    "06.2": [recursive, with_reduce, with_the_library],
+    "06.7": [recursive, with_reduce, with_the_library],
+    "07.2": [recursive, with_reduce, with_the_library],
+    "09.8": [recursive, with_reduce, with_the_library],
     **RIGHT_WAYS,
 }
 
@@ -161,11 +234,21 @@ def _spoils_its_input(rows, q):
     return recursive(rows * [0, 1, 1, 1], q)
 
 
-@pytest.mark.parametrize("f, words", [
-    (_state, "another answer"), (_spoils_its_input, "changes the numbers"), (lambda rows, q: np.eye(3), "shape 3×3"), (lambda rows, q: 1 / 0, "ZeroDivisionError"),
-    (lambda rows: np.eye(4), "TypeError"), (lambda rows, q: np.full((4, 4), np.nan), "NaN"), (lambda rows, q: print(q), "returns nothing"),
-    (lambda rows, q: np.eye(4), "same whatever"), (lambda rows, q: recursive(rows, q)[:3], "shape 3×4"), (lambda rows, q: "T", "str"),
-])
+@pytest.mark.parametrize(
+    "f, words",
+    [
+        (_state, "another answer"),
+        (_spoils_its_input, "changes the numbers"),
+        (lambda rows, q: np.eye(3), "shape 3×3"),
+        (lambda rows, q: 1 / 0, "ZeroDivisionError"),
+        (lambda rows: np.eye(4), "TypeError"),
+        (lambda rows, q: np.full((4, 4), np.nan), "NaN"),
+        (lambda rows, q: print(q), "returns nothing"),
+        (lambda rows, q: np.eye(4), "same whatever"),
+        (lambda rows, q: recursive(rows, q)[:3], "shape 3×4"),
+        (lambda rows, q: "T", "str"),
+    ],
+)
 def test_what_goes_wrong_with_a_program_is_said(f, words, capsys):
     verdict = check("06.2", f)
     assert verdict.status == "wrong" and words in str(verdict)
@@ -175,12 +258,21 @@ def test_what_goes_wrong_with_a_program_is_said(f, words, capsys):
 def test_every_right_table_passes():
     right = dh.Arm(dh.DHTable.standard(UPRIGHT, angle="deg"))
     slid = [list(row) for row in UPRIGHT]
-    slid[1][1], slid[3][1] = 0.1, 0.0                            # d moved along the parallel axes 2, 3, 4
-    flipped = [list(row) for row in UPRIGHT]                     # x2 turned round: a2, alpha2, theta2, theta3
+    slid[1][1], slid[3][1] = 0.1, 0.0  # d moved along the parallel axes 2, 3, 4
+    flipped = [list(row) for row in UPRIGHT]  # x2 turned round: a2, alpha2, theta2, theta3
     flipped[1] = [270, 0, -0.4, 0]
     flipped[2][0] = -270
     turns = [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in UPRIGHT]
-    for answer in (UPRIGHT, [tuple(row) for row in UPRIGHT], np.array(UPRIGHT), right, right.table, slid, flipped, turns):
+    for answer in (
+        UPRIGHT,
+        [tuple(row) for row in UPRIGHT],
+        np.array(UPRIGHT),
+        right,
+        right.table,
+        slid,
+        flipped,
+        turns,
+    ):
         assert check("06.6", answer).status == "right"
 
 
@@ -189,13 +281,19 @@ def test_wrong_tables_fail_and_are_named():
     assert isinstance(exercise, Table)
     visible = 0
     for mistake, place, table in wrong_tables(exercise.answer.table):
-        if np.allclose(dh.Arm(table).forward(exercise.poses_at(0)), exercise.answer.forward(exercise.poses_at(0)), atol=1e-9):
+        if np.allclose(
+            dh.Arm(table).forward(exercise.poses_at(0)),
+            exercise.answer.forward(exercise.poses_at(0)),
+            atol=1e-9,
+        ):
             continue
         verdict = exercise.judge(table)
         visible += 1
         assert verdict.status == "wrong" and verdict.mistake is not None, (mistake, place, verdict)
     assert visible >= 10
-    assert "found 5" in str(check("06.6", UPRIGHT[:5])) and "row 2" in str(check("06.6", [UPRIGHT[0], [..., 0, 0.4, 0], *UPRIGHT[2:]]))
+    assert "found 5" in str(check("06.6", UPRIGHT[:5])) and "row 2" in str(
+        check("06.6", [UPRIGHT[0], [..., 0, 0.4, 0], *UPRIGHT[2:]])
+    )
 
 
 @pytest.mark.parametrize("key", [key for key, e in SCORED.items() if isinstance(e, Choice)])
@@ -204,15 +302,21 @@ def test_choices(key):
     for letter, option in exercise.options.items():
         for dress in (letter, letter.upper(), f" {letter} "):
             verdict = exercise.judge(dress)
-            assert verdict.status == ("right" if letter == exercise.correct else "wrong") and verdict.headline == option.answer
+            assert (
+                verdict.status == ("right" if letter == exercise.correct else "wrong")
+                and verdict.headline == option.answer
+            )
             assert (verdict.mistake is None) == (letter == exercise.correct)
-    assert exercise.judge("?").status == "wrong" and "expected one of" in exercise.judge("z").headline
+    assert (
+        exercise.judge("?").status == "wrong" and "expected one of" in exercise.judge("z").headline
+    )
 
 
 def test_all_five_orders_of_the_moves_pass_and_no_other():
     from itertools import permutations
 
     from dhlab.transform import rot_x, rot_z, trans_x, trans_z
+
     exercise = SCORED["05.3"]
     assert isinstance(exercise, Order)
     moves = {"a": rot_z(0.3), "b": trans_z(0.2), "c": trans_x(0.4), "d": rot_x(0.5)}
@@ -221,7 +325,9 @@ def test_all_five_orders_of_the_moves_pass_and_no_other():
         right = np.allclose(w @ x @ y @ z, closed(0.3, 0.2, 0.4, 0.5))
         verdict = exercise.judge(list(order))
         assert (verdict.status == "right") == right and (right or verdict.mistake)
-    assert exercise.judge("badc").status == "right" and exercise.judge("a, c, b, d").status == "right"
+    assert (
+        exercise.judge("badc").status == "right" and exercise.judge("a, c, b, d").status == "right"
+    )
 
 
 def test_numbers_come_from_the_seed_alone():
@@ -244,7 +350,9 @@ def test_no_hint_holds_the_answer():
         if isinstance(exercise, Choice):
             assert exercise.options[exercise.correct].text not in " ".join(exercise.hints)
         if isinstance(exercise, Function):
-            assert not any("return" in h or "@" in h and "=" in h for h in exercise.hints), exercise.id
+            assert not any("return" in h or "@" in h and "=" in h for h in exercise.hints), (
+                exercise.id
+            )
 
 
 def test_feedback_never_holds_expected_numbers():
@@ -252,11 +360,15 @@ def test_feedback_never_holds_expected_numbers():
         exercise = SCORED[key]
         right = np.asarray(exercise.answer(**exercise.given(0)), dtype=float)
         said = str(exercise.judge((right + 0.37).tolist()))
-        assert not any(f"{value:.3f}" in said for value in np.ravel(right) if abs(value) > 0.01), key
+        assert not any(f"{value:.3f}" in said for value in np.ravel(right) if abs(value) > 0.01), (
+            key
+        )
     assert "expected" not in inspect.signature(check).parameters
 
 
-@pytest.mark.parametrize("exercise", [e for e in exercises().values() if isinstance(e, Order)], ids=lambda e: e.id)
+@pytest.mark.parametrize(
+    "exercise", [e for e in exercises().values() if isinstance(e, Order)], ids=lambda e: e.id
+)
 def test_any_letters_in_any_number_get_a_verdict(exercise):
     rng = np.random.default_rng(3)
     letters, places = list(exercise.items), exercise.length or len(exercise.items)
@@ -265,4 +377,7 @@ def test_any_letters_in_any_number_get_a_verdict(exercise):
         verdict = exercise.judge(given)
         assert (verdict.status == "right") == (length == places and bool(exercise.accepts(given)))
         assert length == 0 or verdict.headline
-    assert exercise.repeats or exercise.judge([letters[0]] * places).headline == f"{letters[0]} stands there twice"
+    assert (
+        exercise.repeats
+        or exercise.judge([letters[0]] * places).headline == f"{letters[0]} stands there twice"
+    )

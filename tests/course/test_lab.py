@@ -1,4 +1,6 @@
-"""JupyterLab in Chromium, on a learner's folder: lesson 06 opened, run, an answer given and judged."""
+"""JupyterLab in Chromium, on a learner's folder: lesson 06 opened, run, an answer given and
+judged.
+"""
 
 import json
 import re
@@ -24,7 +26,10 @@ def lab(tmp_path_factory):
     folder = tmp_path / "course"
     workspace.prepare(folder)
     workspace.write_settings(folder)
-    command = workspace.lab_command(folder, port=port, browser=False) + ["--IdentityProvider.token=", "--ServerApp.port_retries=0"]
+    command = workspace.lab_command(folder, port=port, browser=False) + [
+        "--IdentityProvider.token=",
+        "--ServerApp.port_retries=0",
+    ]
     with open(tmp_path / "lab.log", "w") as log:
         process = subprocess.Popen(command, stdout=log, stderr=log)
     address = f"http://127.0.0.1:{port}"
@@ -44,10 +49,18 @@ def lab(tmp_path_factory):
 
 def test_lesson_06_runs_in_the_browser(lab, browser):
     from playwright.sync_api import expect
+
     address, folder = lab
     outside = []
     page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.on("request", lambda request: outside.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
+    page.on(
+        "request",
+        lambda request: (
+            outside.append(request.url)
+            if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url)
+            else None
+        ),
+    )
     page.goto(f"{address}/lab/tree/06-forward-kinematics.ipynb")
     page.get_by_role("heading", name="06 Six axes").wait_for(timeout=60_000)
     page.get_by_role("menuitem", name="Run", exact=True).click()
@@ -56,18 +69,24 @@ def test_lesson_06_runs_in_the_browser(lab, browser):
     page.screenshot(path=folder.parent / "lesson-06.png")
     page.close()
     assert outside == []
-    assert not (folder / ".dhlab" / "progress.jsonl").exists(), "an untouched lesson leaves nothing in the log"
+    assert not (folder / ".dhlab" / "progress.jsonl").exists(), (
+        "an untouched lesson leaves nothing in the log"
+    )
     assert json.loads((folder / "06-forward-kinematics.ipynb").read_text())["cells"]
 
 
-CELLS = ["""import dhlab as dh
+CELLS = [
+    """import dhlab as dh
 explorer = dh.explore(dh.load("article-6r"))
 seen = []
 explorer.observe(lambda change: seen.append(change.new[0]), "q")
-explorer""", """print("q is", (1e4 * explorer.q).round().astype(int).tolist(), "table", round(float(explorer.table.theta[1]), 4), "calls", len(seen) > 0)""",
-         "explorer.q = [0.5, 0, 0, 0, 0, -0.25]",
-         """placing = dh.explore(dh.load("article-6r"), mode="place")
-placing""", """print("placed", sorted(placing.placing.placement.z), placing.arm)"""]
+explorer""",
+    """print("q is", (1e4 * explorer.q).round().astype(int).tolist(), "table", round(float(explorer.table.theta[1]), 4), "calls", len(seen) > 0)""",
+    "explorer.q = [0.5, 0, 0, 0, 0, -0.25]",
+    """placing = dh.explore(dh.load("article-6r"), mode="place")
+placing""",
+    """print("placed", sorted(placing.placing.placement.z), placing.arm)""",
+]
 
 
 def run(page, cell):
@@ -75,19 +94,33 @@ def run(page, cell):
     cells = page.locator(".jp-CodeCell")
     cells.nth(cell).locator(".cm-content").click()
     page.keyboard.press("Shift+Enter")
-    cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]")).wait_for(timeout=60_000)
+    cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]")).wait_for(
+        timeout=60_000
+    )
     return cells.nth(cell)
 
 
 def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(lab, browser):
     from playwright.sync_api import expect
+
     address, folder = lab
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in CELLS])
-    notebook.metadata["kernelspec"] = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    notebook.metadata["kernelspec"] = {
+        "display_name": "Python 3",
+        "language": "python",
+        "name": "python3",
+    }
     nbformat.write(notebook, folder / "explorer.ipynb")
     faults = []
     page = browser.new_page(viewport={"width": 1280, "height": 1400})
-    page.on("request", lambda request: faults.append(request.url) if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url) else None)
+    page.on(
+        "request",
+        lambda request: (
+            faults.append(request.url)
+            if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url)
+            else None
+        ),
+    )
     page.on("pageerror", lambda error: faults.append(str(error)) if "dhlab" in str(error) else None)
     page.goto(f"{address}/lab/workspaces/explorer/tree/explorer.ipynb?reset")
     page.locator(".jp-CodeCell").first.wait_for(timeout=60_000)
@@ -108,24 +141,36 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.keyboard.press("Control+a")
     for key in ["-", "1", "2", "Enter", "a", "b", "d", "d", "m"]:
         page.keyboard.press(key)
-    expect(page.get_by_role("slider", name="Joint 3, degrees")).to_have_attribute("aria-valuetext", "-12 degrees")
+    expect(page.get_by_role("slider", name="Joint 3, degrees")).to_have_attribute(
+        "aria-valuetext", "-12 degrees"
+    )
     q = [round(1e4 * np.deg2rad(value)) for value in [*shown, -12]] + [0] * 3
     expect(run(page, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
     run(page, 2)
     expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
-    expect(page.get_by_role("slider", name="Joint 6, degrees")).to_have_attribute("aria-valuetext", "-14.32 degrees")
-    assert page.locator(".jp-CodeCell").count() == len(CELLS), "keys in the view are no commands of the notebook"
+    expect(page.get_by_role("slider", name="Joint 6, degrees")).to_have_attribute(
+        "aria-valuetext", "-14.32 degrees"
+    )
+    assert page.locator(".jp-CodeCell").count() == len(CELLS), (
+        "keys in the view are no commands of the notebook"
+    )
     run(page, 3)
     page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
     page.get_by_role("button", name="Place it").click()
     expect(page.get_by_text("Along the axis of joint 1.")).to_be_visible()
     page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
     page.get_by_role("button", name="Place it").click()
-    expect(page.get_by_text("This is the axis of joint 1; in the standard convention z1 is the axis of joint 2.")).to_be_visible()
+    expect(
+        page.get_by_text(
+            "This is the axis of joint 1; in the standard convention z1 is the axis of joint 2."
+        )
+    ).to_be_visible()
     expect(run(page, 4)).to_contain_text("placed [0] None")
     page.screenshot(path=folder.parent / "explorer.png")
     page.keyboard.press("Control+s")
-    page.wait_for_function("() => !document.querySelector('.lm-TabBar-tab.lm-mod-current.jp-mod-dirty')")
+    page.wait_for_function(
+        "() => !document.querySelector('.lm-TabBar-tab.lm-mod-current.jp-mod-dirty')"
+    )
     page.get_by_role("menuitem", name="Kernel", exact=True).click()
     page.get_by_text("Shut Down Kernel", exact=True).click()
     page.get_by_text("No Kernel").first.wait_for(timeout=20_000)
@@ -138,7 +183,9 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     first.press("ArrowRight")
     expect(first).to_have_attribute("aria-valuetext", "29 degrees")
     page.get_by_role("button", name="Start over").click()
-    expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible(timeout=10_000)
+    expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible(
+        timeout=10_000
+    )
     page.screenshot(path=folder.parent / "explorer-again.png")
     page.close()
     assert faults == []

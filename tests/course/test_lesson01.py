@@ -1,4 +1,6 @@
-"""Lesson 01: wrong answers are met in the words of the task, whatever their shape; no two of them are taken for each other."""
+"""Lesson 01: wrong answers are met in the words of the task, whatever their shape; no two of them
+are taken for each other.
+"""
 
 from itertools import combinations, permutations
 
@@ -13,7 +15,16 @@ from dhlab.transform import from_xyz_rpy, trans
 
 VARIANTS = range(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("01.")}
-LATER = ("loop", "range(", "T_06", "Your matrix", "A_1", "position is right", "rotation is right", "last link")
+LATER = (
+    "loop",
+    "range(",
+    "T_06",
+    "Your matrix",
+    "A_1",
+    "position is right",
+    "rotation is right",
+    "last link",
+)
 
 
 def said(key, answer, variant=0):
@@ -32,14 +43,19 @@ def test_no_two_mistakes_have_one_answer(key, variant):
     wrong = [(mistake, np.asarray(value)) for mistake, _, value in exercise.mistakes(**given)]
     for mistake, value in wrong:
         assert said(key, value, variant).mistake == mistake
-    for (_, one), (_, other) in combinations([("right", np.asarray(exercise.answer(**given))), *wrong], 2):
+    for (_, one), (_, other) in combinations(
+        [("right", np.asarray(exercise.answer(**given))), *wrong], 2
+    ):
         assert np.abs(one - other).max() > 2e-3
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_an_arrow_with_its_zero(variant):
     T = EXERCISES["01.1"].given(variant)["T_01"]
-    assert "last 0" in said("01.1", T[:, 0], variant).headline and "last 0" in said("01.1", T[:, [0]], variant).headline
+    assert (
+        "last 0" in said("01.1", T[:, 0], variant).headline
+        and "last 0" in said("01.1", T[:, [0]], variant).headline
+    )
     assert "one below the other" in said("01.1", T[:3, [0]], variant).headline
     for row in (T[0], T[0, :3], T[[0], :]):
         assert said("01.1", row, variant).mistake == "rotation-transposed"
@@ -50,8 +66,16 @@ def test_an_arrow_with_its_zero(variant):
 def test_a_point_of_the_second_plate(variant):
     T, p = EXERCISES["01.3"].given(variant).values()
     R, t, p = T[:3, :3], T[:3, 3], np.array(p)
-    words = {"shift of plate 1 is missing": R @ p, "shifted first": R @ (p + t), "turned the wrong way": p @ R + t, "p_12 itself": p, "were added": p + t,
-             "origin of plate 1": t, "the other way": R.T @ (p - t), "in place of @": R * p + t}
+    words = {
+        "shift of plate 1 is missing": R @ p,
+        "shifted first": R @ (p + t),
+        "turned the wrong way": p @ R + t,
+        "p_12 itself": p,
+        "were added": p + t,
+        "origin of plate 1": t,
+        "the other way": R.T @ (p - t),
+        "in place of @": R * p + t,
+    }
     for headline, answer in words.items():
         assert headline in said("01.3", answer, variant).headline
     for answer in (T @ [*p, 1], T @ np.array([[*p, 1]]).T):
@@ -65,8 +89,17 @@ def test_a_point_of_the_second_plate(variant):
 def test_the_tip_of_the_gripper(variant):
     A, B = EXERCISES["01.7"].given(variant).values()
     R, p, t = A[:3, :3], A[:3, 3], B[:3, 3]
-    words = {"flange's origin": p, "were added": p + t, "reverse order": (B @ A)[:3, 3], "turned the wrong way": R.T @ t + p, "from the base to the flange": R @ t,
-             "shifted first": R @ (p + t), "1 at the end": (A @ B)[:, 3], "whole pose": A @ B, "one below the other": (A @ B)[:3, [3]]}
+    words = {
+        "flange's origin": p,
+        "were added": p + t,
+        "reverse order": (B @ A)[:3, 3],
+        "turned the wrong way": R.T @ t + p,
+        "from the base to the flange": R @ t,
+        "shifted first": R @ (p + t),
+        "1 at the end": (A @ B)[:, 3],
+        "whole pose": A @ B,
+        "one below the other": (A @ B)[:3, [3]],
+    }
     for headline, answer in words.items():
         assert headline in said("01.7", answer, variant).headline
 
@@ -74,14 +107,19 @@ def test_the_tip_of_the_gripper(variant):
 def test_the_numbers_of_the_story_stand_in_the_text():
     cup = dh.load("article-6r").forward(np.deg2rad([30, 60, -80, -30, 40, 0]))[:3, 3]
     source = build.sources(["01"])[0].read_text(encoding="utf-8")
-    assert f"({', '.join(f'{value:.3f}' for value in cup)}) m, the hand stopped at (0.434, 0.224, 0.376) m" in source
+    assert (
+        f"({', '.join(f'{value:.3f}' for value in cup)}) m, the hand stopped at (0.434, 0.224,"
+        " 0.376) m" in source
+    )
 
 
 def test_the_order_of_the_chain():
     for letters in permutations("abcdef", 4):
         if letters != tuple("abcd"):
             verdict = said("01.5", list(letters))
-            assert verdict.mistake == ("pose-inverted" if {"e", "f"} & set(letters) else "product-reversed")
+            assert verdict.mistake == (
+                "pose-inverted" if {"e", "f"} & set(letters) else "product-reversed"
+            )
     assert said("01.5", "abce").place == "T_2F, then T_TF: F does not meet T"
     assert said("01.5", "bcde").place == "the product begins with 1 and ends with F"
     assert "reverse order" in said("01.5", "dcba").headline
@@ -89,11 +127,20 @@ def test_the_order_of_the_chain():
 
 def test_composing():
     for mistake, _, version in WRONG_VERSIONS["compose"]:
-        if mistake in ("product-reversed", "translations-not-rotated", "pose-inverted", "matrix-transposed", "product-stops-early", "product-starts-late"):
+        if mistake in (
+            "product-reversed",
+            "translations-not-rotated",
+            "pose-inverted",
+            "matrix-transposed",
+            "product-stops-early",
+            "product-starts-late",
+        ):
             assert said("01.4", version).mistake == mistake
 
 
 @pytest.mark.parametrize("variant", (0, 1, 2))
 def test_building_with_degrees(variant):
-    verdict = said("01.2", from_xyz_rpy(list(EXERCISES["01.2"].given(variant).values()), [0, 0, 90]), variant)
+    verdict = said(
+        "01.2", from_xyz_rpy(list(EXERCISES["01.2"].given(variant).values()), [0, 0, 90]), variant
+    )
     assert verdict.mistake == "degrees-in-sin-cos" and "jumps" not in str(verdict)

@@ -1,4 +1,6 @@
-"""Lesson 02: right answers in several forms pass, wrong ones fail by name, and what the lesson claims is true."""
+"""Lesson 02: right answers in several forms pass, wrong ones fail by name, and what the lesson
+claims is true.
+"""
 
 from itertools import permutations, product
 
@@ -25,7 +27,18 @@ def one_row(theta, d, a, alpha):
 def nearest_row(T):
     """How near to a pose any row comes (m and entries of R), over many starts."""
     starts = product((-2.5, -0.8, 0.8, 2.5), (0.0,), (0.1, -0.1), (-2.5, -0.8, 0.8, 2.5))
-    return min(np.abs(least_squares(lambda row: (one_row(*row) - T)[:3].ravel(), start, xtol=1e-15, ftol=1e-15, gtol=1e-15).fun).max() for start in starts)
+    return min(
+        np.abs(
+            least_squares(
+                lambda row: (one_row(*row) - T)[:3].ravel(),
+                start,
+                xtol=1e-15,
+                ftol=1e-15,
+                gtol=1e-15,
+            ).fun
+        ).max()
+        for start in starts
+    )
 
 
 def read_with_scipy(T):
@@ -34,13 +47,22 @@ def read_with_scipy(T):
     if abs(nothing) > 90:  # scipy keeps the middle angle positive
         theta, alpha = theta + 180, -alpha
     theta = (theta + 180) % 360 - 180
-    return [theta, T[2, 3], T[0, 3] * np.cos(np.deg2rad(theta)) + T[1, 3] * np.sin(np.deg2rad(theta)), alpha]
+    return [
+        theta,
+        T[2, 3],
+        T[0, 3] * np.cos(np.deg2rad(theta)) + T[1, 3] * np.sin(np.deg2rad(theta)),
+        alpha,
+    ]
 
 
 def fails_by_name(key, answers, variant=0):
-    """How many of the answers are refused, and how many of these with a mistake of the catalogue; right ones must not be among them."""
+    """How many of the answers are refused, and how many of these with a mistake of the catalogue;
+    right ones must not be among them.
+    """
     verdicts = [EXERCISES[key].judge(answer, variant) for answer in answers]
-    assert all(v.status == "wrong" and v.points == 0 and v.headline for v in verdicts), [v for v in verdicts if v.status != "wrong"]
+    assert all(v.status == "wrong" and v.points == 0 and v.headline for v in verdicts), [
+        v for v in verdicts if v.status != "wrong"
+    ]
     assert all(v.mistake is None or v.mistake in catalogue() for v in verdicts)
     return len(verdicts), sum(v.mistake is not None for v in verdicts)
 
@@ -48,17 +70,33 @@ def fails_by_name(key, answers, variant=0):
 def test_matching_the_four_numbers():
     for right in (["a", "b", "c", "d"], "abcd", "A, B, C, D", ("a", " b", "c ", "D")):
         assert EXERCISES["02.1"].judge(right).status == "right"
-    others = [list(letters) for letters in permutations("abcdef", 4) if list(letters) != ["a", "b", "c", "d"]]
+    others = [
+        list(letters)
+        for letters in permutations("abcdef", 4)
+        if list(letters) != ["a", "b", "c", "d"]
+    ]
     assert fails_by_name("02.1", others) == (359, 359)
-    assert EXERCISES["02.1"].judge("acbd").mistake == "a-d-exchanged" and EXERCISES["02.1"].judge("dbca").mistake == "theta-alpha-exchanged"
-    assert EXERCISES["02.1"].judge("ebcd").place == "θ" and EXERCISES["02.1"].judge("abfd").place == "a"
-    assert EXERCISES["02.1"].judge("bacd").place == "θ, d" and EXERCISES["02.1"].judge("abca").headline == "a stands there twice"
+    assert (
+        EXERCISES["02.1"].judge("acbd").mistake == "a-d-exchanged"
+        and EXERCISES["02.1"].judge("dbca").mistake == "theta-alpha-exchanged"
+    )
+    assert (
+        EXERCISES["02.1"].judge("ebcd").place == "θ"
+        and EXERCISES["02.1"].judge("abfd").place == "a"
+    )
+    assert (
+        EXERCISES["02.1"].judge("bacd").place == "θ, d"
+        and EXERCISES["02.1"].judge("abca").headline == "a stands there twice"
+    )
 
 
 @pytest.mark.parametrize("key", ["02.2", "02.5"])
 def test_choices(key):
     exercise = EXERCISES[key]
-    assert all(exercise.judge(dress).status == "right" for dress in (exercise.correct, exercise.correct.upper(), f" {exercise.correct} "))
+    assert all(
+        exercise.judge(dress).status == "right"
+        for dress in (exercise.correct, exercise.correct.upper(), f" {exercise.correct} ")
+    )
     wrong = [letter for letter in exercise.options if letter != exercise.correct]
     assert fails_by_name(key, wrong) == (3, 3)
     assert fails_by_name(key, ["?", "z", "θ", 4, 2.5, ["a", "b"], {"a": 1}])[0] == 7
@@ -70,12 +108,19 @@ def test_reading_a_row(key, variant):
     exercise = EXERCISES[key]
     T = exercise.given(variant)["T_01"]
     row = read_with_scipy(T)
-    assert np.allclose(one_row(np.deg2rad(row[0]), row[1], row[2], np.deg2rad(row[3])), T, atol=1e-9)
+    assert np.allclose(
+        one_row(np.deg2rad(row[0]), row[1], row[2], np.deg2rad(row[3])), T, atol=1e-9
+    )
     for right in (row, tuple(row), np.array(row, dtype=np.float32)):
         assert exercise.judge(right, variant).status == "right"
     seen, named = fails_by_name(key, [value for _, _, value in exercise.mistakes(T)], variant)
     assert seen == named >= 11
-    assert fails_by_name(key, [row[:3], row + [0], [np.nan] * 4, "row", [x + 1 for x in row], T], variant)[0] == 6
+    assert (
+        fails_by_name(
+            key, [row[:3], row + [0], [np.nan] * 4, "row", [x + 1 for x in row], T], variant
+        )[0]
+        == 6
+    )
 
 
 @pytest.mark.parametrize("key", ["02.3", "02.4", "02.8"])
@@ -86,7 +131,11 @@ def test_whole_turns_make_no_difference(key, variant):
     for turns in ([360, 0, 0, 0], [-360, 0, 0, 0], [0, 0, 0, 360], [720, 0, 0, -720]):
         assert exercise.judge((row + turns).tolist(), variant).status == "right"
         for mistake, _, value in exercise.mistakes(**exercise.given(variant)):
-            assert exercise.judge(np.add(value, turns), variant).mistake == exercise.judge(value, variant).mistake is not None
+            assert (
+                exercise.judge(np.add(value, turns), variant).mistake
+                == exercise.judge(value, variant).mistake
+                is not None
+            )
     for length in (1, 2):
         assert exercise.judge(row + 360 * np.eye(4)[length], variant).status == "wrong"
     assert exercise.judge(row + [180, 0, 0, 0], variant).status == "wrong"
@@ -113,18 +162,32 @@ def test_which_poses_one_row_can_make(variant):
     right = [miss < 1e-7 for miss in nearest]
     for dress in (right, [int(x) for x in right], np.array(right, dtype=float)):
         assert exercise.judge(dress, variant).status == "right"
-    assert fails_by_name("02.6", [list(p) for p in product((0, 1), repeat=4) if list(p) != right], variant) == (15, 15)
+    assert fails_by_name(
+        "02.6", [list(p) for p in product((0, 1), repeat=4) if list(p) != right], variant
+    ) == (15, 15)
     assert "exchanged" in exercise.judge([not x for x in right], variant).headline
     lost = max(k for k in range(4) if right[k])
     said = exercise.judge([x and k != lost for k, x in enumerate(right)], variant)
-    assert said.headline == f"{list(poses)[lost]} can be made by one row" and f'leftovers(poses["{list(poses)[lost]}"])' in said.next and not said.why
+    assert (
+        said.headline == f"{list(poses)[lost]} can be made by one row"
+        and f'leftovers(poses["{list(poses)[lost]}"])' in said.next
+        and not said.why
+    )
 
 
 def test_the_reasons_for_a_misjudged_pose():
     poses = EXERCISES["02.6"].given(0)
     right = [nearest_row(T) < 1e-7 for T in poses.values()]
-    reasons = {EXERCISES["02.6"].judge([not x if k == i else x for i, x in enumerate(right)]).mistake for k in range(4)}
-    assert reasons == {"origin-off-common-normal", "x-not-across-z", "minus-taken-for-error", "measured-in-other-frame"}
+    reasons = {
+        EXERCISES["02.6"].judge([not x if k == i else x for i, x in enumerate(right)]).mistake
+        for k in range(4)
+    }
+    assert reasons == {
+        "origin-off-common-normal",
+        "x-not-across-z",
+        "minus-taken-for-error",
+        "measured-in-other-frame",
+    }
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -134,9 +197,9 @@ def test_a_printed_table_in_our_columns(variant):
     half = [[0, 90, -90][int(np.sign(alpha))] for *_, alpha in printed]
     ours = [[0, d, a, alpha] for (_, a, d, _), alpha in zip(printed, half)]
     slid = [list(row) for row in ours]
-    slid[1][1], slid[3][1] = ours[1][1] + 0.1, ours[3][1] - 0.1            # along the parallel axes 2, 3, 4
+    slid[1][1], slid[3][1] = ours[1][1] + 0.1, ours[3][1] - 0.1  # along the parallel axes 2, 3, 4
     flipped = [list(row) for row in ours]
-    flipped[1] = [180, ours[1][1], -ours[1][2], 0]                         # x2 turned round
+    flipped[1] = [180, ours[1][1], -ours[1][2], 0]  # x2 turned round
     flipped[2][0] = -180
     for right in (ours, np.array(ours), slid, flipped, dh.DHTable.standard(ours, angle="deg")):
         assert exercise.judge(right, variant).status == "right"
@@ -144,29 +207,48 @@ def test_a_printed_table_in_our_columns(variant):
     seen, named = fails_by_name("02.7", wrong, variant)
     assert seen == named == 8
     said = [exercise.judge(rows, variant) for rows in (printed, np.abs(ours))]
-    assert "as printed" in said[0].headline and "minus signs" in said[1].headline and said[1].mistake == "lengths-made-positive"
+    assert (
+        "as printed" in said[0].headline
+        and "minus signs" in said[1].headline
+        and said[1].mistake == "lengths-made-positive"
+    )
 
 
 def test_wrong_tables_of_a_printed_one_are_named():
     exercise = EXERCISES["02.7"]
     q = exercise.poses_at(0)
     right = exercise.answer.forward(q)
-    visible = [table for _, _, table in wrong_tables(exercise.answer.table) if not np.allclose(dh.Arm(table).forward(q), right, atol=1e-9)]
+    visible = [
+        table
+        for _, _, table in wrong_tables(exercise.answer.table)
+        if not np.allclose(dh.Arm(table).forward(q), right, atol=1e-9)
+    ]
     seen, named = fails_by_name("02.7", visible)
     assert seen == named >= 10
     assert exercise.judge(exercise.given(0)["rows"]).mistake == "columns-misread"
-    assert fails_by_name("02.7", [[[0, 0, 0, 0]], [[0] * 4] * 6, [[0] * 3] * 6, "table", [["q1", 0, 0, 0]] * 6])[0] == 5
+    assert (
+        fails_by_name(
+            "02.7", [[[0, 0, 0, 0]], [[0] * 4] * 6, [[0] * 3] * 6, "table", [["q1", 0, 0, 0]] * 6]
+        )[0]
+        == 5
+    )
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_the_bent_upper_arm(variant):
     exercise = EXERCISES["02.8"]
     q2 = exercise.given(variant)["q2"]
-    tip = turn([0, 0, np.deg2rad(q2)]) @ shift([0, 0.2845, 0]) @ shift([0.0535, 0, 0])   # walked along the tube
+    tip = (
+        turn([0, 0, np.deg2rad(q2)]) @ shift([0, 0.2845, 0]) @ shift([0.0535, 0, 0])
+    )  # walked along the tube
     x, y, z = tip[:3, 3]
     right = [np.rad2deg(np.arctan2(y, x)), z, np.hypot(x, y), 0.0]
     right[0] = right[0] + 360 * round((q2 + 79.35 - right[0]) / 360)
-    for dress in (right, tuple(right), [q2 + 79.34995, 0, 0.28948866, 0]):               # the last as the maker prints it
+    for dress in (
+        right,
+        tuple(right),
+        [q2 + 79.34995, 0, 0.28948866, 0],
+    ):  # the last as the maker prints it
         assert exercise.judge(dress, variant).status == "right"
     seen, named = fails_by_name("02.8", [value for _, _, value in exercise.mistakes(q2)], variant)
     assert seen == named >= 15
@@ -174,9 +256,17 @@ def test_the_bent_upper_arm(variant):
 
 def test_what_the_predictions_come_to():
     before, after = one_row(0.7, 0.3, 0.4, 0.9), one_row(0.7, 0.3, 0.4, 2.1)
-    assert np.allclose(before[:3, 3], after[:3, 3]) and np.allclose(before[:3, 0], after[:3, 0]) and not np.allclose(before[:3, 2], after[:3, 2])
+    assert (
+        np.allclose(before[:3, 3], after[:3, 3])
+        and np.allclose(before[:3, 0], after[:3, 0])
+        and not np.allclose(before[:3, 2], after[:3, 2])
+    )
     assert np.linalg.norm(one_row(0.7, 0.3, 0.4, 0.9)[:3, 3]) == pytest.approx(0.5)
-    assert nearest_row(shift([0, 0.1, 0])) > 0.02 and nearest_row(one_row(np.pi / 2, 0, 0.1, 0)) < 1e-9
-    assert np.allclose(one_row(np.pi / 2, 0, 0.1, 0) @ one_row(-np.pi / 2, 0, 0, 0), shift([0, 0.1, 0])), "two rows make the step aside"
+    assert (
+        nearest_row(shift([0, 0.1, 0])) > 0.02 and nearest_row(one_row(np.pi / 2, 0, 0.1, 0)) < 1e-9
+    )
+    assert np.allclose(
+        one_row(np.pi / 2, 0, 0.1, 0) @ one_row(-np.pi / 2, 0, 0, 0), shift([0, 0.1, 0])
+    ), "two rows make the step aside"
     urdf_origin = shift([0.1, 0.05, 0.3]) @ turn([0, 0.5, 0])
     assert nearest_row(urdf_origin) > 0.02

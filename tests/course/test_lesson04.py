@@ -1,4 +1,6 @@
-"""Lesson 04: valid placements in many dresses pass, wrong ones fail and are named; the pictures' frames and the expected table are one arm."""
+"""Lesson 04: valid placements in many dresses pass, wrong ones fail and are named; the pictures'
+frames and the expected table are one arm.
+"""
 
 from itertools import permutations, product
 
@@ -33,7 +35,13 @@ def solved(key, given):
     if key == "04.7":
         return [[Z, [0, 0, 0], X], [Y, points[1], X], [Y, points[2], X], [Y, end[:3, 3], X]]
     _, side, h = points[3]
-    return [[Z, [0, 0, 0], X], [Y, [0, 0, h], X], [X, [0, side, h], Z], [X, points[3], Y], [X, end[:3, 3], Z]]
+    return [
+        [Z, [0, 0, 0], X],
+        [Y, [0, 0, h], X],
+        [X, [0, side, h], Z],
+        [X, points[3], Y],
+        [X, end[:3, 3], Z],
+    ]
 
 
 # where the origin may slide along its own z, and by how much it slides here
@@ -41,11 +49,20 @@ SLIDES = {"04.2": [0], "04.4": [0, 2], "04.7": [0, 2], "04.10": [0, 3, 4]}
 
 
 def dressed(key, rows):
-    """The same frames in other valid choices: arrows turned round, origins slid, directions of another length, points a hair off."""
+    """The same frames in other valid choices: arrows turned round, origins slid, directions of
+    another length, points a hair off.
+    """
     yield rows
     for z, x in ((-1, 1), (1, -1), (-1, -1)):
         yield [[z * np.asarray(r[0]), r[1], x * np.asarray(r[2])] for r in rows]
-    yield [[3 * np.asarray(r[0]), np.asarray(r[1]) + 0.17 * np.asarray(r[0]) * (i in SLIDES[key]), r[2]] for i, r in enumerate(rows)]
+    yield [
+        [
+            3 * np.asarray(r[0]),
+            np.asarray(r[1]) + 0.17 * np.asarray(r[0]) * (i in SLIDES[key]),
+            r[2],
+        ]
+        for i, r in enumerate(rows)
+    ]
     yield [[tuple(np.asarray(part) + 1e-4) for part in r] for r in rows]
 
 
@@ -54,26 +71,47 @@ def dressed(key, rows):
 def test_right_placements_pass_in_many_dresses(key, variant):
     rows = solved(key, E[key].given(variant))
     verdicts = [E[key].judge(answer, variant) for answer in dressed(key, rows)]
-    assert [v.status for v in verdicts] == ["right"] * 6 and all(v.points == v.of for v in verdicts), verdicts
+    assert [v.status for v in verdicts] == ["right"] * 6 and all(
+        v.points == v.of for v in verdicts
+    ), verdicts
     assert any("another right one" in v.headline for v in verdicts)
 
 
 def slips(rows, axes):
-    """One step changed: other axes' directions and lines, points beside and along, arrows across and along."""
+    """One step changed: other axes' directions and lines, points beside and along, arrows across
+    and along.
+    """
     n = len(rows) - 1
     for i, (z, o, x) in enumerate(rows):
         z, o, x = np.asarray(z, dtype=float), np.asarray(o, dtype=float), np.asarray(x, dtype=float)
         directions = [np.cross(z, x), x, z + 0.4 * x, *(np.asarray(d) for _, d, *_ in axes)]
-        points = [o + 0.1 * z, o + 0.1 * x, o + 0.1 * np.cross(z, x), np.asarray(rows[i - 1][1]), np.asarray(rows[min(i + 1, n)][1]), np.zeros(3)]
-        for part, changes in ((0, directions), (1, points), (2, [z, np.cross(z, x), x + 0.5 * z, np.asarray(rows[i - 1][0]), x + z])):
+        points = [
+            o + 0.1 * z,
+            o + 0.1 * x,
+            o + 0.1 * np.cross(z, x),
+            np.asarray(rows[i - 1][1]),
+            np.asarray(rows[min(i + 1, n)][1]),
+            np.zeros(3),
+        ]
+        for part, changes in (
+            (0, directions),
+            (1, points),
+            (2, [z, np.cross(z, x), x + 0.5 * z, np.asarray(rows[i - 1][0]), x + z]),
+        ):
             for change in changes:
-                yield [*rows[:i], [change if k == part else v for k, v in enumerate((z, o, x))], *rows[i + 1:]]
+                yield [
+                    *rows[:i],
+                    [change if k == part else v for k, v in enumerate((z, o, x))],
+                    *rows[i + 1 :],
+                ]
 
 
 @pytest.mark.parametrize("key", FRAMES)
 @pytest.mark.parametrize("variant", [0, 3])
 def test_wrong_placements_fail_and_are_named(key, variant):
-    """What is accepted is the arm, by products of exponentials; what is refused has a name of the catalogue."""
+    """What is accepted is the arm, by products of exponentials; what is refused has a name of the
+    catalogue.
+    """
     given = E[key].given(variant)
     axes = [(p, d, *(letter or ["R"])) for p, d, *letter in given["axes"]]
     q = np.random.default_rng(4).uniform(-2, 2, (5, len(axes)))
@@ -82,10 +120,20 @@ def test_wrong_placements_fail_and_are_named(key, variant):
         verdict = E[key].judge(answer, variant)
         if verdict.status == "right":
             board = Placement(given["axes"], given["end"])
-            assert all(board.set_z(i, r[0]) and board.set_origin(i, r[1]) and board.set_x(i, r[2]) for i, r in enumerate(answer))
-            assert max(pose_error(exponentials(axes, np.array(given["end"]), q), board.arm.forward(q))) < 1e-12
+            assert all(
+                board.set_z(i, r[0]) and board.set_origin(i, r[1]) and board.set_x(i, r[2])
+                for i, r in enumerate(answer)
+            )
+            assert (
+                max(pose_error(exponentials(axes, np.array(given["end"]), q), board.arm.forward(q)))
+                < 1e-12
+            )
         else:
-            assert verdict.status == "wrong" and verdict.mistake in catalogue() and verdict.place[0] in "zox", verdict
+            assert (
+                verdict.status == "wrong"
+                and verdict.mistake in catalogue()
+                and verdict.place[0] in "zox"
+            ), verdict
             refused.append(verdict.headline)
             seen.add(verdict.mistake)
     assert len(set(refused)) >= 10 and len(seen) >= 3
@@ -104,15 +152,24 @@ def test_a_part_is_told_what_is_right_so_far():
     rows = solved("04.4", given)
     half = [rows[0], rows[1], [rows[2][0], ..., ...], [..., ..., ...]]
     verdict = E["04.4"].judge(half)
-    assert verdict.status == "not attempted" and "z0, o0, x0, z1, o1, x1, z2" in verdict.place and "z3" in verdict.next
+    assert (
+        verdict.status == "not attempted"
+        and "z0, o0, x0, z1, o1, x1, z2" in verdict.place
+        and "z3" in verdict.next
+    )
     half[1] = [Z, ..., ...]
     assert E["04.4"].judge(half).mistake == "frame-at-other-end"
 
 
-@pytest.mark.parametrize("answer, words", [
-    (solved("04.4", E["04.4"].given(0))[:3], "expected 4 rows"), ([[Z, [0, 0, 0]]] * 4, "found 2 entries"), (7, "found int"),
-    ([[X]] * 4, "expected z, origin and x for frame 0"),
-])
+@pytest.mark.parametrize(
+    "answer, words",
+    [
+        (solved("04.4", E["04.4"].given(0))[:3], "expected 4 rows"),
+        ([[Z, [0, 0, 0]]] * 4, "found 2 entries"),
+        (7, "found int"),
+        ([[X]] * 4, "expected z, origin and x for frame 0"),
+    ],
+)
 def test_another_shape_is_a_sentence(answer, words):
     assert words in E["04.4"].judge(answer).headline
 
@@ -121,12 +178,25 @@ def test_what_is_handed_out_is_no_attempt_and_one_step_mends_it():
     for variant in VARIANTS:
         given = E["04.7"].given(variant)
         assert E["04.7"].judge(given["frames"], variant).status == "not attempted"
-        assert E["04.7"].judge([[tuple(part) for part in row] for row in given["frames"]], variant).status == "not attempted"
+        assert (
+            E["04.7"]
+            .judge([[tuple(part) for part in row] for row in given["frames"]], variant)
+            .status
+            == "not attempted"
+        )
         for i, part in product(range(4), range(3)):
             rows = [list(row) for row in given["frames"]]
             rows[i][part] = solved("04.7", given)[i][part]
             status = E["04.7"].judge(rows, variant).status
-            assert status == ("right" if (i, part) == (1, 1) else "not attempted" if np.allclose(rows[i][part], given["frames"][i][part]) else "wrong")
+            assert status == (
+                "right"
+                if (i, part) == (1, 1)
+                else (
+                    "not attempted"
+                    if np.allclose(rows[i][part], given["frames"][i][part])
+                    else "wrong"
+                )
+            )
 
 
 def test_variants_differ_and_are_repeatable():
@@ -138,23 +208,43 @@ def test_variants_differ_and_are_repeatable():
 def test_lines_of_z():
     for letters in permutations("abcdef", 3):
         verdict = E["04.1"].judge(list(letters))
-        assert (verdict.status == "right") == (letters == ("d", "e", "b")) and (verdict.status == "right" or verdict.mistake), letters
-    assert E["04.1"].judge("d, E, b").status == "right" and E["04.1"].judge(["d", "d", "e"]).mistake == "frame-at-other-end"
+        assert (verdict.status == "right") == (letters == ("d", "e", "b")) and (
+            verdict.status == "right" or verdict.mistake
+        ), letters
+    assert (
+        E["04.1"].judge("d, E, b").status == "right"
+        and E["04.1"].judge(["d", "d", "e"]).mistake == "frame-at-other-end"
+    )
 
 
 def test_the_table_of_04_5_is_that_of_the_frames_in_the_lesson():
     """Its four frames, as the lesson gives them, from the rows by elementary matrices."""
-    drawn = [(Z, [0, 0, 0], X), (-Y, [0, 0, 0.3], X), (-Y, [0, -0.1, 0.7], Z), (Z, [0.3, -0.1, 0.7], X)]
+    drawn = [
+        (Z, [0, 0, 0], X),
+        (-Y, [0, 0, 0.3], X),
+        (-Y, [0, -0.1, 0.7], Z),
+        (Z, [0.3, -0.1, 0.7], X),
+    ]
     for i, (z, o, x) in enumerate(drawn):
-        T = np.eye(4) if i == 0 else elementary_pose(dh.DHTable.standard(READ[:i], angle="deg"), np.zeros(i))
+        T = (
+            np.eye(4)
+            if i == 0
+            else elementary_pose(dh.DHTable.standard(READ[:i], angle="deg"), np.zeros(i))
+        )
         np.testing.assert_allclose(T[:3, [2, 3, 0]].T, [z, o, x], atol=1e-12)
 
 
 def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
     exercise = E["04.5"]
-    flipped = [[180, 0.3, 0, -90], [-90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]      # x1 turned round
-    slid = [[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]             # o2 slid along z2
-    for answer in (READ, np.array(READ), flipped, slid, [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in READ]):
+    flipped = [[180, 0.3, 0, -90], [-90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]  # x1 turned round
+    slid = [[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]  # o2 slid along z2
+    for answer in (
+        READ,
+        np.array(READ),
+        flipped,
+        slid,
+        [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in READ],
+    ):
         assert exercise.judge(answer).status == "right", answer
     q, seen = exercise.poses_at(0), set()
     for mistake, place, table in wrong_tables(exercise.answer.table):
@@ -165,12 +255,19 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
     assert len(seen) >= 10
 
 
-@pytest.mark.parametrize("changes, mistake, words", [
-    ([(1, 2, -0.4)], "length-sign", "a2 has the wrong sign"), ([(1, 0, -90)], "offset-sign", "θ2 has the wrong sign"),
-    ([(1, 0, -90), (2, 0, 90)], "offset-sign", "θ2 and θ3 have the wrong sign"), ([(1, 0, 0), (2, 0, 0)], "offset-missing", "θ2 and θ3 are not 0"),
-    ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"), ([(0, 1, 0.4)], "length-value", "d1 has another value"), ([(2, 2, 300)], "length-unit", "millimetres"),
-    ([(1, 0, -90), (0, 3, -90)], None, "another α1, θ2"),
-])
+@pytest.mark.parametrize(
+    "changes, mistake, words",
+    [
+        ([(1, 2, -0.4)], "length-sign", "a2 has the wrong sign"),
+        ([(1, 0, -90)], "offset-sign", "θ2 has the wrong sign"),
+        ([(1, 0, -90), (2, 0, 90)], "offset-sign", "θ2 and θ3 have the wrong sign"),
+        ([(1, 0, 0), (2, 0, 0)], "offset-missing", "θ2 and θ3 are not 0"),
+        ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"),
+        ([(0, 1, 0.4)], "length-value", "d1 has another value"),
+        ([(2, 2, 300)], "length-unit", "millimetres"),
+        ([(1, 0, -90), (0, 3, -90)], None, "another α1, θ2"),
+    ],
+)
 @pytest.mark.parametrize("variant", [0, 7])
 def test_misread_numbers_are_named_one_by_one(changes, mistake, words, variant):
     rows = [list(row) for row in READ]
@@ -178,12 +275,25 @@ def test_misread_numbers_are_named_one_by_one(changes, mistake, words, variant):
         rows[i][k] = value
     for answer in (rows, np.array(rows), dh.DHTable.standard(rows, angle="deg")):
         verdict = E["04.5"].judge(answer, variant)
-        assert verdict.status == "wrong" and verdict.mistake == mistake and words in verdict.headline and "offset" not in str(verdict), verdict
+        assert (
+            verdict.status == "wrong"
+            and verdict.mistake == mistake
+            and words in verdict.headline
+            and "offset" not in str(verdict)
+        ), verdict
 
 
 def test_a_right_table_of_other_frames_is_told_so():
-    assert "another d2, d3" in E["04.5"].judge([[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]).headline
-    assert "another" not in E["04.5"].judge([[360, 0.3, 0, 90], [90, 0.1, 0.4, 360], [-90, 0, 0.3, 270]]).headline
+    assert (
+        "another d2, d3"
+        in E["04.5"].judge([[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]).headline
+    )
+    assert (
+        "another"
+        not in E["04.5"]
+        .judge([[360, 0.3, 0, 90], [90, 0.1, 0.4, 360], [-90, 0, 0.3, 270]])
+        .headline
+    )
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -193,15 +303,25 @@ def test_why_an_origin_is_refused(variant):
     a, side, h = given["axes"][1][0]
     rows = solved("04.2", given)
     said = {}
-    for name, origin in (("foot on z0", [0, 0, h]), ("housing", [a, side, h]), ("beside", [0, side, h])):
+    for name, origin in (
+        ("foot on z0", [0, 0, h]),
+        ("housing", [a, side, h]),
+        ("beside", [0, side, h]),
+    ):
         rows[1] = [Y, origin, X]
         said[name] = E["04.2"].judge(rows, variant)
-    assert len({v.why for v in said.values()}) == 3 and [name for name, v in said.items() if "housing" in v.why] == ["beside"]
+    assert len({v.why for v in said.values()}) == 3 and [
+        name for name, v in said.items() if "housing" in v.why
+    ] == ["beside"]
     given = E["04.4"].given(variant)
     rows = solved("04.4", given)
     rows[1][1] = given["axes"][1][0]
     verdict = E["04.4"].judge(rows, variant)
-    assert verdict.mistake == "origin-off-common-normal" and "both axes" in verdict.next and "shortest" not in str(verdict)
+    assert (
+        verdict.mistake == "origin-off-common-normal"
+        and "both axes" in verdict.next
+        and "shortest" not in str(verdict)
+    )
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -222,11 +342,18 @@ def test_a_slide_does_not_turn(variant):
     rows = solved("04.10", E["04.10"].given(variant))
     rows[2][0] = Z
     verdict = E["04.10"].judge(rows, variant)
-    assert verdict.mistake == "z-across-joint-axis" and "Joint 3 slides" in verdict.headline and "turn" not in str(verdict) and "stands still" not in str(verdict)
+    assert (
+        verdict.mistake == "z-across-joint-axis"
+        and "Joint 3 slides" in verdict.headline
+        and "turn" not in str(verdict)
+        and "stands still" not in str(verdict)
+    )
 
 
 def test_the_tools_own_frame_is_not_always_frame_n():
-    """What the lesson says of frame n: the tool's origin may be out of reach, and where axis n meets the tool's line one row arrives."""
+    """What the lesson says of frame n: the tool's origin may be out of reach, and where axis n
+    meets the tool's line one row arrives.
+    """
     given = E["04.4"].given(0)
     rows, end = solved("04.4", given), np.array(given["end"])
     rows[3] = [end[:3, 2], end[:3, 3], end[:3, 0]]
@@ -237,26 +364,48 @@ def test_the_tools_own_frame_is_not_always_frame_n():
 
 
 def test_ada_and_bo():
-    """What the lesson says of their tables: no row the same, the step of 0.1 m, five changes for a reversed z."""
+    """What the lesson says of their tables: no row the same, the step of 0.1 m, five changes for a
+    reversed z.
+    """
     axes = [([0, 0, 0], Z), ([0.1, -0.1, 0.4], Y), ([0.1, 0, 0.8], Y)]
     end = np.array([[0, 0, 1, 0.5], [0, 1, 0, 0.1], [-1, 0, 0, 0.8], [0, 0, 0, 1]])
     boards = []
-    for rows in ([[Z, [0, 0, 0], X], [Y, [0.1, 0, 0.4], X], [Y, [0.1, 0, 0.8], Z], [X, [0.1, 0.1, 0.8], -Z]],
-                 [[Z, [0, 0, 0.2], Y], [-Y, [0.1, 0, 0.4], -X], [Y, [0.1, 0.3, 0.8], Z], [Y, [0.5, 0.1, 0.8], X]]):
+    for rows in (
+        [[Z, [0, 0, 0], X], [Y, [0.1, 0, 0.4], X], [Y, [0.1, 0, 0.8], Z], [X, [0.1, 0.1, 0.8], -Z]],
+        [
+            [Z, [0, 0, 0.2], Y],
+            [-Y, [0.1, 0, 0.4], -X],
+            [Y, [0.1, 0.3, 0.8], Z],
+            [Y, [0.5, 0.1, 0.8], X],
+        ],
+    ):
         board = Placement(axes, end)
-        assert all(board.set_z(i, z) and board.set_origin(i, o) and board.set_x(i, x) for i, (z, o, x) in enumerate(rows))
+        assert all(
+            board.set_z(i, z) and board.set_origin(i, o) and board.set_x(i, x)
+            for i, (z, o, x) in enumerate(rows)
+        )
         boards.append(board)
     ada, bo = (board.arm for board in boards)
     q = np.random.default_rng(1).uniform(-3, 3, (20, 3))
     truth = exponentials([(p, z, "R") for p, z in axes], end, q)
     assert max(*pose_error(truth, ada.forward(q)), *pose_error(truth, bo.forward(q))) < 1e-13
-    assert (np.abs(ada.table.rows - bo.table.rows) > 1e-9).any(axis=1).all() and (np.abs(ada.table.rows - bo.table.rows) > 1e-9).sum() > 6
+    assert (np.abs(ada.table.rows - bo.table.rows) > 1e-9).any(axis=1).all() and (
+        np.abs(ada.table.rows - bo.table.rows) > 1e-9
+    ).sum() > 6
     rows = ada.table.rows
     rows[1, 1] = 0.1
     twice = dh.Arm(dh.DHTable.standard(rows, angle="rad"), tool=ada.tool)
-    np.testing.assert_allclose(np.linalg.norm((twice.forward(q) - ada.forward(q))[:, :3, 3], axis=1), 0.1)
+    np.testing.assert_allclose(
+        np.linalg.norm((twice.forward(q) - ada.forward(q))[:, :3, 3], axis=1), 0.1
+    )
     assert boards[0].set_z(2, -Y)
     turned = boards[0].arm
     assert turned.sign.tolist() == [1, 1, -1] and max(pose_error(truth, turned.forward(q))) < 1e-13
-    changed = np.argwhere(np.abs(np.exp(1j * turned.table.rows) - np.exp(1j * ada.table.rows)) > 1e-9).tolist()
-    assert changed == [[1, 3], [2, 1], [2, 3]]  # alpha2, d3, alpha3; theta3 = 180° is its own negative here, and q3 counts the other way
+    changed = np.argwhere(
+        np.abs(np.exp(1j * turned.table.rows) - np.exp(1j * ada.table.rows)) > 1e-9
+    ).tolist()
+    assert changed == [
+        [1, 3],
+        [2, 1],
+        [2, 3],
+    ]  # alpha2, d3, alpha3; theta3 = 180° is its own negative here, and q3 counts the other way

@@ -21,6 +21,7 @@ ROUNDED = 2e-3  # rad and m: the files' 1.5708, and the Piper's lengths
 def lines(chain, q):
     """The joint axes (point, direction) of a URDF chain at q."""
     from scipy.spatial.transform import Rotation
+
     T, found, moving = np.eye(4), [], iter(q)
     for joint in chain_joints(chain):
         T = T @ shift(joint["xyz"])
@@ -43,32 +44,50 @@ def meet(axes):
 def test_the_structures_of_06_9_by_their_urdf(chain, letter):
     for q in np.random.default_rng(6).uniform(-1.2, 1.2, (5, 6)):
         axes = lines(chain, q)
-        parallel = all(np.linalg.norm(np.cross(axes[k][1], axes[k + 1][1])) < ROUNDED for k in (1, 2))
+        parallel = all(
+            np.linalg.norm(np.cross(axes[k][1], axes[k + 1][1])) < ROUNDED for k in (1, 2)
+        )
         assert (parallel, meet(axes[3:])) == (letter == "a", letter == "b")
 
 
 def test_every_other_answer_to_06_9_is_wrong_and_named():
     for letters in product("abcd", repeat=4):
         verdict = exercises()["06.9"].judge(list(letters))
-        assert (verdict.status == "right") == (letters == ("c", "a", "b", "b")) and (verdict.status == "right" or verdict.mistake)
-    assert exercises()["06.9"].judge("cabb").status == exercises()["06.9"].judge("C, A, B, B").status == "right"
+        assert (verdict.status == "right") == (letters == ("c", "a", "b", "b")) and (
+            verdict.status == "right" or verdict.mistake
+        )
+    assert (
+        exercises()["06.9"].judge("cabb").status
+        == exercises()["06.9"].judge("C, A, B, B").status
+        == "right"
+    )
 
 
 def outputs(name, text):
     """What the cell of a solution printed that holds a text."""
     cells = json.loads((build.SOLUTIONS / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
-    cell, = (cell for cell in cells if cell["cell_type"] == "code" and text in "".join(cell["source"]))
+    (cell,) = (
+        cell for cell in cells if cell["cell_type"] == "code" and text in "".join(cell["source"])
+    )
     return "".join("".join(output.get("text", "")) for output in cell["outputs"])
 
 
 def test_the_camera_is_found_from_the_tool_and_not_from_the_flange():
     rows = [line for line in outputs("01-frames", "from flange").splitlines()]
-    places = np.array([[float(v) for part in row.split("[")[1:] for v in part.split("]")[0].split()] for row in rows])
+    places = np.array(
+        [
+            [float(v) for part in row.split("[")[1:] for v in part.split("]")[0].split()]
+            for row in rows
+        ]
+    )
     assert places.shape == (3, 6)
     np.testing.assert_allclose(places[:, 3:], [[0.9, 0.3, 0.5]] * 3)
     steps = np.linalg.norm(places[:, :3] - places[:, 3:], axis=1)
     np.testing.assert_allclose(steps, 0.12, atol=2e-3)  # the pen's length, every time
-    assert np.linalg.norm(places[0, :3] - places[1, :3]) > 0.03 and np.linalg.norm(places[0, :3] - places[2, :3]) > 0.03
+    assert (
+        np.linalg.norm(places[0, :3] - places[1, :3]) > 0.03
+        and np.linalg.norm(places[0, :3] - places[2, :3]) > 0.03
+    )
 
 
 def test_lengths_never_enter_the_rotation():
@@ -78,7 +97,10 @@ def test_lengths_never_enter_the_rotation():
 def test_matching_names_the_parts_and_where_to_look():
     judge = exercises()["06.1"].judge
     assert judge("bdace").headline == "d4 and d6 are exchanged" and "z3" in judge("bdace").next
-    assert judge("badec").headline == "a2 and a3 are exchanged" and judge("dbaec").mistake == "a-d-exchanged"
+    assert (
+        judge("badec").headline == "a2 and a3 are exchanged"
+        and judge("dbaec").mistake == "a-d-exchanged"
+    )
     for letters in permutations("abcde"):
         verdict = judge(list(letters))
         assert verdict.status == "right" or verdict.next and "digit" not in str(verdict)
@@ -86,7 +108,11 @@ def test_matching_names_the_parts_and_where_to_look():
 
 def test_06_9_names_the_arm_and_the_numbers_to_read():
     judge = exercises()["06.9"].judge
-    assert "Piper" in judge("cabd").headline and "a4, a5 and d5" in judge("cabd").next and "Craig" not in str(judge("cabd"))
+    assert (
+        "Piper" in judge("cabd").headline
+        and "a4, a5 and d5" in judge("cabd").next
+        and "Craig" not in str(judge("cabd"))
+    )
     assert "UR5e" in judge("ccbb").headline and "a4, a5 and d5" in judge("ccbb").next
     assert "AR4" in judge("cacb").headline and "α2 and α3" in judge("cacb").next
 
@@ -105,9 +131,14 @@ def test_two_slips_of_the_loop_have_words_of_their_own(variant):
 
     def returns_at_once(rows, q):
         return link(rows[0], q[0])
+
     for key in ("06.2", "06.7"):
         last, first = (exercises()[key].judge(f, variant) for f in (thrown_away, returns_at_once))
-        assert last.mistake == "product-starts-late" and "T = T @ A" in last.next and "range" not in str(last)
+        assert (
+            last.mistake == "product-starts-late"
+            and "T = T @ A" in last.next
+            and "range" not in str(last)
+        )
         assert first.mistake == "product-stops-early" and "return" in first.next
 
 
@@ -122,17 +153,37 @@ def test_06_6_says_how_the_arm_stands(variant):
     judge = exercises()["06.6"].judge
     for radians in ((np.pi / 2, -np.pi / 2), (1.57, -1.57), (np.pi / 2, 0)):
         assert judge(upright(*radians), variant).headline == "the offsets look like radians"
-    words = {(1, 0): "level, pointing forward", (0, 1): "straight up", (-1, 0): "level, pointing backward", (0, -1): "straight down"}
+    words = {
+        (1, 0): "level, pointing forward",
+        (0, 1): "straight up",
+        (-1, 0): "level, pointing backward",
+        (0, -1): "straight down",
+    }
     for offsets in product((0, 90, -90, 180), repeat=2):
         verdict = judge(upright(*offsets), variant)
         frames = Arm(DHTable.standard(upright(*offsets), angle="deg")).frames(np.zeros(6))
-        upper, fore = (words[tuple(np.round((b - a)[[0, 2]] / length).astype(int))]
-                       for a, b, length in ((frames[1][:3, 3], frames[2][:3, 3], 0.4), (frames[2][:3, 3], frames[3][:3, 3], 0.35)))
+        upper, fore = (
+            words[tuple(np.round((b - a)[[0, 2]] / length).astype(int))]
+            for a, b, length in (
+                (frames[1][:3, 3], frames[2][:3, 3], 0.4),
+                (frames[2][:3, 3], frames[3][:3, 3], 0.35),
+            )
+        )
         if offsets == (90, -90):
-            assert verdict.status == "right" and (upper, fore) == ("straight up", "level, pointing forward")
+            assert verdict.status == "right" and (upper, fore) == (
+                "straight up",
+                "level, pointing forward",
+            )
         else:
-            assert verdict.status == "wrong" and verdict.mistake and (upper if offsets[0] != 90 else fore) in verdict.headline
-    assert judge(upright(90, 0), variant).mistake == "offset-missing" and "not from the floor" in judge(upright(90, 0), variant).next
+            assert (
+                verdict.status == "wrong"
+                and verdict.mistake
+                and (upper if offsets[0] != 90 else fore) in verdict.headline
+            )
+    assert (
+        judge(upright(90, 0), variant).mistake == "offset-missing"
+        and "not from the floor" in judge(upright(90, 0), variant).next
+    )
 
 
 @pytest.mark.parametrize("variant", range(4))

@@ -1,4 +1,6 @@
-"""Lesson 07: repairs, impostors, matching; the story's data; the simulator with and without PyBullet."""
+"""Lesson 07: repairs, impostors, matching; the story's data; the simulator with and without
+PyBullet.
+"""
 
 import subprocess
 import sys
@@ -33,7 +35,9 @@ def link(theta, d, a, alpha):
 
 def pose(rows, q):
     """The end of an arm of revolute joints; rows in degrees, q in radians."""
-    return np.linalg.multi_dot([link(theta + np.rad2deg(x), d, a, alpha) for (theta, d, a, alpha), x in zip(rows, q)])
+    return np.linalg.multi_dot(
+        [link(theta + np.rad2deg(x), d, a, alpha) for (theta, d, a, alpha), x in zip(rows, q)]
+    )
 
 
 def flipped(rows, i):
@@ -74,7 +78,14 @@ def test_wrong_repairs_fail_and_are_named_or_placed(key):
     seen = named = 0
     for _, _, table in wrong_tables(right.table):
         rows = table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
-        if table.convention != "standard" or table.joints != "RRRRRR" or np.allclose(rows, broken) or np.allclose(dh.Arm(table).forward(EX[key].poses_at(0)), right.forward(EX[key].poses_at(0))):
+        if (
+            table.convention != "standard"
+            or table.joints != "RRRRRR"
+            or np.allclose(rows, broken)
+            or np.allclose(
+                dh.Arm(table).forward(EX[key].poses_at(0)), right.forward(EX[key].poses_at(0))
+            )
+        ):
             continue
         verdict = EX[key].judge(table)
         seen, named = seen + 1, named + (verdict.mistake is not None)
@@ -85,17 +96,22 @@ def test_wrong_repairs_fail_and_are_named_or_placed(key):
             tried = broken.copy()
             tried[i, k] += 0.02 if k in (1, 2) else 20
             verdict = EX[key].judge(tried)
-            assert verdict.status == "wrong" and (verdict.mistake or f"row {i + 1}" in verdict.place or "look at" in verdict.place), verdict
+            assert verdict.status == "wrong" and (
+                verdict.mistake or f"row {i + 1}" in verdict.place or "look at" in verdict.place
+            ), verdict
 
 
 @pytest.mark.parametrize("key", REPAIRS)
 def test_the_place_of_a_single_change_is_told(key):
     broken, right = EX[key].given(0)["rows"], np.array(REPAIRS[key])
-    (i, k), = np.argwhere(broken != right)
+    ((i, k),) = np.argwhere(broken != right)
     tried = broken.copy()
     tried[i, k] = 0.777 if k in (1, 2) else 33
     verdict = EX[key].judge(tried)
-    assert "the right entry, but not yet the right number" in verdict.headline and verdict.place.startswith(f"row {i + 1}")
+    assert (
+        "the right entry, but not yet the right number" in verdict.headline
+        and verdict.place.startswith(f"row {i + 1}")
+    )
     tried = broken.copy()
     tried[1, 2] = 0.123
     verdict = EX[key].judge(tried)
@@ -106,15 +122,20 @@ def test_the_place_of_a_single_change_is_told(key):
 def test_the_tasks_can_be_solved_by_hand_and_by_the_doctor(variant):
     task = EX["07.3"].given(variant)
     residuals = task["points"] - [pose(task["rows"], q)[:3, 3] for q in task["q"]]
-    (i, k), = np.argwhere(task["rows"] != np.array(ARTICLE))
-    assert np.abs(np.linalg.norm(residuals, axis=1) - abs(task["rows"][i, k] - ARTICLE[i][k])).max() < 2e-3
+    ((i, k),) = np.argwhere(task["rows"] != np.array(ARTICLE))
+    assert (
+        np.abs(np.linalg.norm(residuals, axis=1) - abs(task["rows"][i, k] - ARTICLE[i][k])).max()
+        < 2e-3
+    )
     suspect = dh.Arm(dh.DHTable.standard(task["rows"], angle="deg"))
     finding = dh.diagnose(suspect, task["q"], task["points"], noise=3e-4).findings[0]
     assert (finding.joint, finding.parameter) == (i + 1, ("theta", "d", "a", "alpha")[k])
     puma = EX["07.8"].given(variant)
-    (i, k), = np.argwhere(puma["rows"] != np.array(PUMA))
+    ((i, k),) = np.argwhere(puma["rows"] != np.array(PUMA))
     read = dh.recognise_table(puma["table"])
-    assert len(read.readings) == 2 and np.allclose(read.arm.table.rows * [180 / np.pi, 1, 1, 180 / np.pi], puma["rows"])
+    assert len(read.readings) == 2 and np.allclose(
+        read.arm.table.rows * [180 / np.pi, 1, 1, 180 / np.pi], puma["rows"]
+    )
     finding = dh.diagnose(read.arm, puma["q"], puma["poses"]).findings[0]
     assert (finding.joint, finding.parameter) == (i + 1, ("theta", "d", "a", "alpha")[k])
 
@@ -128,12 +149,23 @@ def test_measured_data_are_of_the_right_arm_but_for_the_noise(variant):
         p = measured[:, :3, 3] if measured.ndim == 3 else measured
         assert 1e-5 < np.linalg.norm(p - wanted[:, :3, 3], axis=1).max() < 3e-3
         if measured.ndim == 3:
-            assert np.allclose(measured[:, :3, :3] @ np.swapaxes(measured[:, :3, :3], 1, 2), np.eye(3))
-            assert Rotation.from_matrix(np.swapaxes(wanted[:, :3, :3], 1, 2) @ measured[:, :3, :3]).magnitude().max() < 0.015
+            assert np.allclose(
+                measured[:, :3, :3] @ np.swapaxes(measured[:, :3, :3], 1, 2), np.eye(3)
+            )
+            assert (
+                Rotation.from_matrix(np.swapaxes(wanted[:, :3, :3], 1, 2) @ measured[:, :3, :3])
+                .magnitude()
+                .max()
+                < 0.015
+            )
 
 
-IMPOSTORS = {"a2 and a3 exchanged": ((1, 2, 0.35), (2, 2, 0.4)), "d of the wrist moved to the tool": ((3, 1, 0.02), (5, 1, 0.18)),
-             "a of row 3 shared with row 4": ((2, 2, 0.2), (3, 2, 0.15)), "three lengths": ((1, 2, 0.9), (2, 2, -0.3), (3, 2, 0.15))}
+IMPOSTORS = {
+    "a2 and a3 exchanged": ((1, 2, 0.35), (2, 2, 0.4)),
+    "d of the wrist moved to the tool": ((3, 1, 0.02), (5, 1, 0.18)),
+    "a of row 3 shared with row 4": ((2, 2, 0.2), (3, 2, 0.15)),
+    "three lengths": ((1, 2, 0.9), (2, 2, -0.3), (3, 2, 0.15)),
+}
 
 
 @pytest.mark.parametrize("changes", IMPOSTORS.values(), ids=IMPOSTORS)
@@ -163,30 +195,57 @@ def test_what_is_no_impostor_fails_and_is_named():
     slid[1, 1], slid[3, 1] = 0.1, 0
     for same_arm in (flipped(ARTICLE, 2), slid, whole_turns(ARTICLE)):
         assert exercise.judge(same_arm).mistake == "table-taken-as-unique"
-    assert exercise.judge(ARTICLE).status == "not attempted" and "found 5" in str(exercise.judge(ARTICLE[:5]))
+    assert exercise.judge(ARTICLE).status == "not attempted" and "found 5" in str(
+        exercise.judge(ARTICLE[:5])
+    )
 
 
 def test_only_one_matching_of_5040_passes_and_all_others_are_named():
     exercise = EX["07.1"]
     verdicts = {letters: exercise.judge(list(letters)) for letters in permutations("abcdefg", 6)}
     right = [letters for letters, verdict in verdicts.items() if verdict.status == "right"]
-    assert len(verdicts) == 5040 and len(right) == 1 and sum(v.mistake is not None for v in verdicts.values()) == 5039
+    assert (
+        len(verdicts) == 5040
+        and len(right) == 1
+        and sum(v.mistake is not None for v in verdicts.values()) == 5039
+    )
     dressed = "".join(right[0])
-    assert all(exercise.judge(answer).status == "right" for answer in (dressed, dressed.upper(), ", ".join(dressed), tuple(dressed), np.array(list(dressed))))
+    assert all(
+        exercise.judge(answer).status == "right"
+        for answer in (
+            dressed,
+            dressed.upper(),
+            ", ".join(dressed),
+            tuple(dressed),
+            np.array(list(dressed)),
+        )
+    )
     for k, letter in ((0, "a"), (2, "f"), (4, "d")):
-        said = exercise.judge([*right[0][:k], letter, *right[0][k + 1:]])
-        assert said.headline == f"symptom {k + 1} is not {letter}" and f"Does symptom {k + 1} say that?" in said.why
+        said = exercise.judge([*right[0][:k], letter, *right[0][k + 1 :]])
+        assert (
+            said.headline == f"symptom {k + 1} is not {letter}"
+            and f"Does symptom {k + 1} say that?" in said.why
+        )
 
 
 def test_the_program_from_two_sources():
     exercise = EX["07.2"]
 
     def broken(rows, q):
-        return np.linalg.multi_dot([np.eye(4)] + [link(np.rad2deg(offset + x), d, a, alpha) for (offset, d, a, alpha), x in zip(rows, q)])
+        return np.linalg.multi_dot(
+            [np.eye(4)]
+            + [
+                link(np.rad2deg(offset + x), d, a, alpha)
+                for (offset, d, a, alpha), x in zip(rows, q)
+            ]
+        )
 
     def right(rows, q):
         return pose(rows * [180 / np.pi, 1, 1, 180 / np.pi], q)
-    assert exercise.judge(broken).status == "not attempted" and exercise.judge(right).status == "right"
+
+    assert (
+        exercise.judge(broken).status == "not attempted" and exercise.judge(right).status == "right"
+    )
     flat = np.array([[0.1, 0.2, 0.3, 0], [0.2, 0, 0.4, 0]])
     assert np.allclose(exercise.handed_out(flat, [0.3, 0.4]), right(flat, [0.3, 0.4]))
     assert len({mistake for mistake, _, _ in WRONG_VERSIONS[exercise.family]}) >= 10
@@ -201,24 +260,49 @@ def test_offsets_bring_the_points_back_and_nothing_else_does(variant):
     def misfit(offsets):
         rows = np.array(ARTICLE, dtype=float)
         rows[1:3, 0] = offsets
-        return np.linalg.norm(task["points"] - [pose(rows, q)[:3, 3] for q in task["q"]], axis=1).max()
+        return np.linalg.norm(
+            task["points"] - [pose(rows, q)[:3, 3] for q in task["q"]], axis=1
+        ).max()
+
     assert misfit(right) < 2.5e-3 and misfit([0, 0]) > 0.01
-    for answer in (right, tuple(right), np.rad2deg(dh.calibrate_offsets(dh.load("article-6r"), task["q"], task["points"]).offsets[1:3])):
+    for answer in (
+        right,
+        tuple(right),
+        np.rad2deg(
+            dh.calibrate_offsets(dh.load("article-6r"), task["q"], task["points"]).offsets[1:3]
+        ),
+    ):
         assert exercise.judge(answer, variant).status == "right"
-    wrong = [value for _, _, value in exercise.mistakes(**task)] + [right + 1, right + [0, 0.5], right * 1.2, 2 * right - 1, [99, 99]]
+    wrong = [value for _, _, value in exercise.mistakes(**task)] + [
+        right + 1,
+        right + [0, 0.5],
+        right * 1.2,
+        2 * right - 1,
+        [99, 99],
+    ]
     verdicts = [exercise.judge(value, variant) for value in wrong]
-    assert len(wrong) >= 10 and all(v.status == "wrong" for v in verdicts) and sum(v.mistake is not None for v in verdicts) >= 10
+    assert (
+        len(wrong) >= 10
+        and all(v.status == "wrong" for v in verdicts)
+        and sum(v.mistake is not None for v in verdicts) >= 10
+    )
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_offsets_as_the_library_gives_them_are_told_what_they_are(variant):
     exercise = EX["07.7"]
     task = exercise.given(variant)
-    found = dh.calibrate_offsets(dh.load("article-6r"), task["q"], task["points"], base="fixed").offsets
+    found = dh.calibrate_offsets(
+        dh.load("article-6r"), task["q"], task["points"], base="fixed"
+    ).offsets
     said = exercise.judge([found[1], found[2]], variant)
-    assert said.headline.startswith("these are radians") and "rad2deg" in said.next and "function" not in str(said)
+    assert (
+        said.headline.startswith("these are radians")
+        and "rad2deg" in said.next
+        and "function" not in str(said)
+    )
     for k, words in ((0, "joints 1 and 2"), (2, "joints 3 and 4")):
-        said = exercise.judge(np.rad2deg(found[k:k + 2]).tolist(), variant)
+        said = exercise.judge(np.rad2deg(found[k : k + 2]).tolist(), variant)
         assert words in said.headline and said.mistake == "joint-index-off-by-one"
 
 
@@ -227,20 +311,29 @@ def test_a_wrong_amount_is_not_told_of_other_arms(variant):
     broken, right = EX["07.3"].given(variant)["rows"], np.array(ARTICLE)
     tried = 2 * broken - right  # the residual added with the wrong sign
     said = EX["07.3"].judge(tried, variant)
-    assert said.mistake == "length-value" and "not yet the right number" in said.headline and not said.why
+    assert (
+        said.mistake == "length-value"
+        and "not yet the right number" in said.headline
+        and not said.why
+    )
 
 
 def test_the_story_is_lesson_1s_and_circles_and_doctor_solve_it():
     story, cup = EX["07.6"].given(0), np.deg2rad([30, 60, -80, -30, 40, 0])
     mine = dh.Arm(dh.DHTable.standard(story["rows"], angle="deg"))
-    assert np.allclose(pose(story["rows"], cup)[:3, 3], [0.434, 0.224, 0.376], atol=5e-4)  # where lesson 01 says it arrived
+    assert np.allclose(
+        pose(story["rows"], cup)[:3, 3], [0.434, 0.224, 0.376], atol=5e-4
+    )  # where lesson 01 says it arrived
     assert repr(EX["07.6"].given(5)) == repr(story)
     circles = dh.fit_circles(story["sweeps"], story["points"], mine).circles
     axes = [np.rad2deg(circle.differs["axis"][0]) for circle in circles[:5]]
     assert max(axes[:4]) < 2 and axes[4] > 178 and "lies on the axis" in circles[5].fault
     answer = dh.diagnose(mine, story["q"], story["poses"])
     assert (answer.findings[0].mistake, answer.findings[0].place) == ("alpha-sign", "row 4, alpha")
-    turned = [Rotation.from_matrix(pose(story["rows"], q)[:3, :3].T @ T[:3, :3]).magnitude() for q, T in zip(story["q"], story["poses"])]
+    turned = [
+        Rotation.from_matrix(pose(story["rows"], q)[:3, :3].T @ T[:3, :3]).magnitude()
+        for q, T in zip(story["q"], story["poses"])
+    ]
     assert np.allclose(np.rad2deg(turned), 180, atol=0.5)
 
 
@@ -251,9 +344,16 @@ def urdf_position(q):
         origin, axis = joint.find("origin"), joint.find("axis")
         step = np.eye(4)
         step[:3, 3] = [float(v) for v in origin.get("xyz").split()]
-        step[:3, :3] = Rotation.from_euler("xyz", [float(v) for v in origin.get("rpy", "0 0 0").split()]).as_matrix()
+        step[:3, :3] = Rotation.from_euler(
+            "xyz", [float(v) for v in origin.get("rpy", "0 0 0").split()]
+        ).as_matrix()
         if axis is not None:
-            step[:3, :3] = step[:3, :3] @ Rotation.from_rotvec(next(values) * np.array([float(v) for v in axis.get("xyz").split()])).as_matrix()
+            step[:3, :3] = (
+                step[:3, :3]
+                @ Rotation.from_rotvec(
+                    next(values) * np.array([float(v) for v in axis.get("xyz").split()])
+                ).as_matrix()
+            )
         T = T @ step
     return T
 
@@ -272,7 +372,9 @@ def test_pybullet_answers_what_is_stored():
     for q, stored in zip(simulator.Q, simulator.STORED):
         for joint, value in enumerate(q):
             pybullet.resetJointState(body, joint, value)
-        assert np.allclose(pybullet.getLinkState(body, 6, computeForwardKinematics=True)[4], stored, atol=2e-6)
+        assert np.allclose(
+            pybullet.getLinkState(body, 6, computeForwardKinematics=True)[4], stored, atol=2e-6
+        )
     pybullet.disconnect()
 
 
@@ -281,5 +383,10 @@ def test_without_pybullet_the_simulator_says_none_and_with_it_says_nothing(tmp_p
     quiet = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert quiet.stderr == "" and quiet.stdout.strip() == str(simulator.pybullet is None)
     (tmp_path / "pybullet.py").write_text("raise ImportError('not here')")
-    absent = subprocess.run([sys.executable, "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r}); {code}"], capture_output=True, text=True, check=True)
+    absent = subprocess.run(
+        [sys.executable, "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r}); {code}"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     assert absent.stdout.strip() == "True"

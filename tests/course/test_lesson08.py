@@ -1,4 +1,6 @@
-"""Lesson 08: its right answers against independent judges, what its wrong answers are told, and the other libraries."""
+"""Lesson 08: its right answers against independent judges, what its wrong answers are told, and the
+other libraries.
+"""
 
 from itertools import permutations
 
@@ -36,29 +38,38 @@ def by_differences(pose, q, h=1e-6):
 
 # ---- what the exercises hold to be right
 
+
 @pytest.mark.parametrize("seed", range(5))
 def test_the_jacobian_is_the_derivative_of_the_pose(seed):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(3, 8))
-    table = dh.DHTable.standard(rng.uniform(-1, 1, (n, 4)), angle="rad", joints=rng.choice(["R", "P"], n).tolist())
+    table = dh.DHTable.standard(
+        rng.uniform(-1, 1, (n, 4)), angle="rad", joints=rng.choice(["R", "P"], n).tolist()
+    )
     base, tool = (dh.transform.from_xyz_rpy(*rng.uniform(-1, 1, (2, 3))) for _ in range(2))
     arm, q = dh.Arm(table, base=base, tool=tool), rng.uniform(-1, 1, n)
     J = geometric_jacobian(arm.frames(q), arm.forward(q), table.prismatic)
-    assert np.allclose(J, by_differences(lambda x: base @ elementary_pose(table, x) @ tool, q), atol=1e-8)
+    assert np.allclose(
+        J, by_differences(lambda x: base @ elementary_pose(table, x) @ tool, q), atol=1e-8
+    )
 
 
 def test_the_pose_error_carries_the_pose_to_the_goal():
     for T, T_goal in LESSON["08.4"].cases(0):
         e = pose_error(T, T_goal)
         W = np.array([[0, -e[5], e[4]], [e[5], 0, -e[3]], [-e[4], e[3], 0]])
-        assert np.allclose(expm(W) @ T[:3, :3], T_goal[:3, :3]) and np.allclose(T[:3, 3] + e[:3], T_goal[:3, 3])
+        assert np.allclose(expm(W) @ T[:3, :3], T_goal[:3, :3]) and np.allclose(
+            T[:3, 3] + e[:3], T_goal[:3, 3]
+        )
 
 
 def test_the_damped_step_keeps_its_bargain():
     rng = np.random.default_rng(1)
     for _ in range(5):
         J, e, damping = rng.normal(size=(6, 7)), rng.normal(size=6), rng.uniform(0.05, 0.5)
-        best = np.linalg.lstsq(np.vstack([J, damping * np.eye(7)]), np.hstack([e, np.zeros(7)]), rcond=None)[0]
+        best = np.linalg.lstsq(
+            np.vstack([J, damping * np.eye(7)]), np.hstack([e, np.zeros(7)]), rcond=None
+        )[0]
         assert np.allclose(damped_step(J, e, damping), best)
 
 
@@ -79,7 +90,9 @@ def test_all_eight_branches_reach_the_pose_and_there_are_no_others():
     assert all(max(pose_errors(elementary_pose(ARM.table, q), T)) < 1e-9 for q in eight)
     apart = np.abs(wrapped(eight[:, None] - eight[None])).max(axis=-1) + 9 * np.eye(8)
     assert apart.min() > 0.05
-    found = [inverse_kinematics(ARM.table.rows, T, rng.uniform(-3, 3, 6), 0.1, 150) for _ in range(30)]
+    found = [
+        inverse_kinematics(ARM.table.rows, T, rng.uniform(-3, 3, 6), 0.1, 150) for _ in range(30)
+    ]
     arrived = [q for q in found if max(pose_errors(elementary_pose(ARM.table, q), T)) < 1e-6]
     nearest = [int(np.abs(wrapped(eight - q)).max(axis=1).argmin()) for q in arrived]
     assert len(arrived) >= 15 and len(set(nearest)) >= 6
@@ -87,31 +100,55 @@ def test_all_eight_branches_reach_the_pose_and_there_are_no_others():
 
 
 def test_the_numbers_in_the_text_are_true():
-    assert [np.linalg.matrix_rank(by_differences(lambda x: elementary_pose(ARM.table, x), np.deg2rad(q)), tol=1e-6)
-            for q in ([0] * 6, [0, 40, -60, 50, 0, 0], [0, 40, -60, 50, 40, 0])] == [4, 5, 6]
-    cup, low = np.deg2rad([30, 60, -80, -30, 40, 0]), np.deg2rad([30, -13.5964, 80, -116.4036, 40, 0])
+    assert [
+        np.linalg.matrix_rank(
+            by_differences(lambda x: elementary_pose(ARM.table, x), np.deg2rad(q)), tol=1e-6
+        )
+        for q in ([0] * 6, [0, 40, -60, 50, 0, 0], [0, 40, -60, 50, 40, 0])
+    ] == [4, 5, 6]
+    cup, low = (
+        np.deg2rad([30, 60, -80, -30, 40, 0]),
+        np.deg2rad([30, -13.5964, 80, -116.4036, 40, 0]),
+    )
     T = elementary_pose(ARM.table, cup)
-    assert np.allclose(elementary_pose(ARM.table, low), T, atol=1e-6)  # 08.7: to a thousandth of a millimetre
-    assert np.allclose(inverse_kinematics(ARM.table.rows, T, np.deg2rad([0, 0, 60, 20, 30, 0]), 0.05, 50), low, atol=1e-6)
+    assert np.allclose(
+        elementary_pose(ARM.table, low), T, atol=1e-6
+    )  # 08.7: to a thousandth of a millimetre
+    assert np.allclose(
+        inverse_kinematics(ARM.table.rows, T, np.deg2rad([0, 0, 60, 20, 30, 0]), 0.05, 50),
+        low,
+        atol=1e-6,
+    )
     cut = elementary_pose(ARM.table, low * [1, 0, 1, 1, 1, 1])
     assert np.linalg.norm(cut[:3, 3] - T[:3, 3]) == pytest.approx(0.13, abs=0.005)
-    wrist = np.array(frames_of(ARM.table.rows, np.deg2rad([0, 40, -60, 50, 0, 0])))[3][:3, 3] - [0, 0, 0.1]
+    wrist = np.array(frames_of(ARM.table.rows, np.deg2rad([0, 40, -60, 50, 0, 0])))[3][:3, 3] - [
+        0,
+        0,
+        0.1,
+    ]
     assert 0.75 - np.linalg.norm(wrist) == pytest.approx(0.10, abs=0.005)
     assert 10 / np.sin(np.deg2rad(1)) == pytest.approx(572, abs=1.5)
 
 
 # ---- right answers pass, wrong ones are named
 
+
 def test_values_by_another_way_pass():
     for variant in range(6):
         q = np.deg2rad(LESSON["08.1"].given(variant)["q"])
         column = by_differences(lambda x: elementary_pose(ARM.table, x), q)[:, 2]
-        assert all(LESSON["08.1"].judge(answer, variant).status == "right" for answer in (column, column.tolist(), tuple(column.round(5))))
+        assert all(
+            LESSON["08.1"].judge(answer, variant).status == "right"
+            for answer in (column, column.tolist(), tuple(column.round(5)))
+        )
         given, arm = LESSON["08.9"].given(variant), dh.load("stanford")
         q = np.where(arm.table.prismatic, given["q"], np.deg2rad(given["q"]))
         J = by_differences(lambda x: elementary_pose(arm.table, x), q)
         speeds = np.linalg.lstsq(J, [*given["v"], *given["omega"]], rcond=None)[0]
-        assert all(LESSON["08.9"].judge(answer, variant).status == "right" for answer in (speeds, speeds.tolist(), tuple(speeds.round(5))))
+        assert all(
+            LESSON["08.9"].judge(answer, variant).status == "right"
+            for answer in (speeds, speeds.tolist(), tuple(speeds.round(5)))
+        )
 
 
 @pytest.mark.parametrize("key", ["08.1", "08.9"])
@@ -120,7 +157,11 @@ def test_ten_wrong_values_and_more_are_named(key):
     for variant in range(6):
         given = exercise.given(variant)
         right = exercise.answer(**given)
-        wrong = [value for _, _, value in exercise.mistakes(**given) if not np.allclose(value, right, rtol=2e-3, atol=2e-3)]
+        wrong = [
+            value
+            for _, _, value in exercise.mistakes(**given)
+            if not np.allclose(value, right, rtol=2e-3, atol=2e-3)
+        ]
         verdicts = [exercise.judge(value, variant) for value in wrong]
         assert len(wrong) >= 20 and all(v.status == "wrong" and v.mistake for v in verdicts)
         assert len({v.mistake for v in verdicts}) >= 10
@@ -136,7 +177,9 @@ def test_each_function_knows_ten_mistakes_and_three_right_ways(key):
 def _noise(key):
     """Answers of the right shape that no known mistake gives."""
     shape = LESSON[key].shape
-    return lambda *case: np.sin(np.arange(1, 1 + np.prod(shape))).reshape(shape) * np.sum(np.asarray(case[0])) / 7
+    return lambda *case: (
+        np.sin(np.arange(1, 1 + np.prod(shape))).reshape(shape) * np.sum(np.asarray(case[0])) / 7
+    )
 
 
 @pytest.mark.parametrize("key", FUNCTIONS)
@@ -149,26 +192,52 @@ def _stanford(variant):
     """Frames, end, kinds of joints and the hand's velocity of 08.9."""
     given, arm = LESSON["08.9"].given(variant), dh.load("stanford")
     q = np.where(arm.table.prismatic, given["q"], np.deg2rad(given["q"]))
-    return arm.frames(q), arm.forward(q), arm.table.prismatic, np.array([*given["v"], *given["omega"]])
+    return (
+        arm.frames(q),
+        arm.forward(q),
+        arm.table.prismatic,
+        np.array([*given["v"], *given["omega"]]),
+    )
 
 
 @pytest.mark.parametrize("variant", range(8))
 def test_another_end_point_is_seen_in_the_joint_speeds(variant):
     frames, _, sliding, twist = _stanford(variant)
-    for end in (np.eye(4), frames[3], frames[5], ARM.forward(np.deg2rad([30, 60, -80, -30, 40, 0]))):
-        verdict = LESSON["08.9"].judge(np.linalg.solve(geometric_jacobian(frames, end, sliding), twist), variant)
+    for end in (
+        np.eye(4),
+        frames[3],
+        frames[5],
+        ARM.forward(np.deg2rad([30, 60, -80, -30, 40, 0])),
+    ):
+        verdict = LESSON["08.9"].judge(
+            np.linalg.solve(geometric_jacobian(frames, end, sliding), twist), variant
+        )
         assert verdict.mistake == "lever-arm-wrong" and "another end point" in verdict.headline
 
 
 @pytest.mark.parametrize("variant", range(8))
 def test_wrong_ways_to_joint_speeds_are_told_their_own_next_step(variant):
     frames, T_end, sliding, twist = _stanford(variant)
-    J, turning = geometric_jacobian(frames, T_end, sliding), geometric_jacobian(frames, T_end, [False] * 6)
-    said = {"transpose": J.T @ twist, "J times": J @ twist, "does not turn": np.linalg.pinv(J[:3]) @ twist[:3], "other sign": -np.linalg.solve(J, twist),
-            "the slide is treated": 1e12 * np.linalg.svd(turning)[2][-1] + 1, "deg2rad too": _all_through_deg2rad(variant, twist)}
+    J, turning = (
+        geometric_jacobian(frames, T_end, sliding),
+        geometric_jacobian(frames, T_end, [False] * 6),
+    )
+    said = {
+        "transpose": J.T @ twist,
+        "J times": J @ twist,
+        "does not turn": np.linalg.pinv(J[:3]) @ twist[:3],
+        "other sign": -np.linalg.solve(J, twist),
+        "the slide is treated": 1e12 * np.linalg.svd(turning)[2][-1] + 1,
+        "deg2rad too": _all_through_deg2rad(variant, twist),
+    }
     for words, speeds in said.items():
         verdict = LESSON["08.9"].judge(speeds, variant)
-        assert verdict.mistake and words in verdict.headline and "goal" not in str(verdict) and "λ" not in str(verdict), verdict
+        assert (
+            verdict.mistake
+            and words in verdict.headline
+            and "goal" not in str(verdict)
+            and "λ" not in str(verdict)
+        ), verdict
     assert LESSON["08.9"].judge(1e12 * np.arange(1, 7), variant).mistake is None
 
 
@@ -180,22 +249,36 @@ def _all_through_deg2rad(variant, twist):
 @pytest.mark.parametrize("variant", range(8))
 def test_a_column_of_what_is_still_in_memory_is_told_so(variant):
     bent, q = np.deg2rad([0, 40, -60, 50, 40, 0]), np.deg2rad(LESSON["08.1"].given(variant)["q"])
-    for words, at, to in (("column at bent", bent, bent), ("p is the end", q, bent), ("frames are those", bent, q)):
+    for words, at, to in (
+        ("column at bent", bent, bent),
+        ("p is the end", q, bent),
+        ("frames are those", bent, q),
+    ):
         frame, p = ARM.frames(at)[2], ARM.forward(to)[:3, 3]
-        verdict = LESSON["08.1"].judge(np.hstack([np.cross(frame[:3, 2], p - frame[:3, 3]), frame[:3, 2]]), variant)
+        verdict = LESSON["08.1"].judge(
+            np.hstack([np.cross(frame[:3, 2], p - frame[:3, 3]), frame[:3, 2]]), variant
+        )
         assert verdict.mistake == "jacobian-not-renewed" and words in verdict.headline
 
 
-UNDAMPED = {"solve J": lambda J, e: np.linalg.solve(J, e), "solve J Jᵀ": lambda J, e: J.T @ np.linalg.solve(J @ J.T, e), "inverse": lambda J, e: np.linalg.inv(J) @ e,
-            "pseudo-inverse": lambda J, e: np.linalg.pinv(J) @ e, "least squares": lambda J, e: np.linalg.lstsq(J, e, rcond=None)[0]}
+UNDAMPED = {
+    "solve J": lambda J, e: np.linalg.solve(J, e),
+    "solve J Jᵀ": lambda J, e: J.T @ np.linalg.solve(J @ J.T, e),
+    "inverse": lambda J, e: np.linalg.inv(J) @ e,
+    "pseudo-inverse": lambda J, e: np.linalg.pinv(J) @ e,
+    "least squares": lambda J, e: np.linalg.lstsq(J, e, rcond=None)[0],
+}
 
 
 def _loop(step, geometric_jacobian=geometric_jacobian):
     def solve(rows, T_goal, q, damping, steps):
         for _ in range(steps):
             frames = np.array(frames_of(rows, q))
-            q = q + step(geometric_jacobian(frames, frames[-1], [False] * 6), pose_error(frames[-1], T_goal))
+            q = q + step(
+                geometric_jacobian(frames, frames[-1], [False] * 6), pose_error(frames[-1], T_goal)
+            )
         return q
+
     return solve
 
 
@@ -209,14 +292,24 @@ def test_undamped_steps_are_named_however_they_are_made(name, variant):
 
 def test_an_unwritten_jacobian_is_named_in_the_solver():
     space = {}
-    exec("def geometric_jacobian(frames, T_end, sliding):\n    'to be written'\n"  # as in a notebook: both are global names
-         "def inverse_kinematics(rows, T_goal, q, damping, steps):\n    return geometric_jacobian(rows, T_goal, q).T @ q", space)
+    exec(
+        # as in a notebook: both are global names
+        "def geometric_jacobian(frames, T_end, sliding):\n    'to be written'\n"
+        "def inverse_kinematics(rows, T_goal, q, damping, steps):\n    return"
+        " geometric_jacobian(rows, T_goal, q).T @ q",
+        space,
+    )
     verdict = LESSON["08.6"].judge(space["inverse_kinematics"])
     assert verdict.headline == "geometric_jacobian returned nothing" and "08.2" in verdict.next
 
 
-READ_OFF = {"θ4 is off by 180°": (lambda y, x: (-y, -x), None), "θ6 is off by 180°": (None, lambda y, x: (-y, -x)), "θ4 runs the wrong way": (lambda y, x: (-y, x), None),
-            "θ6 runs the wrong way": (None, lambda y, x: (y, -x)), "θ4 is off: the arguments": (lambda y, x: (x, y), None)}
+READ_OFF = {
+    "θ4 is off by 180°": (lambda y, x: (-y, -x), None),
+    "θ6 is off by 180°": (None, lambda y, x: (-y, -x)),
+    "θ4 runs the wrong way": (lambda y, x: (-y, x), None),
+    "θ6 runs the wrong way": (None, lambda y, x: (y, -x)),
+    "θ4 is off: the arguments": (lambda y, x: (x, y), None),
+}
 
 
 @pytest.mark.parametrize("words", READ_OFF)
@@ -229,7 +322,14 @@ def test_wrong_signs_in_the_wrists_arctan2_are_named(words, variant):
 
     def read(T):
         first = [q for q in branches(T) if np.sin(q[4]) > 0]
-        return np.array([w for q in wrist(first) for w in (q, np.array(q) * [1, 1, 1, 1, -1, 1] + [0, 0, 0, np.pi, 0, np.pi])])
+        return np.array(
+            [
+                w
+                for q in wrist(first)
+                for w in (q, np.array(q) * [1, 1, 1, 1, -1, 1] + [0, 0, 0, np.pi, 0, np.pi])
+            ]
+        )
+
     verdict = LESSON["08.8"].judge(read, variant)
     assert verdict.mistake and words in verdict.headline and "column 5" not in str(verdict)
 
@@ -247,6 +347,7 @@ def test_a_solver_that_changes_its_start_is_told_so():
     def spoils(rows, T_goal, q, damping, steps):
         q += 0.1
         return q
+
     assert LESSON["08.6"].judge(spoils).mistake == "inputs-changed"
 
 
@@ -256,6 +357,7 @@ def test_the_handed_out_pose_error_is_no_attempt_and_its_fix_is_small():
     def handed_out(T, T_goal):
         turn = T[:3, :3].T @ T_goal[:3, :3]
         return np.hstack([T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(turn).as_rotvec()])
+
     assert LESSON["08.4"].judge(handed_out).status == "not attempted"
 
 
@@ -268,25 +370,39 @@ def test_orders_of_the_loop():
         else:
             all_wrong, named = all_wrong + 1, named + (verdict.mistake is not None)
     assert right == ["bdfhc", "bfdhc"] and named == all_wrong == 6718
-    assert exercise.judge("b, d, f, h, c").status == "right" and exercise.judge("bbdfh").status == "wrong"
+    assert (
+        exercise.judge("b, d, f, h, c").status == "right"
+        and exercise.judge("bbdfh").status == "wrong"
+    )
 
 
 def test_orders_are_named_for_what_they_do():
     exercise = LESSON["08.5"]
-    for answer, mistake in (("bdfhe", "step-not-accumulated"), ("bdfac", "damping-missing"), ("bgfhc", "error-sign"), ("dbfhc", "jacobian-not-renewed"),
-                            ("bdfch", "step-not-accumulated"), ("bdhfc", "jacobian-not-renewed")):
+    for answer, mistake in (
+        ("bdfhe", "step-not-accumulated"),
+        ("bdfac", "damping-missing"),
+        ("bgfhc", "error-sign"),
+        ("dbfhc", "jacobian-not-renewed"),
+        ("bdfch", "step-not-accumulated"),
+        ("bdhfc", "jacobian-not-renewed"),
+    ):
         assert exercise.judge(answer).mistake == mistake, answer
-    assert exercise.judge("dbfhc").headline == "b comes first" and "loop" not in str(exercise.judge("dbfhc"))
+    assert exercise.judge("dbfhc").headline == "b comes first" and "loop" not in str(
+        exercise.judge("dbfhc")
+    )
 
 
 def test_branches_in_any_order_are_read_alike():
     (T,) = LESSON["08.8"].cases(1)[0]
     eight, rng = branches(T), np.random.default_rng(4)
     for _ in range(5):
-        assert np.allclose(in_order(rng.permutation(eight) + 2 * np.pi * rng.integers(-2, 3, eight.shape)), eight)
+        assert np.allclose(
+            in_order(rng.permutation(eight) + 2 * np.pi * rng.integers(-2, 3, eight.shape)), eight
+        )
 
 
 # ---- the other libraries
+
 
 @pytest.fixture
 def none_installed(tmp_path, monkeypatch):
@@ -300,7 +416,10 @@ TASK = ARM, elementary_pose(ARM.table, np.deg2rad(STORED_TO)), np.deg2rad(STORED
 
 
 def _without_last_column(text):
-    return [line.replace("computed here", "").replace("stored: not installed here", "").rstrip() for line in text.splitlines()]
+    return [
+        line.replace("computed here", "").replace("stored: not installed here", "").rstrip()
+        for line in text.splitlines()
+    ]
 
 
 def test_stored_answers_reach_the_goal():
@@ -316,11 +435,16 @@ def test_without_the_libraries_the_same_numbers_are_shown_and_the_column_says_so
     assert all(" 30 60 -80 -30 40 0 " in line for line in shown.splitlines()[1:])
 
 
-@pytest.mark.parametrize("module, name", [("roboticstoolbox", "Robotics Toolbox"), ("pybullet", "PyBullet"), ("trac_ik", "TRAC-IK")])
+@pytest.mark.parametrize(
+    "module, name",
+    [("roboticstoolbox", "Robotics Toolbox"), ("pybullet", "PyBullet"), ("trac_ik", "TRAC-IK")],
+)
 def test_where_a_library_is_installed_its_answer_is_the_stored_one(judge, module, name):
     judge(module)
-    line, = (line for line in other_solvers(*TASK).splitlines() if line.startswith(f" {name}"))
-    assert "computed here" in line and " 30 60 -80 -30 40 0 " in line and line.count("under 0.1") == 2
+    (line,) = (line for line in other_solvers(*TASK).splitlines() if line.startswith(f" {name}"))
+    assert (
+        "computed here" in line and " 30 60 -80 -30 40 0 " in line and line.count("under 0.1") == 2
+    )
 
 
 def test_another_task_without_libraries_has_no_answer(none_installed):
@@ -332,6 +456,7 @@ def test_another_task_without_libraries_has_no_answer(none_installed):
 def test_where_no_process_can_be_had_the_stored_answers_stand(monkeypatch):
     def refused(*args, **kwargs):
         raise PermissionError("no processes here")
+
     monkeypatch.setattr(othersolvers.subprocess, "run", refused)
     assert other_solvers(*TASK).count("stored") == 3
 

@@ -1,4 +1,6 @@
-"""Lesson 09: sheets and files against URDF chains that know no dhlab; right answers in several dresses, wrong ones named; the post-test."""
+"""Lesson 09: sheets and files against URDF chains that know no dhlab; right answers in several
+dresses, wrong ones named; the post-test.
+"""
 
 import json
 import re
@@ -20,8 +22,22 @@ from dhlab.transform import from_xyz_rpy
 from tests.oracles import CHAINS, chain_disagreement, chain_joints, chain_pose, elementary_pose
 
 FILES = {"ur5e": "ur5e", "ar4": "ar4_mk3", "piper": "piper_2025"}
-KR6 = [[0, 0.4, 0.025, -90], [0, 0, 0.315, 0], [-90, 0, 0.035, -90], [0, 0.365, 0, 90], [0, 0, 0, -90], [180, 0.08, 0, 0]]
-REPAIRED = [[0, 0.16977, 0, 0], [-90, 0, 0.0642, -90], [0, -0.007, 0.305, 0], [0, 0.22263, 0, -90], [0, 0, 0, 90], [180, 0.041, 0, -90]]
+KR6 = [
+    [0, 0.4, 0.025, -90],
+    [0, 0, 0.315, 0],
+    [-90, 0, 0.035, -90],
+    [0, 0.365, 0, 90],
+    [0, 0, 0, -90],
+    [180, 0.08, 0, 0],
+]
+REPAIRED = [
+    [0, 0.16977, 0, 0],
+    [-90, 0, 0.0642, -90],
+    [0, -0.007, 0.305, 0],
+    [0, 0.22263, 0, -90],
+    [0, 0, 0, 90],
+    [180, 0.041, 0, -90],
+]
 
 
 def numbers(text):
@@ -30,15 +46,28 @@ def numbers(text):
 
 @pytest.mark.parametrize("name, chain", FILES.items())
 def test_the_urdf_files_are_their_sources_digit_for_digit(name, chain):
-    stored, read = chain_joints(chain), ElementTree.parse(example(f"{name}.urdf")).getroot().findall("joint")
+    stored, read = (
+        chain_joints(chain),
+        ElementTree.parse(example(f"{name}.urdf")).getroot().findall("joint"),
+    )
     assert [joint.get("name") for joint in read] == [joint["name"] for joint in stored]
     for joint, wanted in zip(read, stored):
         origin, axis = joint.find("origin"), joint.find("axis")
-        assert numbers(origin.get("xyz")) == [float(v) for v in wanted["xyz"]] and numbers(origin.get("rpy")) == [float(v) for v in wanted["rpy"]]
-        assert axis is None and wanted["type"] == "fixed" or numbers(axis.get("xyz")) == [float(v) for v in wanted["axis"]]
+        assert numbers(origin.get("xyz")) == [float(v) for v in wanted["xyz"]] and numbers(
+            origin.get("rpy")
+        ) == [float(v) for v in wanted["rpy"]]
+        assert (
+            axis is None
+            and wanted["type"] == "fixed"
+            or numbers(axis.get("xyz")) == [float(v) for v in wanted["axis"]]
+        )
     source = json.loads((CHAINS / f"{chain}.json").read_text())
     about = (FOLDER / "README.md").read_text(encoding="utf-8")
-    assert source["version"][:8] in about and source["licence"].split()[0] in about and source["licence"] in example(f"{name}.urdf").read_text()
+    assert (
+        source["version"][:8] in about
+        and source["licence"].split()[0] in about
+        and source["licence"] in example(f"{name}.urdf").read_text()
+    )
 
 
 @pytest.mark.parametrize("name, chain", FILES.items())
@@ -60,22 +89,32 @@ def test_the_sheets_are_the_arms():
     distance, angle = chain_disagreement(ar4, "ar4_mk3")
     assert distance < 1e-5 and angle < 2e-5
     for q in np.random.default_rng(4).uniform(-2, 2, (20, 6)):
-        wanted = chain_pose(chain_joints("piper_2025"), q)  # the file's own base and end, to its rounding of 0.1 mm
-        assert np.abs(piper.forward(q) - wanted)[:3, 3].max() < 3e-4 and np.abs(piper.forward(q) - wanted)[:3, :3].max() < 1e-3
+        wanted = chain_pose(
+            chain_joints("piper_2025"), q
+        )  # the file's own base and end, to its rounding of 0.1 mm
+        assert (
+            np.abs(piper.forward(q) - wanted)[:3, 3].max() < 3e-4
+            and np.abs(piper.forward(q) - wanted)[:3, :3].max() < 1e-3
+        )
 
 
 def test_the_lessons_sheets_are_the_exercises():
     text = build.sources(["09"])[0].read_text(encoding="utf-8")
     for point, z in AR4[0][:4]:
         assert str((list(point), list(z)))[1:-1] in text
-    assert "wrist = np.array([-34.52, 0, 205.36])" in text and "([-282.4, 0, 161.62], [0, 1, 0])" in text
+    assert (
+        "wrist = np.array([-34.52, 0, 205.36])" in text
+        and "([-282.4, 0, 161.62], [0, 1, 0])" in text
+    )
     np.testing.assert_allclose(PIPER[0][3][0], [-0.03452, 0, 0.20536])
 
 
 def test_the_measured_poses_are_the_chain_with_the_stated_noise():
     q, poses = dh.read_poses(example("ar4-measured.csv"), 6, length="mm", angle="deg")
     table = dh.DHTable.craig(REPAIRED, angle="deg")
-    model = np.array([elementary_pose(table, row, sign=[-1, 1, 1, 1, 1, 1]) for row in q])  # agrees with the chain within 4 µm (test above)
+    model = np.array(
+        [elementary_pose(table, row, sign=[-1, 1, 1, 1, 1, 1]) for row in q]
+    )  # agrees with the chain within 4 µm (test above)
     off = poses[:, :3, 3] - model[:, :3, 3]
     turn = Rotation.from_matrix(poses[:, :3, :3] @ np.swapaxes(model[:, :3, :3], 1, 2)).as_rotvec()
     assert 0.3e-3 < off.std() < 0.8e-3 and np.abs(off).max() < 2e-3
@@ -90,15 +129,28 @@ def ar4_axes():
 def test_the_ar4_passes_in_any_description():
     axes, end = ar4_axes()
     elsewhere = [([*np.add(point, np.multiply(0.3, z))], np.multiply(5, z)) for point, z in axes]
-    right = [dh.assign_frames(axes, end=end), dh.assign_frames(elsewhere, end=end), dh.assign_frames(axes, end=end, convention="craig"), dh.load("ar4"),
-             dh.assign_frames(axes, end=end, x_signs={3: -1}, z_signs={2: -1})]
-    assert all(exercises()["09.2"].judge(arm, variant).status == "right" for arm in right for variant in range(3))
+    right = [
+        dh.assign_frames(axes, end=end),
+        dh.assign_frames(elsewhere, end=end),
+        dh.assign_frames(axes, end=end, convention="craig"),
+        dh.load("ar4"),
+        dh.assign_frames(axes, end=end, x_signs={3: -1}, z_signs={2: -1}),
+    ]
+    assert all(
+        exercises()["09.2"].judge(arm, variant).status == "right"
+        for arm in right
+        for variant in range(3)
+    )
 
 
 def test_the_piper_passes_in_any_description():
     axes, end = PIPER
-    right = [dh.assign_frames(axes, end=end), dh.assign_frames(axes, end=end).to("craig"), dh.assign_frames(axes, end=end, x_signs={2: -1, 4: -1}),
-             dh.assign_frames([(point, 2 * np.array(z)) for point, z in axes], end=end)]
+    right = [
+        dh.assign_frames(axes, end=end),
+        dh.assign_frames(axes, end=end).to("craig"),
+        dh.assign_frames(axes, end=end, x_signs={2: -1, 4: -1}),
+        dh.assign_frames([(point, 2 * np.array(z)) for point, z in axes], end=end),
+    ]
     assert all(exercises()["09.4"].judge(arm).status == "right" for arm in right)
 
 
@@ -110,10 +162,19 @@ def test_wrong_axes_fail_and_are_named(key):
         if np.allclose(arm.forward(q), exercise.answer.forward(q), atol=1e-9):
             continue
         verdict = exercise.judge(arm)
-        assert verdict.status == "wrong" and verdict.mistake is not None and "joint" not in verdict.headline[:5], (mistake, place)
+        assert (
+            verdict.status == "wrong"
+            and verdict.mistake is not None
+            and "joint" not in verdict.headline[:5]
+        ), (mistake, place)
         seen, named = seen + 1, named | {verdict.mistake}
     assert seen >= 25 and len(named) >= 5
-    for stranger in (dh.load("ur5e"), dh.load("panda"), dh.DHTable.standard([[0, 0.1, 0, 0]], angle="deg"), "piper"):
+    for stranger in (
+        dh.load("ur5e"),
+        dh.load("panda"),
+        dh.DHTable.standard([[0, 0.1, 0, 0]], angle="deg"),
+        "piper",
+    ):
         assert exercise.judge(stranger).status == "wrong"
 
 
@@ -125,7 +186,9 @@ def test_tables_pass_in_three_dresses_and_wrong_ones_are_named(key, right):
         assert exercise.judge(rows).status == "right", rows
     q, seen = exercise.poses_at(0), 0
     for mistake, place, table in wrong_tables(exercise.answer.table):
-        wrong = dh.Arm(table, base=exercise.answer.base, tool=exercise.answer.tool, sign=exercise.answer.sign)
+        wrong = dh.Arm(
+            table, base=exercise.answer.base, tool=exercise.answer.tool, sign=exercise.answer.sign
+        )
         if np.allclose(wrong.forward(q), exercise.answer.forward(q), atol=1e-9):
             continue
         verdict, seen = exercise.judge(wrong), seen + 1
@@ -142,7 +205,10 @@ def test_the_repair_is_one_number(alpha, mistake):
 def test_the_doctor_finds_what_the_lesson_says_it_finds():
     q, poses = dh.read_poses(example("ar4-measured.csv"), 6, length="mm", angle="deg")
     for data in (poses, poses[:, :3, 3]):
-        typed = dh.Arm(dh.DHTable.craig([*REPAIRED[:5], [180, 0.041, 0, 180]], angle="deg"), sign=[-1, 1, 1, 1, 1, 1])
+        typed = dh.Arm(
+            dh.DHTable.craig([*REPAIRED[:5], [180, 0.041, 0, 180]], angle="deg"),
+            sign=[-1, 1, 1, 1, 1, 1],
+        )
         finding = dh.diagnose(typed, q, data, noise=(0.0005, 0.002)).findings[0]
         assert (finding.joint, finding.parameter) == (6, "alpha") and "-90°" in finding.detail
     repaired = dh.Arm(dh.DHTable.craig(REPAIRED, angle="deg"), sign=[-1, 1, 1, 1, 1, 1])
@@ -153,8 +219,15 @@ def test_one_order_of_the_work_and_every_other_is_named():
     exercise = exercises()["09.1"]
     for order in permutations("abcde"):
         verdict = exercise.judge(list(order))
-        assert (verdict.status == "right") == ("".join(order) == "dbcae") and (verdict.status == "right" or verdict.mistake)
-    assert exercise.judge("dbcae").status == exercise.judge("d, b, c, a, e").status == exercise.judge(("D", "B", "C", "A", "E")).status == "right"
+        assert (verdict.status == "right") == ("".join(order) == "dbcae") and (
+            verdict.status == "right" or verdict.mistake
+        )
+    assert (
+        exercise.judge("dbcae").status
+        == exercise.judge("d, b, c, a, e").status
+        == exercise.judge(("D", "B", "C", "A", "E")).status
+        == "right"
+    )
 
 
 @pytest.mark.parametrize("variant", range(12))
@@ -163,8 +236,10 @@ def test_what_lies_between_two_axes_by_geometry(variant):
     table, joint = exercise.given(variant).values()
     rows = table.rows
     rows[:, 0] += np.linspace(0.3, 1.1, len(rows))
+
     class Upto:
         convention = "craig"
+
     poses = []
     for i in (joint, joint + 1):
         Upto.rows, Upto.joints = rows[:i], table.joints[:i]
@@ -173,8 +248,19 @@ def test_what_lies_between_two_axes_by_geometry(variant):
     normal = np.cross(z, w)
     by_geometry = [np.rad2deg(np.arccos(z @ w)), abs((o - p) @ normal) / np.linalg.norm(normal)]
     assert exercise.judge(by_geometry, variant).status == "right"
-    assert exercise.judge(tuple(by_geometry), variant).status == exercise.judge(np.array(by_geometry), variant).status == "right"
-    wrong = [by_geometry[::-1], [by_geometry[0], 0], [180 - by_geometry[0], by_geometry[1]], [0, 0], by_geometry[0], [np.deg2rad(by_geometry[0]), by_geometry[1]]]
+    assert (
+        exercise.judge(tuple(by_geometry), variant).status
+        == exercise.judge(np.array(by_geometry), variant).status
+        == "right"
+    )
+    wrong = [
+        by_geometry[::-1],
+        [by_geometry[0], 0],
+        [180 - by_geometry[0], by_geometry[1]],
+        [0, 0],
+        by_geometry[0],
+        [np.deg2rad(by_geometry[0]), by_geometry[1]],
+    ]
     assert all(exercise.judge(answer, variant).status == "wrong" for answer in wrong)
 
 
@@ -182,26 +268,51 @@ def half_moved():
     """The KR6 in halves of a conversion, written out."""
     craig = (dh.load("kr6_r700").table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).round(9)
     kr6 = np.array(KR6)
-    return [("craig-rows-in-standard-matrix", "still Craig's rows", craig), ("a-alpha-from-previous-row", "move up", np.column_stack([craig[:, :2], np.vstack([[0, 0], craig[:-1, 2:]])])),
-            ("conversion-incomplete", "a moved, α did not", np.column_stack([craig[:, :2], kr6[:, 2], craig[:, 3]])),
-            ("conversion-incomplete", "α moved, a did not", np.column_stack([craig[:, :3], kr6[:, 3]])),
-            ("conversion-incomplete", "last row", np.vstack([kr6[:-1], craig[-1]])), ("angle-unit", "radians", dh.load("kr6_r700").to("standard").table.rows)]
+    return [
+        ("craig-rows-in-standard-matrix", "still Craig's rows", craig),
+        (
+            "a-alpha-from-previous-row",
+            "move up",
+            np.column_stack([craig[:, :2], np.vstack([[0, 0], craig[:-1, 2:]])]),
+        ),
+        (
+            "conversion-incomplete",
+            "a moved, α did not",
+            np.column_stack([craig[:, :2], kr6[:, 2], craig[:, 3]]),
+        ),
+        ("conversion-incomplete", "α moved, a did not", np.column_stack([craig[:, :3], kr6[:, 3]])),
+        ("conversion-incomplete", "last row", np.vstack([kr6[:-1], craig[-1]])),
+        ("angle-unit", "radians", dh.load("kr6_r700").to("standard").table.rows),
+    ]
 
 
 @pytest.mark.parametrize("variant", [0, 2])
-@pytest.mark.parametrize("mistake, words, rows", half_moved(), ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(
+    "mistake, words, rows", half_moved(), ids=lambda value: value if isinstance(value, str) else ""
+)
 def test_half_a_conversion_of_the_kr6_is_named(mistake, words, rows, variant):
     verdict = exercises()["09.7"].judge(rows.tolist(), variant)
-    assert verdict.mistake == mistake and words in verdict.headline and "DOWN" not in str(verdict) and "loop" not in str(verdict)
+    assert (
+        verdict.mistake == mistake
+        and words in verdict.headline
+        and "DOWN" not in str(verdict)
+        and "loop" not in str(verdict)
+    )
 
 
 @pytest.mark.parametrize("variant", [0, 2])
 def test_the_bare_sheet_put_in_as_it_stands(variant):
     axes, end = PIPER
-    as_it_stands = dh.assign_frames([(np.multiply(1000, point), z) for point, z in axes], end=from_xyz_rpy(1000 * end[:3, 3], [0, 85, 0]))
+    as_it_stands = dh.assign_frames(
+        [(np.multiply(1000, point), z) for point, z in axes],
+        end=from_xyz_rpy(1000 * end[:3, 3], [0, 85, 0]),
+    )
     verdict = exercises()["09.4"].judge(as_it_stands, variant)
     assert verdict.mistake == "length-unit" and "both units" in verdict.headline
-    assert "nothing is changed" in exercises()["09.3"].judge([*REPAIRED[:5], [180, 0.041, 0, 180]], variant).headline
+    assert (
+        "nothing is changed"
+        in exercises()["09.3"].judge([*REPAIRED[:5], [180, 0.041, 0, 180]], variant).headline
+    )
 
 
 def test_a_letter_twice_in_the_order_of_the_work():
@@ -212,17 +323,40 @@ def test_the_hands_arrow_by_a_step_along_it():
     exercise = exercises()["09.5"]
     T = exercise.given(2)["T"]
     arrow = (T @ [0, 0, 1, 1] - T @ [0, 0, 0, 1])[:3]
-    assert all(exercise.judge(right, 2).status == "right" for right in (arrow, arrow.tolist(), tuple(arrow)))
-    wrong = [T[2, :3], T[:3, 0], T[:3, 1], T[:3, 3], -arrow, np.linalg.inv(T)[:3, 3], T[0, :3], T[:3, :3] @ arrow, np.cross(arrow, [0, 0, 1]), [0, 0, 1], T, 0.3]
+    assert all(
+        exercise.judge(right, 2).status == "right"
+        for right in (arrow, arrow.tolist(), tuple(arrow))
+    )
+    wrong = [
+        T[2, :3],
+        T[:3, 0],
+        T[:3, 1],
+        T[:3, 3],
+        -arrow,
+        np.linalg.inv(T)[:3, 3],
+        T[0, :3],
+        T[:3, :3] @ arrow,
+        np.cross(arrow, [0, 0, 1]),
+        [0, 0, 1],
+        T,
+        0.3,
+    ]
     verdicts = [exercise.judge(answer, 2) for answer in wrong]
-    assert all(v.status == "wrong" for v in verdicts) and sum(v.mistake is not None for v in verdicts) == 6
+    assert (
+        all(v.status == "wrong" for v in verdicts)
+        and sum(v.mistake is not None for v in verdicts) == 6
+    )
 
 
 def test_the_wrong_program_is_no_attempt_until_it_is_changed():
     from dhlab.course.exercises.lesson09 import _reversed_product
+
     exercise = exercises()["09.8"]
     assert exercise.judge(_reversed_product).status == "not attempted"
-    assert np.allclose(_reversed_product([[0.3, 0.1, 0.2, 0.5]], [0.4]), exercise.answer(np.array([[0.3, 0.1, 0.2, 0.5]]), [0.4]))
+    assert np.allclose(
+        _reversed_product([[0.3, 0.1, 0.2, 0.5]], [0.4]),
+        exercise.answer(np.array([[0.3, 0.1, 0.2, 0.5]]), [0.4]),
+    )
 
 
 def test_the_flange_of_a_seven_axis_arm_hides_the_last_rows_angles():
@@ -236,7 +370,11 @@ def test_the_flange_of_a_seven_axis_arm_hides_the_last_rows_angles():
 
 
 def test_the_post_test_is_on_arms_no_other_lesson_uses():
-    others = "\n".join(path.read_text(encoding="utf-8") for path in build.sources() if not path.name.startswith("09"))
+    others = "\n".join(
+        path.read_text(encoding="utf-8")
+        for path in build.sources()
+        if not path.name.startswith("09")
+    )
     assert not re.search(r"kr6_r700|iiwa7", others)
 
 

@@ -17,23 +17,44 @@ NAMES = [path.stem for path in build.sources()]
 def marks(path, tmp_path):
     """What ``progress()`` says after a run from top to bottom, with every error a failure."""
     notebook = nbformat.read(path, as_version=4)
-    notebook.cells.append(nbformat.v4.new_code_cell("import json; print('MARKS', json.dumps(progress().to_dict()))"))
-    NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(tmp_path)}}).execute()
+    notebook.cells.append(
+        nbformat.v4.new_code_cell("import json; print('MARKS', json.dumps(progress().to_dict()))")
+    )
+    NotebookClient(
+        notebook,
+        timeout=120,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(tmp_path)}},
+    ).execute()
     text = notebook.cells[-1].outputs[0].text
-    return {key: row for key, row in json.loads(text.split("MARKS", 1)[1]).items() if key.startswith(path.stem[:2])}, notebook
+    return {
+        key: row
+        for key, row in json.loads(text.split("MARKS", 1)[1]).items()
+        if key.startswith(path.stem[:2])
+    }, notebook
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_solution_earns_full_marks(name, tmp_path):
     earned, _ = marks(build.SOLUTIONS / f"{name}.ipynb", tmp_path)
-    assert earned and all(row["status"] == ("right" if row["of"] else "recorded") and row["points"] == row["of"] for row in earned.values()), earned
+    assert earned and all(
+        row["status"] == ("right" if row["of"] else "recorded") and row["points"] == row["of"]
+        for row in earned.values()
+    ), earned
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_untouched_lesson_runs_and_earns_nothing(name, tmp_path):
     earned, notebook = marks(build.LESSONS / f"{name}.ipynb", tmp_path)
-    assert earned and all(row["status"] == "not attempted" and row["points"] == 0 for row in earned.values()), earned
-    said = [output.data.get("text/plain", "") for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("check(") for output in cell.outputs]
+    assert earned and all(
+        row["status"] == "not attempted" and row["points"] == 0 for row in earned.values()
+    ), earned
+    said = [
+        output.data.get("text/plain", "")
+        for cell in notebook.cells
+        if cell.cell_type == "code" and cell.source.startswith("check(")
+        for output in cell.outputs
+    ]
     assert len(said) == len(earned) and all("Not attempted yet" in text for text in said)
 
 
@@ -57,7 +78,9 @@ def test_rebuilding_gives_what_is_committed():
 
 def test_rebuilding_is_repeatable():
     path = build.sources()[0]
-    once, twice = (nbformat.writes(build.lesson_notebook(build.read_source(path))) for _ in range(2))
+    once, twice = (
+        nbformat.writes(build.lesson_notebook(build.read_source(path))) for _ in range(2)
+    )
     assert once == twice
 
 
@@ -71,7 +94,10 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
     monkeypatch.setattr(build, "LESSONS", tmp_path / "lessons")
     assert build.stale() == []
     source = tmp_path / "solutions" / "01-frames.md"
-    source.write_text(source.read_text(encoding="utf-8").replace("Keep those numbers.", "Keep these numbers."), encoding="utf-8")
+    source.write_text(
+        source.read_text(encoding="utf-8").replace("Keep those numbers.", "Keep these numbers."),
+        encoding="utf-8",
+    )
     assert build.stale() == ["lessons/01-frames.ipynb", "solutions/01-frames.ipynb"]
 
 
@@ -81,12 +107,20 @@ def test_the_contract_is_kept():
 
 
 BREAKS = {
-    "time": ("minutes: 45", "minutes: 20"), "opening": ("read the arrows and the origin of a frame off its pose\"", "understand frames\""),
-    "prose": ("## Key points", "word " * 700 + "\n\n## Key points"), "new terms": ("(glossary.md#pose)", "(elsewhere.md#pose)"),
-    "checks": ('check("01.5", chain)', 'print("01.5")'), "predictions": ('reveal("01.P1")', 'print("01.P1")'),
-    "misconceptions": ("**Against it.** Compare", "Compare"), "choices": ('#   "?" I don\'t know yet\nwhy', "why"), "worked example": (":tags: [worked]", ":tags: [shown]"),
-    "why": ("[exercise, why]", "[exercise]"), "modify, make": ("[modify]", "[play]"), "code": ("length = 0.12", "import matplotlib\nlength = 0.12"),
-    "transfer": ("[exercise, transfer]", "[exercise]"), "close": ("## Where next", "## And so on"),
+    "time": ("minutes: 45", "minutes: 20"),
+    "opening": ('read the arrows and the origin of a frame off its pose"', 'understand frames"'),
+    "prose": ("## Key points", "word " * 700 + "\n\n## Key points"),
+    "new terms": ("(glossary.md#pose)", "(elsewhere.md#pose)"),
+    "checks": ('check("01.5", chain)', 'print("01.5")'),
+    "predictions": ('reveal("01.P1")', 'print("01.P1")'),
+    "misconceptions": ("**Against it.** Compare", "Compare"),
+    "choices": ('#   "?" I don\'t know yet\nwhy', "why"),
+    "worked example": (":tags: [worked]", ":tags: [shown]"),
+    "why": ("[exercise, why]", "[exercise]"),
+    "modify, make": ("[modify]", "[play]"),
+    "code": ("length = 0.12", "import matplotlib\nlength = 0.12"),
+    "transfer": ("[exercise, transfer]", "[exercise]"),
+    "close": ("## Where next", "## And so on"),
 }
 
 
@@ -116,5 +150,9 @@ def test_nbgrader_knows_every_cell():
         cells = build.read_source(path).cells
         ids = [cell.metadata.nbgrader.grade_id for cell in cells if "nbgrader" in cell.metadata]
         assert len(ids) == len(set(ids)) and len({cell.id for cell in cells}) == len(cells)
-        points = sum(cell.metadata.nbgrader.get("points", 0) for cell in cells if "nbgrader" in cell.metadata)
-        assert points == sum(e.points for key, e in exercises().items() if key.startswith(path.name[:2]))
+        points = sum(
+            cell.metadata.nbgrader.get("points", 0) for cell in cells if "nbgrader" in cell.metadata
+        )
+        assert points == sum(
+            e.points for key, e in exercises().items() if key.startswith(path.name[:2])
+        )

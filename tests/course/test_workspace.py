@@ -1,4 +1,6 @@
-"""The learner's folder: copied once, never written over, newer lessons beside the old; the log of what was checked."""
+"""The learner's folder: copied once, never written over, newer lessons beside the old; the log of
+what was checked.
+"""
 
 import json
 import os
@@ -41,7 +43,9 @@ def test_a_newer_version_arrives_beside(lessons, tmp_path):
         workspace.prepare(mine)
         assert (mine / f"01-frames.version-{number}.ipynb").read_text() == text
         assert workspace.prepare(mine) == []
-    assert (mine / "01-frames.ipynb").read_text() == "my work" and len(list(mine.glob("*.ipynb"))) == 3
+    assert (mine / "01-frames.ipynb").read_text() == "my work" and len(
+        list(mine.glob("*.ipynb"))
+    ) == 3
 
 
 def test_a_folder_that_had_other_files_keeps_them(lessons, tmp_path):
@@ -73,7 +77,9 @@ def test_a_file_is_no_folder(lessons, tmp_path):
 
 def test_the_real_lessons_are_handed_out(tmp_path):
     workspace.prepare(tmp_path)
-    assert {p.name for p in tmp_path.glob("*.ipynb")} == {p.name for p in (ROOT / "lessons").glob("*.ipynb")} and (tmp_path / "glossary.md").exists()
+    assert {p.name for p in tmp_path.glob("*.ipynb")} == {
+        p.name for p in (ROOT / "lessons").glob("*.ipynb")
+    } and (tmp_path / "glossary.md").exists()
 
 
 def test_the_log_is_appended_to_and_read_back(tmp_path, monkeypatch):
@@ -86,7 +92,9 @@ def test_the_log_is_appended_to_and_read_back(tmp_path, monkeypatch):
         file.write('{"half a li\n["not", "an", "entry"]\n')
     assert Log().best() == {"05.2": (RIGHT, 1)}
     monkeypatch.setattr(session, "_log", Log())
-    assert session.progress().to_dict()["05.2"]["status"] == RIGHT and "1 of" in str(session.progress("05"))
+    assert session.progress().to_dict()["05.2"]["status"] == RIGHT and "1 of" in str(
+        session.progress("05")
+    )
 
 
 def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
@@ -96,25 +104,74 @@ def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
 
 
 def test_a_wheel_holds_all_it_needs(tmp_path):
-    subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(tmp_path), str(ROOT)], check=True, capture_output=True)
+    subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "wheel",
+            "--quiet",
+            "--no-deps",
+            "--wheel-dir",
+            str(tmp_path),
+            str(ROOT),
+        ],
+        check=True,
+        capture_output=True,
+    )
     names = zipfile.ZipFile(next(tmp_path.glob("dhlab-*.whl"))).namelist()
-    for wanted in ("dhlab/robots/ur5e.yaml", "dhlab/robots/files/ur5e.urdf", "dhlab/robots/files/README.md", "dhlab/doctor/catalogue.yaml", "dhlab/lessons/01-frames.ipynb", "dhlab/lessons/glossary.md", "dhlab/course/exercises/lesson05.py"):
+    for wanted in (
+        "dhlab/robots/ur5e.yaml",
+        "dhlab/robots/files/ur5e.urdf",
+        "dhlab/robots/files/README.md",
+        "dhlab/doctor/catalogue.yaml",
+        "dhlab/lessons/01-frames.ipynb",
+        "dhlab/lessons/glossary.md",
+        "dhlab/course/exercises/lesson05.py",
+    ):
         assert wanted in names, wanted
     assert not any(name.startswith(("tests/", "solutions/")) for name in names)
 
 
 def test_dhlab_lab_works_from_an_installed_package(tmp_path):
-    subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", str(tmp_path / "site"), str(ROOT)], check=True, capture_output=True)
-    script = "import sys; sys.path.insert(0, sys.argv[1]); from dhlab.course import workspace; print(workspace.__file__); workspace.prepare(sys.argv[2])"
-    answer = subprocess.run([sys.executable, "-I", "-c", script, str(tmp_path / "site"), str(tmp_path / "mine")], capture_output=True, text=True, cwd=tmp_path)
+    subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--no-deps",
+            "--target",
+            str(tmp_path / "site"),
+            str(ROOT),
+        ],
+        check=True,
+        capture_output=True,
+    )
+    script = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from dhlab.course import workspace;"
+        " print(workspace.__file__); workspace.prepare(sys.argv[2])"
+    )
+    answer = subprocess.run(
+        [sys.executable, "-I", "-c", script, str(tmp_path / "site"), str(tmp_path / "mine")],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
     assert answer.returncode == 0 and str(tmp_path / "site") in answer.stdout, answer.stderr
     assert json.loads((tmp_path / "mine" / "06-forward-kinematics.ipynb").read_text())["cells"]
 
 
 def test_a_handed_out_folder_gets_no_lessons_of_other_numbers(tmp_path):
     from dhlab.grading.handing_out.release import with_variant
-    own = with_variant((workspace.handed_out() / "05-link-matrix.ipynb").read_text(encoding="utf-8"), 17)
+
+    own = with_variant(
+        (workspace.handed_out() / "05-link-matrix.ipynb").read_text(encoding="utf-8"), 17
+    )
     (tmp_path / "05-link-matrix.ipynb").write_text(own, encoding="utf-8")
     workspace.prepare(tmp_path)
-    assert [path.name for path in tmp_path.glob("*.ipynb")] == ["05-link-matrix.ipynb"] and (tmp_path / "glossary.md").exists()
+    assert [path.name for path in tmp_path.glob("*.ipynb")] == ["05-link-matrix.ipynb"] and (
+        tmp_path / "glossary.md"
+    ).exists()
     assert (tmp_path / "05-link-matrix.ipynb").read_text(encoding="utf-8") == own

@@ -31,8 +31,17 @@ def test_every_collected_mistake_is_in_the_catalogue():
 
 
 def test_every_name_that_a_change_can_get_is_in_the_catalogue():
-    returned = [node.value for node in ast.walk(ast.parse(inspect.getsource(naming))) if isinstance(node, ast.Return) and node.value]
-    words = {leaf.value for value in returned for leaf in ast.walk(value) if isinstance(leaf, ast.Constant) and isinstance(leaf.value, str)}
+    returned = [
+        node.value
+        for node in ast.walk(ast.parse(inspect.getsource(naming)))
+        if isinstance(node, ast.Return) and node.value
+    ]
+    words = {
+        leaf.value
+        for value in returned
+        for leaf in ast.walk(value)
+        if isinstance(leaf, ast.Constant) and isinstance(leaf.value, str)
+    }
     names = {word for word in words if re.fullmatch("[a-z0-9]+(-[a-z0-9]+)+", word)}
     assert len(names) > 15 and [name for name in names if name not in catalogue()] == []
 
@@ -43,12 +52,17 @@ def test_an_id_leads_to_one_entry():
         assert catalogue()[mistake.id] is mistake
 
 
-@pytest.mark.parametrize("mistake", {m.id: m for m in catalogue().values()}.values(), ids=lambda m: m.id)
+@pytest.mark.parametrize(
+    "mistake", {m.id: m for m in catalogue().values()}.values(), ids=lambda m: m.id
+)
 def test_the_words_are_whole_sentences(mistake):
-    assert re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", mistake.id) and re.fullmatch("0[0-9]", mistake.lesson)
+    assert re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", mistake.id) and re.fullmatch(
+        "0[0-9]", mistake.lesson
+    )
     assert 3 <= len(mistake.title) <= 80 and not mistake.title.endswith(".")
     for words in (mistake.see, mistake.why, mistake.next):
         assert 10 <= len(words) <= 260 and words == words.strip(), words
-    assert all(words.endswith((".", "?", "…")) for words in (mistake.see, mistake.why, mistake.next))
+    assert all(
+        words.endswith((".", "?", "…")) for words in (mistake.see, mistake.why, mistake.next)
+    )
     assert all(isinstance(ref, str) and ref for ref in mistake.refs)
-

@@ -31,23 +31,37 @@ def test_the_documented_example(tmp_path):
     assert (arm.name, arm.table.convention, arm.table.joints) == ("my arm", "standard", "RP")
     assert np.allclose(arm.table.rows, [[0, 0.1, 0, np.pi / 2], [0, 0.001, 0.425, 0]])
     assert np.allclose(arm.limits, [(-np.pi, np.pi), (-0.1, 0.4)]) and arm.sign.tolist() == [1, -1]
-    assert np.allclose(arm.base[:3, :3], Rotation.from_euler("z", 90, degrees=True).as_matrix()) and arm.base[2, 3] == 1
+    assert (
+        np.allclose(arm.base[:3, :3], Rotation.from_euler("z", 90, degrees=True).as_matrix())
+        and arm.base[2, 3] == 1
+    )
     assert dh.load(str(tmp_path / "my.yaml")) == arm
 
 
 def same(a, b):
-    return (np.abs(a.table.rows - b.table.rows).max() <= 1e-15 * 8 and np.abs(a.base - b.base).max() <= 1e-15 and np.abs(a.tool - b.tool).max() <= 1e-15
-            and np.array_equal(a.sign, b.sign) and a.table.joints == b.table.joints and a.table.convention == b.table.convention)
+    return (
+        np.abs(a.table.rows - b.table.rows).max() <= 1e-15 * 8
+        and np.abs(a.base - b.base).max() <= 1e-15
+        and np.abs(a.tool - b.tool).max() <= 1e-15
+        and np.array_equal(a.sign, b.sign)
+        and a.table.joints == b.table.joints
+        and a.table.convention == b.table.convention
+    )
 
 
-@pytest.mark.parametrize("options", [{}, {"length": "mm"}, {"angle": "rad"}, {"angle": "deg", "length": "mm"}])
+@pytest.mark.parametrize(
+    "options", [{}, {"length": "mm"}, {"angle": "rad"}, {"angle": "deg", "length": "mm"}]
+)
 def test_every_arm_comes_back(tmp_path, options):
     for key in dh.robots():
         for table, arm in entry(key).tables.items():
             arm.save(tmp_path / f"{key}.{table}.yaml", **options)
             back = dh.load(tmp_path / f"{key}.{table}.yaml")
             assert same(arm, back) and back.name == arm.name and back.source == arm.source
-            assert arm.limits is back.limits is None or all(x == y or np.allclose(x, y, rtol=0, atol=1e-15) for x, y in zip(arm.limits, back.limits))
+            assert arm.limits is back.limits is None or all(
+                x == y or np.allclose(x, y, rtol=0, atol=1e-15)
+                for x, y in zip(arm.limits, back.limits)
+            )
             arm.table.save(tmp_path / f"{key}.{table}.csv", **options)
             assert same(dh.Arm(dh.DHTable.load(tmp_path / f"{key}.{table}.csv")), dh.Arm(arm.table))
 
@@ -58,7 +72,11 @@ def test_random_tables_come_back_exactly(tmp_path_factory, seed, ending):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(1, 9))
     make = dh.DHTable.standard if rng.random() < 0.5 else dh.DHTable.craig
-    table = make(rng.uniform(-7, 7, (n, 4)) * 10.0 ** rng.integers(-6, 3, (n, 4)), angle="rad", joints="".join(rng.choice(["R", "P"], n)))
+    table = make(
+        rng.uniform(-7, 7, (n, 4)) * 10.0 ** rng.integers(-6, 3, (n, 4)),
+        angle="rad",
+        joints="".join(rng.choice(["R", "P"], n)),
+    )
     path = tmp_path_factory.mktemp("tables") / f"table{ending}"
     table.save(path)
     assert dh.DHTable.load(path) == table
@@ -69,7 +87,10 @@ def test_random_tables_come_back_exactly(tmp_path_factory, seed, ending):
 def test_bases_come_back_even_at_the_gimbal(tmp_path_factory, seed):
     rng = np.random.default_rng(seed)
     base = np.eye(4)
-    base[:3, :3] = Rotation.from_euler("xyz", [rng.uniform(-3, 3), np.pi / 2 + rng.choice([0, 1e-9, 1e-13, 1.0]), rng.uniform(-3, 3)]).as_matrix()
+    base[:3, :3] = Rotation.from_euler(
+        "xyz",
+        [rng.uniform(-3, 3), np.pi / 2 + rng.choice([0, 1e-9, 1e-13, 1.0]), rng.uniform(-3, 3)],
+    ).as_matrix()
     base[:3, 3] = rng.uniform(-1, 1, 3)
     arm = dh.Arm(dh.DHTable.standard([[0, 0.1, 0, 0]], angle="deg"), base=base)
     path = tmp_path_factory.mktemp("bases") / "arm.yaml"
@@ -117,7 +138,10 @@ def changed(old, new):
 BAD_YAML = {
     "number as text": (changed("d: 0.1", "d: '0.1'"), ["line 5", "row 1", "d:", "text '0.1'"]),
     "sexagesimal": (changed("alpha: 90", "alpha: 89:30"), ["line 5", "row 1", "alpha", "89:30"]),
-    "decimal comma": (changed("a: 0, alpha: 90", "a: 0,425, alpha: 90"), ["row 1", "decimal comma"]),
+    "decimal comma": (
+        changed("a: 0, alpha: 90", "a: 0,425, alpha: 90"),
+        ["row 1", "decimal comma"],
+    ),
     "not a number": (changed("d: 0.1", "d: .nan"), ["row 1, d", "finite"]),
     "infinity": (changed("d: 0.1", "d: -.inf"), ["row 1, d", "finite"]),
     "true": (changed("d: 0.1", "d: true"), ["row 1, d", "expected a number"]),
@@ -132,19 +156,30 @@ BAD_YAML = {
     "half of the units": (changed("length: m, ", ""), ["units", "no length"]),
     "strange unit": (changed("length: m", "length: inch"), ["line 3", "found 'inch'"]),
     "no rows": (GOOD.split("joints:")[0] + "joints: []\n", ["empty list"]),
-    "row is a list": (changed("{theta: 0, d: 0.1, a: 0, alpha: 90}", "[0, 0.1, 0, 90]"), ["row 1", "found a list"]),
+    "row is a list": (
+        changed("{theta: 0, d: 0.1, a: 0, alpha: 90}", "[0, 0.1, 0, 90]"),
+        ["row 1", "found a list"],
+    ),
     "joint type": (changed("type: prismatic", "type: sliding"), ["row 2, type", "'sliding'"]),
-    "limits too short": (changed("[[-180, 180], [-0.1, 0.4]]", "[[-180, 180]]"), ["limits", "expected 2 entries, found 1"]),
+    "limits too short": (
+        changed("[[-180, 180], [-0.1, 0.4]]", "[[-180, 180]]"),
+        ["limits", "expected 2 entries, found 1"],
+    ),
     "limits turned round": (changed("[-0.1, 0.4]", "[0.4, -0.1]"), ["limits", "joint 2"]),
     "sign 2": (changed("[1, -1]", "[1, 2]"), ["sign", "1 or -1"]),
-    "rpy too short": (changed("rpy: [0, 0, 90]", "rpy: [0, 90]"), ["base, rpy", "expected 3 entries, found 2"]),
+    "rpy too short": (
+        changed("rpy: [0, 0, 90]", "rpy: [0, 90]"),
+        ["base, rpy", "expected 3 entries, found 2"],
+    ),
     "anchor": (changed("name: my arm", "name: &x my arm"), ["anchor"]),
     "merge key": (GOOD + "<<: {a: 1}\n", ["merge key"]),
     "tag": (changed("name: my arm", "name: !!python/object:os.system my arm"), ["tag"]),
     "tab": (changed("  - {theta", "\t- {theta"), ["line 5", "no YAML"]),
     "unclosed": (changed("alpha: 90}", "alpha: 90"), ["no YAML"]),
     "two documents": (GOOD + "---\n" + GOOD, ["no YAML"]),
-    "a list": ("- 1\n- 2\n", ["found a list"]), "empty": ("", ["found nothing"]), "a word": ("hello", ["found the text 'hello'"]),
+    "a list": ("- 1\n- 2\n", ["found a list"]),
+    "empty": ("", ["found nothing"]),
+    "a word": ("hello", ["found the text 'hello'"]),
     "deep": ("[" * 20000, ["nested"]),
 }
 
@@ -160,26 +195,50 @@ def test_bad_yaml_is_one_plain_sentence(tmp_path, case):
     assert all(word in message for word in words), message
 
 
-CSV = "# convention: craig\ntheta_deg,d_mm,a_mm,alpha_deg,type,sign\n90,100,0,0,revolute,-1\n0,5,1e2,-90,prismatic,1\n"
+CSV = (
+    "# convention:"
+    " craig\ntheta_deg,d_mm,a_mm,alpha_deg,type,sign\n90,100,0,0,revolute,-1\n0,5,1e2,-90,prismatic,1\n"
+)
 
 
 def test_csv_with_types_and_signs(tmp_path):
-    for text in (CSV, "\ufeff" + CSV.replace("\n", "\r\n"), CSV.replace("craig\n", "craig,,,,,\n") + "\n\n", CSV.replace(",", " , ")):
+    for text in (
+        CSV,
+        "\ufeff" + CSV.replace("\n", "\r\n"),
+        CSV.replace("craig\n", "craig,,,,,\n") + "\n\n",
+        CSV.replace(",", " , "),
+    ):
         (tmp_path / "t.csv").write_text(text, encoding="utf-8", newline="")
         arm = dh.load(tmp_path / "t.csv")
-        assert (arm.name, arm.table.convention, arm.table.joints, arm.sign.tolist()) == ("t", "craig", "RP", [-1, 1])
+        assert (arm.name, arm.table.convention, arm.table.joints, arm.sign.tolist()) == (
+            "t",
+            "craig",
+            "RP",
+            [-1, 1],
+        )
         assert np.allclose(arm.table.rows, [[np.pi / 2, 0.1, 0, 0], [0, 0.005, 0.1, -np.pi / 2]])
 
 
 BAD_CSV = {
-    "no convention": (CSV.split("\n", 1)[1], ["line 1", "# convention"]), "modified": (CSV.replace("craig", "modified"), ["line 1", "called craig"]),
-    "no unit": (CSV.replace("theta_deg", "theta"), ["line 2", "theta_deg"]), "unknown unit": (CSV.replace("d_mm", "d_in"), ["line 2", "'in'"]),
-    "unknown column": (CSV.replace("sign", "colour"), ["line 2", "'colour'"]), "twice": (CSV.replace("a_mm", "d_m"), ["d twice"]),
-    "missing column": (CSV.replace("alpha_deg,", "").replace(",0,revolute", ",revolute"), ["no column alpha"]),
-    "text": (CSV.replace("100", "ten"), ["line 3", "row 1", "d:", "'ten'"]), "nan": (CSV.replace("100", "nan"), ["row 1", "finite"]),
-    "empty cell": (CSV.replace("100", ""), ["row 1", "d:", "nothing"]), "short row": (CSV.replace(",-90", ""), ["line 4", "row 2", "found 5"]),
-    "semicolons": (CSV.replace(",", ";"), ["line 2"]), "type": (CSV.replace("prismatic", "P"), ["row 2", "type"]), "sign": (CSV.replace("-1\n", "2\n"), ["sign"]),
-    "header only": ("\n".join(CSV.split("\n")[:2]), ["at least one row"]), "empty": ("", ["line 1"]),
+    "no convention": (CSV.split("\n", 1)[1], ["line 1", "# convention"]),
+    "modified": (CSV.replace("craig", "modified"), ["line 1", "called craig"]),
+    "no unit": (CSV.replace("theta_deg", "theta"), ["line 2", "theta_deg"]),
+    "unknown unit": (CSV.replace("d_mm", "d_in"), ["line 2", "'in'"]),
+    "unknown column": (CSV.replace("sign", "colour"), ["line 2", "'colour'"]),
+    "twice": (CSV.replace("a_mm", "d_m"), ["d twice"]),
+    "missing column": (
+        CSV.replace("alpha_deg,", "").replace(",0,revolute", ",revolute"),
+        ["no column alpha"],
+    ),
+    "text": (CSV.replace("100", "ten"), ["line 3", "row 1", "d:", "'ten'"]),
+    "nan": (CSV.replace("100", "nan"), ["row 1", "finite"]),
+    "empty cell": (CSV.replace("100", ""), ["row 1", "d:", "nothing"]),
+    "short row": (CSV.replace(",-90", ""), ["line 4", "row 2", "found 5"]),
+    "semicolons": (CSV.replace(",", ";"), ["line 2"]),
+    "type": (CSV.replace("prismatic", "P"), ["row 2", "type"]),
+    "sign": (CSV.replace("-1\n", "2\n"), ["sign"]),
+    "header only": ("\n".join(CSV.split("\n")[:2]), ["at least one row"]),
+    "empty": ("", ["line 1"]),
 }
 
 
@@ -190,7 +249,9 @@ def test_bad_csv_is_one_plain_sentence(tmp_path, case):
     with pytest.raises(ValueError) as error:
         dh.load(tmp_path / "bad.csv")
     message = str(error.value)
-    assert "bad.csv" in message and "\n" not in message and all(word in message for word in words), message
+    assert (
+        "bad.csv" in message and "\n" not in message and all(word in message for word in words)
+    ), message
 
 
 def test_files_that_are_no_text(tmp_path):
@@ -198,6 +259,12 @@ def test_files_that_are_no_text(tmp_path):
     (tmp_path / "folder.yaml").mkdir()
     os.mkfifo(tmp_path / "pipe.yaml")
     (tmp_path / "large.yaml").write_bytes(b"#" * 10_000_001)
-    for name, words in (("utf16", "UTF-8"), ("folder", "a folder"), ("pipe", "no plain file"), ("large", "10 MB"), ("missing", "no such file")):
+    for name, words in (
+        ("utf16", "UTF-8"),
+        ("folder", "a folder"),
+        ("pipe", "no plain file"),
+        ("large", "10 MB"),
+        ("missing", "no such file"),
+    ):
         with pytest.raises(ValueError, match=words):
             dh.load(tmp_path / f"{name}.yaml")

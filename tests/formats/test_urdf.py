@@ -25,14 +25,23 @@ def seeded():
 
 def chain_urdf(joints, name="robot"):
     """The URDF text of a list of joints as the chain files have them."""
-    lines = [f'<robot name="{name}">'] + [f'<link name="l{i}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
-                                          '</inertial></link>' for i in range(len(joints) + 1)]
+    lines = [f'<robot name="{name}">'] + [
+        f'<link name="l{i}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1"'
+        ' iyz="0" izz="1"/></inertial></link>'
+        for i in range(len(joints) + 1)
+    ]
     for i, joint in enumerate(joints):
         numbers = {key: " ".join(map(repr, joint[key])) for key in ("xyz", "rpy", "axis")}
-        limit = f'<limit lower="{joint["lower"]}" upper="{joint["upper"]}" effort="1" velocity="1"/>' if "lower" in joint else \
-            '<limit lower="-3" upper="3" effort="1" velocity="1"/>'
-        lines.append(f'<joint name="{joint["name"]}" type="{joint["type"]}"><parent link="l{i}"/><child link="l{i + 1}"/>'
-                     f'<origin xyz="{numbers["xyz"]}" rpy="{numbers["rpy"]}"/><axis xyz="{numbers["axis"]}"/>{limit}</joint>')
+        limit = (
+            f'<limit lower="{joint["lower"]}" upper="{joint["upper"]}" effort="1" velocity="1"/>'
+            if "lower" in joint
+            else '<limit lower="-3" upper="3" effort="1" velocity="1"/>'
+        )
+        lines.append(
+            f'<joint name="{joint["name"]}" type="{joint["type"]}"><parent link="l{i}"/><child'
+            f' link="l{i + 1}"/><origin xyz="{numbers["xyz"]}" rpy="{numbers["rpy"]}"/><axis'
+            f' xyz="{numbers["axis"]}"/>{limit}</joint>'
+        )
     return "\n".join([*lines, "</robot>"])
 
 
@@ -42,11 +51,14 @@ def file(tmp_path):
         path = tmp_path / name
         path.write_text(text)
         return path
+
     return write
 
 
 def read(*args, **kwargs):
-    """``read_urdf`` without its warnings of nearly parallel axes, which 1.5708 in a file brings up."""
+    """``read_urdf`` without its warnings of nearly parallel axes, which 1.5708 in a file brings
+    up.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return read_urdf(*args, **kwargs)
@@ -71,17 +83,30 @@ def by_pybullet(path, q, tip):
     bullet = pytest.importorskip("pybullet")
     client = bullet.connect(bullet.DIRECT)
     try:
-        body = bullet.loadURDF(str(path), useFixedBase=True, flags=bullet.URDF_USE_INERTIA_FROM_FILE, physicsClientId=client)
-        info = [bullet.getJointInfo(body, k, physicsClientId=client) for k in range(bullet.getNumJoints(body, physicsClientId=client))]
+        body = bullet.loadURDF(
+            str(path),
+            useFixedBase=True,
+            flags=bullet.URDF_USE_INERTIA_FROM_FILE,
+            physicsClientId=client,
+        )
+        info = [
+            bullet.getJointInfo(body, k, physicsClientId=client)
+            for k in range(bullet.getNumJoints(body, physicsClientId=client))
+        ]
         moving = [k for k, joint in enumerate(info) if joint[2] != bullet.JOINT_FIXED]
         link = next(k for k, joint in enumerate(info) if joint[12].decode() == tip)
         poses = []
         for one in q:
             for k, value in zip(moving, one, strict=True):
                 bullet.resetJointState(body, k, value, physicsClientId=client)
-            state = bullet.getLinkState(body, link, computeForwardKinematics=True, physicsClientId=client)
+            state = bullet.getLinkState(
+                body, link, computeForwardKinematics=True, physicsClientId=client
+            )
             T = np.eye(4)
-            T[:3, :3], T[:3, 3] = np.reshape(bullet.getMatrixFromQuaternion(state[5]), (3, 3)), state[4]
+            T[:3, :3], T[:3, 3] = (
+                np.reshape(bullet.getMatrixFromQuaternion(state[5]), (3, 3)),
+                state[4],
+            )
             poses.append(T)
         return np.array(poses)
     finally:
@@ -105,7 +130,9 @@ def test_every_chain_has_the_pose_that_pinocchio_gives(path, convention, file):
     arm = read(urdf, convention=convention)
     q = rng.uniform(-2.9, 2.9, (100, len(arm)))
     assert np.abs(arm.forward(q) - by_pinocchio(urdf, q, "l0", f"l{len(joints)}")).max() < 1e-12
-    assert arm.table.convention == convention and len(arm) == sum(joint["type"] != "fixed" for joint in joints)
+    assert arm.table.convention == convention and len(arm) == sum(
+        joint["type"] != "fixed" for joint in joints
+    )
 
 
 @pytest.mark.parametrize("path", CHAINS[::4], ids=lambda path: path.stem)
@@ -120,16 +147,31 @@ def test_chains_by_yourdfpy_and_pybullet(path, file):
 
 def random_arm(convention, joints, limits):
     n = len(joints)
-    rows = np.column_stack([rng.uniform(-3, 3, n), rng.uniform(-0.3, 0.3, n), rng.uniform(-0.4, 0.4, n), rng.choice([0, np.pi / 2, 0.7, np.pi], n)])
+    rows = np.column_stack(
+        [
+            rng.uniform(-3, 3, n),
+            rng.uniform(-0.3, 0.3, n),
+            rng.uniform(-0.4, 0.4, n),
+            rng.choice([0, np.pi / 2, 0.7, np.pi], n),
+        ]
+    )
     table = getattr(DHTable, convention)(rows, angle="rad", joints=joints)
-    return Arm(table, base=from_xyz_rpy([0.1, -0.2, 0.3], [0.3, -1.2, 2]), tool=from_xyz_rpy([0, 0.1, 0.05], [1, np.pi / 2, -1]),
-               sign=rng.choice([1, -1], n), limits=limits, name='an "arm" <of> süße & more')
+    return Arm(
+        table,
+        base=from_xyz_rpy([0.1, -0.2, 0.3], [0.3, -1.2, 2]),
+        tool=from_xyz_rpy([0, 0.1, 0.05], [1, np.pi / 2, -1]),
+        sign=rng.choice([1, -1], n),
+        limits=limits,
+        name='an "arm" <of> süße & more',
+    )
 
 
 @pytest.mark.parametrize("convention", ["standard", "craig"])
 @pytest.mark.parametrize("joints", ["RRRRRR", "RPR", "PPP", "PRPRPRP", "R", "P"])
 @pytest.mark.parametrize("limited", [True, False])
-def test_written_files_load_in_simulators_and_read_back(convention, joints, limited, file, tmp_path):
+def test_written_files_load_in_simulators_and_read_back(
+    convention, joints, limited, file, tmp_path
+):
     arm = random_arm(convention, joints, [(-3, 2.5)] * len(joints) if limited else None)
     path = tmp_path / "out.urdf"
     assert to_urdf(arm, path) == path.read_text()
@@ -152,8 +194,13 @@ def test_round_trip_of_the_library(name, tmp_path):
 
 
 def test_rounded_angles_are_warned_of_by_name(file):
-    path = file(robot(("a", "l0", "l1", "continuous"), ("b", "l1", "l2", "continuous", '<origin xyz="0.3 0 0" rpy="0 3.141592653 0"/>'),
-                      ("c", "l2", "l3", "fixed", '<origin xyz="0.3 0.1 0.2"/>')))
+    path = file(
+        robot(
+            ("a", "l0", "l1", "continuous"),
+            ("b", "l1", "l2", "continuous", '<origin xyz="0.3 0 0" rpy="0 3.141592653 0"/>'),
+            ("c", "l2", "l3", "fixed", '<origin xyz="0.3 0.1 0.2"/>'),
+        )
+    )
     with pytest.warns(UserWarning, match="robot.urdf: .*parallel") as said:
         arm = read_urdf(path)
     assert said[0].filename == __file__
@@ -174,89 +221,199 @@ def test_writing_never_loses_a_file(tmp_path):
 
 
 LINKS = "".join(f'<link name="l{i}"/>' for i in range(4))
-TURN = '<joint name="{0}" type="{3}"><parent link="{1}"/><child link="{2}"/><axis xyz="0 0 1"/>{4}</joint>'
+TURN = (
+    '<joint name="{0}" type="{3}"><parent link="{1}"/><child link="{2}"/><axis xyz="0 0'
+    ' 1"/>{4}</joint>'
+)
 
 
 def robot(*joints, links=LINKS):
-    return f'<robot name="r">{links}{"".join(TURN.format(*joint, *[""] * (5 - len(joint))) for joint in joints)}</robot>'
+    return (
+        "<robot"
+        f' name="r">{links}{"".join(TURN.format(*joint, *[""] * (5 - len(joint))) for joint in joints)}</robot>'
+    )
 
 
 CHAIN = [("a", "l0", "l1", "revolute"), ("b", "l1", "l2", "fixed"), ("c", "l2", "l3", "prismatic")]
 
 
 def test_defaults_limits_and_parts_of_a_chain(file):
-    limits = {"a": '<limit lower="-1" upper="2"/>', "c": '<limit upper="0.5"/><origin xyz="0 0 1"/>'}
+    limits = {
+        "a": '<limit lower="-1" upper="2"/>',
+        "c": '<limit upper="0.5"/><origin xyz="0 0 1"/>',
+    }
     path = file(robot(*[(*joint, limits.get(joint[0], "")) for joint in CHAIN]))
     arm = read_urdf(path)
-    assert (arm.table.joints, arm.limits, arm.name, arm.source) == ("RP", ((-1, 2), (0, 0.5)), "r", "robot.urdf, from l0 to l3; joints: a, c")
+    assert (arm.table.joints, arm.limits, arm.name, arm.source) == (
+        "RP",
+        ((-1, 2), (0, 0.5)),
+        "r",
+        "robot.urdf, from l0 to l3; joints: a, c",
+    )
     assert arm.forward([0.3, 0.2])[2, 3] == pytest.approx(1.2) and isinstance(arm.steps, tuple)
     assert len(read_urdf(path, tip="l1")) == len(read_urdf(path, "l1")) == 1
     for limit in ('<limit lower="1" upper="-1"/>', '<limit effort="1" velocity="1"/>', ""):
-        assert read_urdf(file(robot(("a", "l0", "l1", "revolute", limit), *CHAIN[1:])), tip="l1").limits is None
-    assert read_urdf(file(robot(("a", "l0", "l1", "continuous", '<limit lower="1" upper="2"/>'), *CHAIN[1:])), tip="l2").limits is None
-    plain = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
-    assert np.allclose(read_urdf(file(plain)).jacobian([0.0])[3:, 0], [1, 0, 0])  # the axis of URDF's default
+        assert (
+            read_urdf(
+                file(robot(("a", "l0", "l1", "revolute", limit), *CHAIN[1:])), tip="l1"
+            ).limits
+            is None
+        )
+    assert (
+        read_urdf(
+            file(
+                robot(("a", "l0", "l1", "continuous", '<limit lower="1" upper="2"/>'), *CHAIN[1:])
+            ),
+            tip="l2",
+        ).limits
+        is None
+    )
+    plain = (
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent'
+        ' link="a"/><child link="b"/></joint></robot>'
+    )
+    assert np.allclose(
+        read_urdf(file(plain)).jacobian([0.0])[3:, 0], [1, 0, 0]
+    )  # the axis of URDF's default
 
 
 def test_what_is_off_the_chain_does_not_matter(file):
-    branch = ('<joint name="m" type="floating"><parent link="l0"/><child link="x"/><axis xyz="nothing"/></joint><link name="x"/>'
-              '<gazebo:odd xyz="1"/><transmission name="t"><joint name="a"/></transmission><material name="red"><color rgba="?"/></material>')
-    path = file('<?xml version="1.0" encoding="utf-8"?><!-- a remark -->' + robot(*CHAIN).replace("</robot>", branch + "</robot>"))
+    branch = (
+        '<joint name="m" type="floating"><parent link="l0"/><child link="x"/><axis'
+        ' xyz="nothing"/></joint><link name="x"/><gazebo:odd xyz="1"/><transmission name="t"><joint'
+        ' name="a"/></transmission><material name="red"><color rgba="?"/></material>'
+    )
+    path = file(
+        '<?xml version="1.0" encoding="utf-8"?><!-- a remark -->'
+        + robot(*CHAIN).replace("</robot>", branch + "</robot>")
+    )
     assert len(read_urdf(path, tip="l3")) == 2
 
 
-@pytest.mark.parametrize("text, kwargs, words", [
-    ("", {}, "no element found"),
-    ("just words", {}, "line 1: expected XML"),
-    ("<robot><link name='a'></robot>", {}, "mismatched tag"),
-    ("<robot name='r'/>", {}, "0 links and 0 joints"),
-    ("<sdf version='1.7'/>", {}, "SDF"),
-    ("<mujoco/>", {}, "MuJoCo"),
-    ("<svg/>", {}, "<svg>"),
-    ("<robot xmlns:xacro='http://wiki.ros.org/xacro'><xacro:property name='x' value='1'/></robot>", {}, "expand it first"),
-    (robot(("${prefix}a", "l0", "l1", "revolute")), {}, "expand it first"),
-    (robot(("a", "l0", "l1", "revolute", '<origin xyz="0 0 ${h}"/>'), *CHAIN[1:]), {}, "joint a: origin xyz.*expand it first"),
-    (robot(*CHAIN, ("d", "l0", "x", "fixed"), links=LINKS + '<link name="x"/>'), {}, "found 2 leaves below l0.*l3, x"),
-    (robot(*CHAIN), {"tip": "l9"}, "tip: expected a link of the file, found 'l9'; the links are l0, l1, l2, l3"),
-    (robot(*CHAIN), {"base": 3}, "base: expected a link"),
-    (robot(*CHAIN), {"base": "l2", "tip": "l1"}, "l1 is not below l2"),
-    (robot(*CHAIN), {"base": "l3"}, "joints below l3, found none"),
-    (robot(*CHAIN), {"base": "l1", "tip": "l2"}, "fixed joints only"),
-    (robot(*CHAIN), {"base": "l1", "tip": "l1"}, "fixed joints only"),
-    (robot(*CHAIN[1:]), {}, "one root link, found l0, l1; name one"),
-    (robot(*CHAIN, ("d", "l3", "l1", "revolute")), {}, "loop: link l1 hangs on the joints a and d"),
-    (robot(*CHAIN, ("d", "l3", "l0", "revolute")), {}, "loop without a root"),
-    (robot(*CHAIN, ("d", "l3", "l0", "revolute")), {"tip": "l3"}, "loop through l3"),
-    (robot(*CHAIN[:2], ("c", "l2", "l7", "prismatic")), {}, "joint c: expected a link of the file, found l7"),
-    (robot(*CHAIN, links=LINKS + '<link name="l1"/>'), {}, "every link once, found l1 twice"),
-    (robot(*CHAIN[:2], ("a", "l2", "l3", "fixed")), {}, "every joint once, found a twice"),
-    (robot(("a", "l0", "l1", "floating"), *CHAIN[1:]), {}, "joint a: expected revolute.*found floating; it has six"),
-    (robot(("a", "l0", "l1", "planar"), *CHAIN[1:]), {}, "found planar"),
-    (robot(("a", "l0", "l1", "screw"), *CHAIN[1:]), {}, "found screw"),
-    (robot(("a", "l0", "l1", "revolute", '<mimic joint="c"/>'), *CHAIN[1:]), {}, "joint a: .*mimics c"),
-    (robot(*CHAIN).replace('"0 0 1"', '"0 0 0"'), {}, "axis: expected a direction"),
-    (robot(*CHAIN).replace('"0 0 1"', '"1"'), {}, "axis xyz: expected 3 finite numbers, found '1'"),
-    (robot(("a", "l0", "l1", "revolute", '<origin xyz="0,1 0 0"/>'), *CHAIN[1:]), {}, "origin xyz: expected 3"),
-    (robot(("a", "l0", "l1", "revolute", '<origin rpy="0 nan 0"/>'), *CHAIN[1:]), {}, "origin rpy: expected 3 finite"),
-    (robot(("a", "l0", "l1", "revolute", '<limit lower="-180deg" upper="1"/>'), *CHAIN[1:]), {}, "limit lower"),
-    (robot(*CHAIN).replace('<child link="l1"/>', ""), {}, "joint a: expected <parent"),
-    (robot(*CHAIN).replace('type="fixed"', ""), {}, "found no type"),
-    (robot(*CHAIN).replace('<link name="l3"/>', "<link/>"), {}, "a link: expected the attribute name"),
-], ids=str)
+@pytest.mark.parametrize(
+    "text, kwargs, words",
+    [
+        ("", {}, "no element found"),
+        ("just words", {}, "line 1: expected XML"),
+        ("<robot><link name='a'></robot>", {}, "mismatched tag"),
+        ("<robot name='r'/>", {}, "0 links and 0 joints"),
+        ("<sdf version='1.7'/>", {}, "SDF"),
+        ("<mujoco/>", {}, "MuJoCo"),
+        ("<svg/>", {}, "<svg>"),
+        (
+            (
+                "<robot xmlns:xacro='http://wiki.ros.org/xacro'><xacro:property name='x'"
+                " value='1'/></robot>"
+            ),
+            {},
+            "expand it first",
+        ),
+        (robot(("${prefix}a", "l0", "l1", "revolute")), {}, "expand it first"),
+        (
+            robot(("a", "l0", "l1", "revolute", '<origin xyz="0 0 ${h}"/>'), *CHAIN[1:]),
+            {},
+            "joint a: origin xyz.*expand it first",
+        ),
+        (
+            robot(*CHAIN, ("d", "l0", "x", "fixed"), links=LINKS + '<link name="x"/>'),
+            {},
+            "found 2 leaves below l0.*l3, x",
+        ),
+        (
+            robot(*CHAIN),
+            {"tip": "l9"},
+            "tip: expected a link of the file, found 'l9'; the links are l0, l1, l2, l3",
+        ),
+        (robot(*CHAIN), {"base": 3}, "base: expected a link"),
+        (robot(*CHAIN), {"base": "l2", "tip": "l1"}, "l1 is not below l2"),
+        (robot(*CHAIN), {"base": "l3"}, "joints below l3, found none"),
+        (robot(*CHAIN), {"base": "l1", "tip": "l2"}, "fixed joints only"),
+        (robot(*CHAIN), {"base": "l1", "tip": "l1"}, "fixed joints only"),
+        (robot(*CHAIN[1:]), {}, "one root link, found l0, l1; name one"),
+        (
+            robot(*CHAIN, ("d", "l3", "l1", "revolute")),
+            {},
+            "loop: link l1 hangs on the joints a and d",
+        ),
+        (robot(*CHAIN, ("d", "l3", "l0", "revolute")), {}, "loop without a root"),
+        (robot(*CHAIN, ("d", "l3", "l0", "revolute")), {"tip": "l3"}, "loop through l3"),
+        (
+            robot(*CHAIN[:2], ("c", "l2", "l7", "prismatic")),
+            {},
+            "joint c: expected a link of the file, found l7",
+        ),
+        (robot(*CHAIN, links=LINKS + '<link name="l1"/>'), {}, "every link once, found l1 twice"),
+        (robot(*CHAIN[:2], ("a", "l2", "l3", "fixed")), {}, "every joint once, found a twice"),
+        (
+            robot(("a", "l0", "l1", "floating"), *CHAIN[1:]),
+            {},
+            "joint a: expected revolute.*found floating; it has six",
+        ),
+        (robot(("a", "l0", "l1", "planar"), *CHAIN[1:]), {}, "found planar"),
+        (robot(("a", "l0", "l1", "screw"), *CHAIN[1:]), {}, "found screw"),
+        (
+            robot(("a", "l0", "l1", "revolute", '<mimic joint="c"/>'), *CHAIN[1:]),
+            {},
+            "joint a: .*mimics c",
+        ),
+        (robot(*CHAIN).replace('"0 0 1"', '"0 0 0"'), {}, "axis: expected a direction"),
+        (
+            robot(*CHAIN).replace('"0 0 1"', '"1"'),
+            {},
+            "axis xyz: expected 3 finite numbers, found '1'",
+        ),
+        (
+            robot(("a", "l0", "l1", "revolute", '<origin xyz="0,1 0 0"/>'), *CHAIN[1:]),
+            {},
+            "origin xyz: expected 3",
+        ),
+        (
+            robot(("a", "l0", "l1", "revolute", '<origin rpy="0 nan 0"/>'), *CHAIN[1:]),
+            {},
+            "origin rpy: expected 3 finite",
+        ),
+        (
+            robot(("a", "l0", "l1", "revolute", '<limit lower="-180deg" upper="1"/>'), *CHAIN[1:]),
+            {},
+            "limit lower",
+        ),
+        (robot(*CHAIN).replace('<child link="l1"/>', ""), {}, "joint a: expected <parent"),
+        (robot(*CHAIN).replace('type="fixed"', ""), {}, "found no type"),
+        (
+            robot(*CHAIN).replace('<link name="l3"/>', "<link/>"),
+            {},
+            "a link: expected the attribute name",
+        ),
+    ],
+    ids=str,
+)
 def test_what_is_refused_and_how(text, kwargs, words, file):
     with pytest.raises(ValueError, match=words) as error:
         read_urdf(file(text), **kwargs)
     assert "robot.urdf" in str(error.value) and "\n" not in str(error.value)
 
 
-BOMB = '<!DOCTYPE robot [<!ENTITY a "ha">' + "".join(f'<!ENTITY {b} "{f"&{a};" * 10}">' for a, b in zip("abcdefghi", "bcdefghij")) + "]>"
+BOMB = (
+    '<!DOCTYPE robot [<!ENTITY a "ha">'
+    + "".join(f'<!ENTITY {b} "{f"&{a};" * 10}">' for a, b in zip("abcdefghi", "bcdefghij"))
+    + "]>"
+)
 
 
-@pytest.mark.parametrize("head, inside", [(BOMB, "&j;"), ('<!DOCTYPE robot [<!ENTITY x SYSTEM "file:///etc/passwd">]>', "&x;"),
-                                          ('<!DOCTYPE robot SYSTEM "http://localhost:9/x.dtd">', ""),
-                                          ('<!DOCTYPE robot [<!ENTITY % p SYSTEM "file:///etc/passwd">%p;]>', "")])
+@pytest.mark.parametrize(
+    "head, inside",
+    [
+        (BOMB, "&j;"),
+        ('<!DOCTYPE robot [<!ENTITY x SYSTEM "file:///etc/passwd">]>', "&x;"),
+        ('<!DOCTYPE robot SYSTEM "http://localhost:9/x.dtd">', ""),
+        ('<!DOCTYPE robot [<!ENTITY % p SYSTEM "file:///etc/passwd">%p;]>', ""),
+    ],
+)
 def test_no_entities_and_no_document_types(head, inside, file):
-    for text in (head + f"<robot name='r'>{inside}</robot>", head + robot(*CHAIN).replace('name="r"', f'name="{inside}"')):
+    for text in (
+        head + f"<robot name='r'>{inside}</robot>",
+        head + robot(*CHAIN).replace('name="r"', f'name="{inside}"'),
+    ):
         with pytest.raises(ValueError, match="document type"):
             read_urdf(file(text))
 

@@ -1,4 +1,6 @@
-"""Standard ↔ Craig and the moves of an arm: the same pose for every q, judged by elementary matrices written out here."""
+"""Standard ↔ Craig and the moves of an arm: the same pose for every q, judged by elementary
+matrices written out here.
+"""
 
 import numpy as np
 import pytest
@@ -14,17 +16,25 @@ SEEDS = st.integers(0, 10**6)
 
 
 def by_hand(arm, q):
-    """base · A_1 … A_n · tool from the four elementary moves in the order of the convention, one q at a time."""
+    """base · A_1 … A_n · tool from the four elementary moves in the order of the convention, one q
+    at a time.
+    """
+
     def turn(angle, axis):
         c, s = np.cos(angle), np.sin(angle)
-        return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]] if axis == "z" else
-                        [[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+        return np.array(
+            [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+            if axis == "z"
+            else [[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]]
+        )
 
     def shift(x, z):
         return np.array([[1, 0, 0, x], [0, 1, 0, 0], [0, 0, 1, z], [0, 0, 0, 1.0]])
 
     T = arm.base
-    for (theta, d, a, alpha), s, letter, value in zip(arm.table.rows, arm.sign, arm.table.joints, q):
+    for (theta, d, a, alpha), s, letter, value in zip(
+        arm.table.rows, arm.sign, arm.table.joints, q
+    ):
         theta, d = (theta + s * value, d) if letter == "R" else (theta, d + s * value)
         about_z, about_x = turn(theta, "z") @ shift(0, d), shift(a, 0) @ turn(alpha, "x")
         T = T @ about_z @ about_x if arm.table.convention == "standard" else T @ about_x @ about_z
@@ -81,8 +91,15 @@ def test_moves_keep_every_pose(seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
     i, q = rng.integers(0, len(arm) + 1), rng.uniform(-2, 2, len(arm))
-    moved = [arm.flip_x(i), arm.flip_z(i), freedoms.move_base(arm, 0.3, 0.2), freedoms.move_tool(arm, 0.3, 0.2)]
-    moved += [freedoms.shift_prismatic(arm, k + 1, 0.2) for k in np.flatnonzero(arm.table.prismatic)]
+    moved = [
+        arm.flip_x(i),
+        arm.flip_z(i),
+        freedoms.move_base(arm, 0.3, 0.2),
+        freedoms.move_tool(arm, 0.3, 0.2),
+    ]
+    moved += [
+        freedoms.shift_prismatic(arm, k + 1, 0.2) for k in np.flatnonzero(arm.table.prismatic)
+    ]
     for other in moved:
         assert max(pose_error(by_hand(arm, q), by_hand(other, q))) < 1e-13
 
@@ -103,7 +120,18 @@ def test_two_flips_give_the_table_back(seed):
 @pytest.mark.parametrize("convention", ["standard", "craig"])
 def test_slide_and_twist(convention):
     make = getattr(dh.DHTable, convention)
-    arm = dh.Arm(make([[0.1, 0.2, 0.3, 180], [0.4, 0.5, 0, 180], [0.6, 0.7, 0, 0], [1, 0.2, 0.3, 90], [1, 0.1, 0.1, 70]], angle="deg"))
+    arm = dh.Arm(
+        make(
+            [
+                [0.1, 0.2, 0.3, 180],
+                [0.4, 0.5, 0, 180],
+                [0.6, 0.7, 0, 0],
+                [1, 0.2, 0.3, 90],
+                [1, 0.1, 0.1, 70],
+            ],
+            angle="deg",
+        )
+    )
     q = np.array([0.3, 0.5, -0.7, 0.2, 1])
     slid = {i for i in range(6) if _stays(lambda i=i: arm.slide(i, 0.3), arm, q)}
     twisted = {i for i in range(6) if _stays(lambda i=i: freedoms.twist(arm, i, 0.3), arm, q)}
@@ -120,15 +148,18 @@ def _stays(move, arm, q):
     return True
 
 
-@pytest.mark.parametrize("move, words", [
-    (lambda arm: arm.slide(1, 0.1), "alpha1 = 90° is neither 0° nor 180°"),
-    (lambda arm: freedoms.twist(arm, 2, 0.1), "a2 = -0.425 m is not 0"),
-    (lambda arm: arm.flip_x(7), "flip_x: expected a frame from 0 to 6, found 7"),
-    (lambda arm: arm.flip_z(-1), "flip_z: expected a frame from 0 to 6"),
-    (lambda arm: arm.flip_z(True), "flip_z: expected a frame"),
-    (lambda arm: arm.slide("2", 0.1), "slide: expected a frame"),
-    (lambda arm: freedoms.shift_prismatic(arm, 3, 0.1), "the joints of this arm are RRRRRR"),
-])
+@pytest.mark.parametrize(
+    "move, words",
+    [
+        (lambda arm: arm.slide(1, 0.1), "alpha1 = 90° is neither 0° nor 180°"),
+        (lambda arm: freedoms.twist(arm, 2, 0.1), "a2 = -0.425 m is not 0"),
+        (lambda arm: arm.flip_x(7), "flip_x: expected a frame from 0 to 6, found 7"),
+        (lambda arm: arm.flip_z(-1), "flip_z: expected a frame from 0 to 6"),
+        (lambda arm: arm.flip_z(True), "flip_z: expected a frame"),
+        (lambda arm: arm.slide("2", 0.1), "slide: expected a frame"),
+        (lambda arm: freedoms.shift_prismatic(arm, 3, 0.1), "the joints of this arm are RRRRRR"),
+    ],
+)
 def test_moves_that_do_not_exist(move, words):
     with pytest.raises(ValueError, match=words):
         move(dh.load("ur5e"))

@@ -1,4 +1,6 @@
-"""Frames from joint axes, judged by products of exponentials and by URDF chains; no DH matrix is used as a judge."""
+"""Frames from joint axes, judged by products of exponentials and by URDF chains; no DH matrix is
+used as a judge.
+"""
 
 import copy
 import pickle
@@ -30,7 +32,9 @@ BOTH = pytest.mark.parametrize("convention", ["standard", "craig"])
 
 def error(arm, axes, end, count=20, seed=0):
     """Against the product of exponentials, at q = 0 and at random q."""
-    q = np.vstack([np.zeros(len(axes)), np.random.default_rng(seed).uniform(-3, 3, (count, len(axes)))])
+    q = np.vstack(
+        [np.zeros(len(axes)), np.random.default_rng(seed).uniform(-3, 3, (count, len(axes)))]
+    )
     return max(pose_error(exponentials(axes, end, q), arm.forward(q)))
 
 
@@ -66,9 +70,13 @@ def test_every_choice_gives_the_same_arm(convention, seed, data):
     rng = np.random.default_rng(seed)
     axes, end, _ = random_axes(rng)
     n = len(axes)
-    choices = {"x_signs": {i: int(rng.choice([1, -1])) for i in range(n + 1)}, "z_signs": {k: int(rng.choice([1, -1])) for k in range(1, n + 1)},
-               "slides": {0: rng.uniform(-1, 1)}, "x_along": {0: rng.normal(size=3)},
-               "prismatic": data.draw(st.sampled_from(["auto", "previous", "next", "given"]))}
+    choices = {
+        "x_signs": {i: int(rng.choice([1, -1])) for i in range(n + 1)},
+        "z_signs": {k: int(rng.choice([1, -1])) for k in range(1, n + 1)},
+        "slides": {0: rng.uniform(-1, 1)},
+        "x_along": {0: rng.normal(size=3)},
+        "prismatic": data.draw(st.sampled_from(["auto", "previous", "next", "given"])),
+    }
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NearlyParallelWarning)
         arm = assign_frames(axes, end=end, convention=convention, **choices)
@@ -97,14 +105,19 @@ def test_slides_and_x_along_do_what_they_say():
     plain = assign_frames(axes, end=end)
     slid = assign_frames(axes, end=end, slides={1: 0.1}, x_along={2: [1, 1, 0]})
     assert plain.table.d[0] == 0 and slid.table.d[0] == pytest.approx(0.1)
-    np.testing.assert_allclose(slid.frames([0] * 4)[2, :3, 0], np.array([1, 1, 0]) / np.sqrt(2), atol=1e-12)
+    np.testing.assert_allclose(
+        slid.frames([0] * 4)[2, :3, 0], np.array([1, 1, 0]) / np.sqrt(2), atol=1e-12
+    )
     assert error(slid, [(*a, "R") for a in axes], end) < 1e-13
 
 
 @BOTH
 def test_a_slide_is_the_slide_of_the_arm(convention):
     axes, end = [(O, Z), (0.4 * X, -Z), (0.7 * X, Y)], trans([0.7, 0.2, 0])
-    plain, slid = assign_frames(axes, end=end, convention=convention), assign_frames(axes, end=end, convention=convention, slides={1: 0.1})
+    plain, slid = (
+        assign_frames(axes, end=end, convention=convention),
+        assign_frames(axes, end=end, convention=convention, slides={1: 0.1}),
+    )
     np.testing.assert_allclose(plain.slide(1, 0.1).table.rows, slid.table.rows, atol=1e-14)
 
 
@@ -113,8 +126,12 @@ def test_flips_are_the_flips_of_the_arm(convention):
     axes, end = chain_axes(read_chain(CHAINS[3]))
     plain = assign_frames(axes, end=end, convention=convention)
     x_flipped = assign_frames(axes, end=end, convention=convention, x_signs={3: -1})
-    np.testing.assert_allclose(np.cos(plain.flip_x(3).table.rows), np.cos(x_flipped.table.rows), atol=1e-12)
-    np.testing.assert_allclose(np.sin(plain.flip_x(3).table.rows), np.sin(x_flipped.table.rows), atol=1e-12)
+    np.testing.assert_allclose(
+        np.cos(plain.flip_x(3).table.rows), np.cos(x_flipped.table.rows), atol=1e-12
+    )
+    np.testing.assert_allclose(
+        np.sin(plain.flip_x(3).table.rows), np.sin(x_flipped.table.rows), atol=1e-12
+    )
 
 
 def test_steps_in_words():
@@ -122,14 +139,25 @@ def test_steps_in_words():
     arm = assign_frames(axes, end=end)
     text = "\n".join(arm.steps)
     assert "z2 ∥ z1: the common normal is free; taken through o1, so d2 = 0" in text
-    assert "z0 and z1 meet" in text and "Row 6: theta6" in text and "arm.tool is the identity" in text
+    assert (
+        "z0 and z1 meet" in text and "Row 6: theta6" in text and "arm.tool is the identity" in text
+    )
     craig = "\n".join(assign_frames(axes, end=end, convention="craig").steps)
     assert "z3 ∥ z2: the common normal is free; taken through the foot of x1, so d2 = 0" in craig
 
 
-@pytest.mark.parametrize("second, word", [((0.3 * X, Z), "z1 ∥ z0"), ((0.3 * X, -Z), "z1 ∥ -z0"), ((0.3 * Z, Z), "z1 lies on z0: "),
-                                          ((0.3 * Z, -Z), "z1 lies on z0, the other way"), ((0.3 * Z, Y), "z0 and z1 meet"),
-                                          ((0.3 * X, Y), "z0 and z1 are skew"), ((O, Y, "P"), "Joint 2 slides")])
+@pytest.mark.parametrize(
+    "second, word",
+    [
+        ((0.3 * X, Z), "z1 ∥ z0"),
+        ((0.3 * X, -Z), "z1 ∥ -z0"),
+        ((0.3 * Z, Z), "z1 lies on z0: "),
+        ((0.3 * Z, -Z), "z1 lies on z0, the other way"),
+        ((0.3 * Z, Y), "z0 and z1 meet"),
+        ((0.3 * X, Y), "z0 and z1 are skew"),
+        ((O, Y, "P"), "Joint 2 slides"),
+    ],
+)
 def test_each_case_is_named_and_right(second, word):
     axes, end = [(O, Z), second, (0.5 * X + 0.1 * Y, [1, 2, 3])], trans([0.5, 0.1, 0.7])
     arm = assign_frames(axes, end=end)
@@ -150,12 +178,20 @@ def test_sliding_joints_only(letters, convention):
     axes = [(O, (X, Y, Z, X + Y, Z, Y)[k], letter) for k, letter in enumerate(letters)]
     end = trans([0.1, 0.2, 0.3])
     for how in ("auto", "previous", "next", "given"):
-        assert error(assign_frames(axes, end=end, convention=convention, prismatic=how), axes, end) < 1e-14
+        assert (
+            error(assign_frames(axes, end=end, convention=convention, prismatic=how), axes, end)
+            < 1e-14
+        )
 
 
 def test_the_place_of_a_sliding_axis_does_not_matter():
-    here, there = ([(O, Z), (0.2 * Z, Y), (p, X, "P"), (0.6 * X + 0.2 * Z, X)] for p in ([0, 0, 0.2], [1, 2, 3]))
-    assert assign_frames(here, end=trans([0.7, 0, 0.2])) == assign_frames(there, end=trans([0.7, 0, 0.2]))
+    here, there = (
+        [(O, Z), (0.2 * Z, Y), (p, X, "P"), (0.6 * X + 0.2 * Z, X)]
+        for p in ([0, 0, 0.2], [1, 2, 3])
+    )
+    assert assign_frames(here, end=trans([0.7, 0, 0.2])) == assign_frames(
+        there, end=trans([0.7, 0, 0.2])
+    )
 
 
 def lines_of(rows):
@@ -173,16 +209,24 @@ def test_nearly_parallel_axes_of_a_calibrated_ur5():
     axes, end = lines_of(CALIBRATED)
     with pytest.warns(NearlyParallelWarning) as caught:
         arm = assign_frames(axes, end=end)
-    assert "d2 = 574.24 m, d3 = -507.36 m" in str(caught[0].message) and "d4 = -66.77 m" in str(caught[1].message)
+    assert "d2 = 574.24 m, d3 = -507.36 m" in str(caught[0].message) and "d4 = -66.77 m" in str(
+        caught[1].message
+    )
     np.testing.assert_allclose(np.abs(arm.table.d), np.abs(CALIBRATED[:, 1]), rtol=1e-9)
     assert error(arm, axes, end) < 1e-11
-    assert "parallel=" in str(caught[0].message) and arm.warnings[0] in arm.steps and str(caught[0].filename) == __file__
+    assert (
+        "parallel=" in str(caught[0].message)
+        and arm.warnings[0] in arm.steps
+        and str(caught[0].filename) == __file__
+    )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         snapped = assign_frames(axes, end=end, parallel=0.004)
     q = np.random.default_rng(2).uniform(-3, 3, (200, 6))
     assert np.abs(snapped.table.d).max() < 0.3
-    assert 1e-3 < pose_error(exponentials(axes, end, q), snapped.forward(q))[0] < 5.5e-3  # the warning says up to 5.5 mm
+    assert (
+        1e-3 < pose_error(exponentials(axes, end, q), snapped.forward(q))[0] < 5.5e-3
+    )  # the warning says up to 5.5 mm
 
 
 def test_axes_too_nearly_parallel_for_an_exact_table():
@@ -195,8 +239,15 @@ def test_axes_too_nearly_parallel_for_an_exact_table():
 
 @pytest.mark.parametrize("angle", [1e-3, 1e-5, 1e-7, 1e-8, 1e-9, 1e-11, 1e-13, 1e-15])
 def test_nearly_parallel_costs_at_most_what_is_possible(angle):
-    """The exact table loses eps / angle to rounding, the parallel one angle; the better of the two is taken."""
-    axes = [(O, Z, "R"), (0.4 * X, np.array([angle, 0, 1]), "R"), (0.7 * X, np.array([0, 0, 1.0]), "R"), (0.7 * X, Y, "R")]
+    """The exact table loses eps / angle to rounding, the parallel one angle; the better of the two
+    is taken.
+    """
+    axes = [
+        (O, Z, "R"),
+        (0.4 * X, np.array([angle, 0, 1]), "R"),
+        (0.7 * X, np.array([0, 0, 1.0]), "R"),
+        (0.7 * X, Y, "R"),
+    ]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NearlyParallelWarning)
         arm = assign_frames(axes, end=trans([0.7, 0.1, 0.2]))
@@ -218,11 +269,20 @@ def test_a_slight_tilt_of_the_tool_is_held_by_the_tool():
 
 
 def test_what_an_arm_carries_is_kept():
-    arm = assign_frames([(O, Z), (X, Z)], end=trans([2, 0, 0]), limits=[(-1, 1), None], name="two", source="here")
+    arm = assign_frames(
+        [(O, Z), (X, Z)], end=trans([2, 0, 0]), limits=[(-1, 1), None], name="two", source="here"
+    )
     assert (arm.name, arm.source, arm.limits) == ("two", "here", ((-1.0, 1.0), None))
     for other in (pickle.loads(pickle.dumps(arm)), copy.deepcopy(arm)):
-        assert isinstance(other, PlacedArm) and other == arm and other.steps == arm.steps and hash(other) == hash(arm)
-    assert arm == dh.Arm(arm.table, base=arm.base, tool=arm.tool, limits=arm.limits) and "two" in str(arm)
+        assert (
+            isinstance(other, PlacedArm)
+            and other == arm
+            and other.steps == arm.steps
+            and hash(other) == hash(arm)
+        )
+    assert arm == dh.Arm(
+        arm.table, base=arm.base, tool=arm.tool, limits=arm.limits
+    ) and "two" in str(arm)
     with pytest.raises(AttributeError):
         arm.steps = ()
 
@@ -230,32 +290,35 @@ def test_what_an_arm_carries_is_kept():
 GOOD = [(O, Z), (X, Z)]
 
 
-@pytest.mark.parametrize("axes, keywords, words", [
-    ([], {}, "empty list"),
-    ("axes", {}, "found str"),
-    ([(O, O)], {}, "joint 1: direction: expected a vector with a length"),
-    ([(O, [0, 0, np.nan])], {}, "joint 1: direction: expected three finite numbers"),
-    ([(O, Z), ([1, 2], Z)], {}, "joint 2: point: expected three finite numbers"),
-    ([(O, Z), ("abc", Z)], {}, "joint 2: point"),
-    ([(O, Z), ([[1], [2, 3]], Z)], {}, "joint 2: point"),
-    ([(O,)], {}, "joint 1: expected"),
-    ([(O, Z, "R", 1)], {}, "found 4 entries"),
-    ([3.0], {}, "joint 1"),
-    ([(O, Z, "S")], {}, "found 'S'"),
-    (GOOD, {"end": np.eye(3)}, "end: expected a 4×4 pose"),
-    (GOOD, {"end": np.diag([1, 1, -1, 1])}, "mirror"),
-    (GOOD, {"convention": "modified"}, '"modified" is "craig" here'),
-    (GOOD, {"x_signs": {5: -1}}, "expected numbers from 0 to 2"),
-    (GOOD, {"z_signs": {0: -1}}, "expected numbers from 1 to 2"),
-    (GOOD, {"x_signs": {1: 2}}, "expected 1 or -1"),
-    (GOOD, {"x_signs": [1, -1]}, "expected a dict"),
-    (GOOD, {"slides": {1: np.inf}}, "finite number"),
-    ([(O, Z), (X, Y)], {"slides": {1: 0.1}}, "cannot slide"),
-    (GOOD, {"x_along": {1: X}}, "x1 is not free"),
-    (GOOD, {"prismatic": "last"}, "prismatic"),
-    (GOOD, {"parallel": 10}, "radians"),
-    (GOOD, {"parallel": "1 deg"}, "expected an angle in rad"),
-])
+@pytest.mark.parametrize(
+    "axes, keywords, words",
+    [
+        ([], {}, "empty list"),
+        ("axes", {}, "found str"),
+        ([(O, O)], {}, "joint 1: direction: expected a vector with a length"),
+        ([(O, [0, 0, np.nan])], {}, "joint 1: direction: expected three finite numbers"),
+        ([(O, Z), ([1, 2], Z)], {}, "joint 2: point: expected three finite numbers"),
+        ([(O, Z), ("abc", Z)], {}, "joint 2: point"),
+        ([(O, Z), ([[1], [2, 3]], Z)], {}, "joint 2: point"),
+        ([(O,)], {}, "joint 1: expected"),
+        ([(O, Z, "R", 1)], {}, "found 4 entries"),
+        ([3.0], {}, "joint 1"),
+        ([(O, Z, "S")], {}, "found 'S'"),
+        (GOOD, {"end": np.eye(3)}, "end: expected a 4×4 pose"),
+        (GOOD, {"end": np.diag([1, 1, -1, 1])}, "mirror"),
+        (GOOD, {"convention": "modified"}, '"modified" is "craig" here'),
+        (GOOD, {"x_signs": {5: -1}}, "expected numbers from 0 to 2"),
+        (GOOD, {"z_signs": {0: -1}}, "expected numbers from 1 to 2"),
+        (GOOD, {"x_signs": {1: 2}}, "expected 1 or -1"),
+        (GOOD, {"x_signs": [1, -1]}, "expected a dict"),
+        (GOOD, {"slides": {1: np.inf}}, "finite number"),
+        ([(O, Z), (X, Y)], {"slides": {1: 0.1}}, "cannot slide"),
+        (GOOD, {"x_along": {1: X}}, "x1 is not free"),
+        (GOOD, {"prismatic": "last"}, "prismatic"),
+        (GOOD, {"parallel": 10}, "radians"),
+        (GOOD, {"parallel": "1 deg"}, "expected an angle in rad"),
+    ],
+)
 def test_bad_input_is_one_plain_sentence(axes, keywords, words):
     with pytest.raises(ValueError) as caught:
         assign_frames(axes, **{"end": np.eye(4), **keywords})

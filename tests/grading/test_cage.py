@@ -1,4 +1,6 @@
-"""The cage's own parts: what goes through the wire, what is watched, what a notebook of any age is read as."""
+"""The cage's own parts: what goes through the wire, what is watched, what a notebook of any age is
+read as.
+"""
 
 import json
 import sys
@@ -32,20 +34,56 @@ def through(value):
     return decode(json.loads(json.dumps(encode(value))))
 
 
-@pytest.mark.parametrize("value", [None, True, 3, 2.5, "a", "", [1, [2, "b"], None], np.arange(6).reshape(2, 3), np.float32(1.1), np.array([1, 2], dtype="i2"), np.zeros((0, 4)), np.array(1e-300)])
+@pytest.mark.parametrize(
+    "value",
+    [
+        None,
+        True,
+        3,
+        2.5,
+        "a",
+        "",
+        [1, [2, "b"], None],
+        np.arange(6).reshape(2, 3),
+        np.float32(1.1),
+        np.array([1, 2], dtype="i2"),
+        np.zeros((0, 4)),
+        np.array(1e-300),
+    ],
+)
 def test_values_come_through_exactly(value):
     found = through(value)
     if isinstance(value, (np.ndarray, np.generic)):
-        assert found.dtype == value.dtype and found.shape == value.shape and np.array_equal(found, value)
+        assert (
+            found.dtype == value.dtype
+            and found.shape == value.shape
+            and np.array_equal(found, value)
+        )
     else:
         assert found == value and type(found) is type(value)
 
 
 def test_the_unattempted_and_what_is_no_number_come_through_as_such():
     assert through([..., ...]) == [Ellipsis, Ellipsis] and through((1, 2)) == [1, 2]
-    assert np.isnan(through(np.array([np.nan]))).all() and through(float("inf")) == float("inf") and through(2**70) == float(2**70)
-    for odd in (object(), b"x", {1, 2}, 3 + 4j, np.array([1j]), lambda: 0, type("X<script>", (), {})()):
-        assert isinstance(through(odd), Opaque) and type(through(odd)).__name__.isidentifier() or type(through(odd)).__name__.isprintable()
+    assert (
+        np.isnan(through(np.array([np.nan]))).all()
+        and through(float("inf")) == float("inf")
+        and through(2**70) == float(2**70)
+    )
+    for odd in (
+        object(),
+        b"x",
+        {1, 2},
+        3 + 4j,
+        np.array([1j]),
+        lambda: 0,
+        type("X<script>", (), {})(),
+    ):
+        assert (
+            isinstance(through(odd), Opaque)
+            and type(through(odd)).__name__.isidentifier()
+            or type(through(odd)).__name__.isprintable()
+        )
     assert type(through(type("X<script>", (), {})())).__name__ == "Xscript"
 
 
@@ -56,8 +94,19 @@ def test_tables_and_arms_come_through():
     assert np.array_equal(through(arm).forward(q), arm.forward(q))
 
 
-JSON = st.recursive(st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5), lambda inner: st.lists(inner, max_size=4) | st.dictionaries(
-    st.sampled_from(["...", "array", "dict", "table", "arm", "other", "x"]) | st.text(max_size=3), inner, max_size=2), max_leaves=12)
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.dictionaries(
+            st.sampled_from(["...", "array", "dict", "table", "arm", "other", "x"])
+            | st.text(max_size=3),
+            inner,
+            max_size=2,
+        )
+    ),
+    max_leaves=12,
+)
 
 
 @settings(max_examples=150, deadline=None)
@@ -70,7 +119,12 @@ def test_whatever_comes_out_is_read_or_refused(sent):
 
 
 @settings(max_examples=40, deadline=None)
-@given(st.dictionaries(st.sampled_from(["value", "calls", "again", "fault", "used", "stopped"]), JSON, max_size=4), st.sampled_from(["05.2", "05.3", "05.4", "05.5", "05.9", "06.6"]))
+@given(
+    st.dictionaries(
+        st.sampled_from(["value", "calls", "again", "fault", "used", "stopped"]), JSON, max_size=4
+    ),
+    st.sampled_from(["05.2", "05.3", "05.4", "05.5", "05.9", "06.6"]),
+)
 def test_whatever_was_noted_gets_a_mark(line, key):
     answers = judge.Answers()
     answers.add(cage.Run([{"check": key, **line}, {"cell": 1, "ids": [key]}], "done", 1), None)
@@ -84,8 +138,16 @@ def test_what_a_function_gave_elsewhere_is_judged_as_the_function_itself(key):
     exercise = exercises()[key]
     for variant in (0, FRESH + 3):
         cases = exercise.cases(variant)
-        for function in (exercise.answer, lambda *case: -np.asarray(exercise.answer(*case)), lambda *case: "x", lambda: 0):
-            here, there = exercise.judge(function, variant), exercise.judge(record(function, cases, exercise.names), variant)
+        for function in (
+            exercise.answer,
+            lambda *case: -np.asarray(exercise.answer(*case)),
+            lambda *case: "x",
+            lambda: 0,
+        ):
+            here, there = (
+                exercise.judge(function, variant),
+                exercise.judge(record(function, cases, exercise.names), variant),
+            )
             assert here == there
     assert exercise.judge(Called(unwritten=True)).status == "not attempted"
     assert exercise.judge(Called(fault=CallFault("it stops"))).headline == "it stops"
@@ -94,9 +156,15 @@ def test_what_a_function_gave_elsewhere_is_judged_as_the_function_itself(key):
 def test_functions_are_asked_other_numbers_than_in_the_notebook_and_no_answer_is_sent():
     sent = request(COURSE, 7)
     own = exercises()["05.4"].cases(7)
-    assert [tuple(case) for case in sent["functions"]["05.4"]["cases"]] != own and len(sent["functions"]["05.4"]["cases"]) == len(own)
-    assert {name: decode(value) for name, value in decode(sent["given"]["05.5"]).items()} == exercises()["05.5"].given(7)
-    assert set(sent) == {"checks", "given", "functions", "only", "skip", "cell_seconds"} and set(sent["functions"]["05.4"]) == {"names", "cases", "own"}
+    assert [tuple(case) for case in sent["functions"]["05.4"]["cases"]] != own and len(
+        sent["functions"]["05.4"]["cases"]
+    ) == len(own)
+    assert {
+        name: decode(value) for name, value in decode(sent["given"]["05.5"]).items()
+    } == exercises()["05.5"].given(7)
+    assert set(sent) == {"checks", "given", "functions", "only", "skip", "cell_seconds"} and set(
+        sent["functions"]["05.4"]
+    ) == {"names", "cases", "own"}
 
 
 def test_every_scored_exercise_has_its_check_in_a_lesson():
@@ -104,11 +172,25 @@ def test_every_scored_exercise_has_its_check_in_a_lesson():
     assert {key for key, exercise in exercises().items() if exercise.points > 0} <= handed_out
 
 
-@pytest.mark.parametrize("body, seen", [
-    (lambda: dh.load("ur5e").forward([0] * 6), True), (lambda: dh.load("ur5e").frames([0] * 6), True), (lambda: dh.load("panda").to("standard"), True),
-    (lambda: dh.load("ur5e").table.rows, False), (lambda: dh.transform.rot_x(1), False), (lambda: dh.transform.rot_z(1), True),
-    (lambda: __import__("dhlab.doctor.programs.wrong.links").doctor.wrong_links.standard(1, 2, 3, 4), True), (lambda: np.eye(4) @ np.eye(4), False),
-    (lambda: sys.setprofile(None), True)])
+@pytest.mark.parametrize(
+    "body, seen",
+    [
+        (lambda: dh.load("ur5e").forward([0] * 6), True),
+        (lambda: dh.load("ur5e").frames([0] * 6), True),
+        (lambda: dh.load("panda").to("standard"), True),
+        (lambda: dh.load("ur5e").table.rows, False),
+        (lambda: dh.transform.rot_x(1), False),
+        (lambda: dh.transform.rot_z(1), True),
+        (
+            lambda: __import__("dhlab.doctor.programs.wrong.links").doctor.wrong_links.standard(
+                1, 2, 3, 4
+            ),
+            True,
+        ),
+        (lambda: np.eye(4) @ np.eye(4), False),
+        (lambda: sys.setprofile(None), True),
+    ],
+)
 def test_what_is_watched(body, seen):
     dh.load("ur5e"), dh.load("panda")
     with watch.library(["rot_z"]) as used:
@@ -126,10 +208,22 @@ def test_cells_run_as_in_jupyter():
     space = {}
     run_cell("%matplotlib inline\nfiles = !ls\nx = 1", "<1>", space)
     run_cell("%%time\ny = x + 1", "<2>", space)
-    run_cell("import not_here as n, math\nfrom neither_here import a, b\nz = math.pi\nn.f(1).g[0] if False else a(2)", "<3>", space)
+    run_cell(
+        "import not_here as n, math\nfrom neither_here import a, b\nz = math.pi\nn.f(1).g[0] if"
+        " False else a(2)",
+        "<3>",
+        space,
+    )
     run_cell("import asyncio\nawait asyncio.sleep(0)\nw = 3", "<4>", space)
     run_cell("try:\n    import not_here\nexcept ImportError:\n    fallback = True", "<5>", space)
-    assert (space["x"], space["y"], space["z"], space["w"], space["fallback"], space["files"]) == (1, 2, np.pi, 3, True, [])
+    assert (space["x"], space["y"], space["z"], space["w"], space["fallback"], space["files"]) == (
+        1,
+        2,
+        np.pi,
+        3,
+        True,
+        [],
+    )
     with pytest.raises(ZeroDivisionError):
         run_cell("1 / 0", "<6>", space)
     assert not issubclass(TimeLimit, Exception)
@@ -161,4 +255,6 @@ def test_a_cage_that_is_killed_is_built_again():
         one._process.kill()
         second, third = one.run(asked, raw, 60), one.run(asked, raw, 60)
     assert first.ended == third.ended == "done" and second.ended in ("done", "crashed")
-    assert [line for line in first.lines if "check" in line] == [line for line in third.lines if "check" in line]
+    assert [line for line in first.lines if "check" in line] == [
+        line for line in third.lines if "check" in line
+    ]

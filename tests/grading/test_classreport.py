@@ -1,4 +1,6 @@
-"""The class report of 60 simulated students, graded in the cage: what it counts, whom it names, and what it looks like."""
+"""The class report of 60 simulated students, graded in the cage: what it counts, whom it names, and
+what it looks like.
+"""
 
 import re
 import sys
@@ -40,9 +42,16 @@ def text(simulated):
 
 def test_every_student_is_there_with_the_status_that_was_planted(simulated, text):
     status = {graded.student: graded.status for graded in simulated[0]}
-    planted = {f"s{k:03d}": "unreadable" for k in classroom.SPOILED} | {f"s{k:03d}": "missing" for k in classroom.MISSING} | {f"s{k:03d}": "not attempted" for k in classroom.UNTOUCHED}
-    assert len(status) == 60 and {who: what for who, what in status.items() if what != "graded"} == planted
-    assert all(f'feedback/{who}.html' in text for who in status)
+    planted = (
+        {f"s{k:03d}": "unreadable" for k in classroom.SPOILED}
+        | {f"s{k:03d}": "missing" for k in classroom.MISSING}
+        | {f"s{k:03d}": "not attempted" for k in classroom.UNTOUCHED}
+    )
+    assert (
+        len(status) == 60
+        and {who: what for who, what in status.items() if what != "graded"} == planted
+    )
+    assert all(f"feedback/{who}.html" in text for who in status)
     late = {graded.student for graded in simulated[0] if graded.penalty}
     assert late == {f"s{k:03d}" for k in classroom.LATE}
 
@@ -53,9 +62,19 @@ def test_it_counts_what_was_planted(simulated):
     assert wrong > 80 and named / wrong > 0.75 and rightly / known > 0.85
     looked_at = {graded.student: graded for graded in results if graded.status == "graded"}
     for k, plan in enumerate(made):
-        if plan.student.student in looked_at and k not in classroom.LOOPING and k not in classroom.COPIES:
-            right = {mark.exercise for mark in looked_at[plan.student.student].marks if mark.status == "right"}
-            assert right == {key for key, planted in plan.planted.items() if planted == "right"}, plan.student.student
+        if (
+            plan.student.student in looked_at
+            and k not in classroom.LOOPING
+            and k not in classroom.COPIES
+        ):
+            right = {
+                mark.exercise
+                for mark in looked_at[plan.student.student].marks
+                if mark.status == "right"
+            }
+            assert right == {key for key, planted in plan.planted.items() if planted == "right"}, (
+                plan.student.student
+            )
 
 
 def test_mistakes_lead_back_to_the_lesson_and_to_a_question(simulated, text):
@@ -64,7 +83,12 @@ def test_mistakes_lead_back_to_the_lesson_and_to_a_question(simulated, text):
         part = page.partition(f'id="e-{item.exercise}"')[2].partition("</section>")[0]
         assert exercises()[item.exercise].title in part
         for mistake, count in item.mistakes.items():
-            row = f'{catalogue()[mistake].title} <code class="soft">{mistake}</code></td><td>{count}</td>' if mistake else f"yourself</td><td>{count}</td>"
+            row = (
+                f"{catalogue()[mistake].title} <code"
+                f' class="soft">{mistake}</code></td><td>{count}</td>'
+                if mistake
+                else f"yourself</td><td>{count}</td>"
+            )
             assert row in part
         if any(item.mistakes):
             assert section_of_exercise(item.exercise) in part and "<b>Ask:</b>" in part
@@ -72,8 +96,13 @@ def test_mistakes_lead_back_to_the_lesson_and_to_a_question(simulated, text):
 
 
 def test_the_misleading_question_shows_and_no_other(simulated, text):
-    assert [item.exercise for item in items(simulated[0]) if item.discrimination < 0] == [classroom.BAD_QUESTION]
-    assert f'before the class is blamed: <a href="#e-{classroom.BAD_QUESTION}"' in text and "misleading" in text
+    assert [item.exercise for item in items(simulated[0]) if item.discrimination < 0] == [
+        classroom.BAD_QUESTION
+    ]
+    assert (
+        f'before the class is blamed: <a href="#e-{classroom.BAD_QUESTION}"' in text
+        and "misleading" in text
+    )
 
 
 def test_those_who_copied_are_named_and_nobody_else(simulated, text):
@@ -86,7 +115,11 @@ def test_those_who_copied_are_named_and_nobody_else(simulated, text):
 
 def test_names_of_students_are_text(simulated, text):
     page = Page(text)
-    assert "script" not in page.tags and page.balanced and all(name not in text for name in ("<script>", "\u202e"))
+    assert (
+        "script" not in page.tags
+        and page.balanced
+        and all(name not in text for name in ("<script>", "\u202e"))
+    )
     assert "<script>alert('no')</script>" in page.text and "=HYPERLINK" in page.text
     csv = (simulated[2].parent / "grades.csv").read_text(encoding="utf-8")
     assert "\"'=HYPERLINK" in csv
@@ -95,47 +128,93 @@ def test_names_of_students_are_text(simulated, text):
 @pytest.mark.parametrize("text", HOSTILE)
 def test_nothing_is_raw(text):
     def report(word):
-        marks = (Mark("05.1", "wrong", 0, 1, word, *[word] * 5), Mark("05.2", "not allowed", 0, 1, None, *[word] * 5))
-        results = [Graded(word, word, "graded", marks, notes=(word,), guess_of=word, cage=word), Graded("x", "", "unreadable", (), notes=(word,))]
+        marks = (
+            Mark("05.1", "wrong", 0, 1, word, *[word] * 5),
+            Mark("05.2", "not allowed", 0, 1, None, *[word] * 5),
+        )
+        results = [
+            Graded(word, word, "graded", marks, notes=(word,), guess_of=word, cage=word),
+            Graded("x", "", "unreadable", (), notes=(word,)),
+        ]
         return Page(class_report(results, [Student(word, word)], [Pair((word, "x"), 0.9, (word,))]))
+
     plain, page = report("mirror"), report(text)
-    assert page.balanced and page.tags <= plain.tags | {"code"} and {name for name, _ in page.attributes} <= {name for name, _ in plain.attributes} | {"class"}
+    assert (
+        page.balanced
+        and page.tags <= plain.tags | {"code"}
+        and {name for name, _ in page.attributes}
+        <= {name for name, _ in plain.attributes} | {"class"}
+    )
     links = {value for name, value in page.attributes if name == "href"}
     assert all(link.startswith(("feedback/", "#e-")) for link in links)
 
 
 def test_it_is_readable_without_seeing_the_bars(text):
-    assert set(re.findall(r"<svg [^>]*>", text)) and all('aria-hidden="true"' in svg for svg in re.findall(r"<svg [^>]*>", text))
-    assert text.count("<table") == text.count("<caption>") and "<th>" not in text and text.count("<h1>") == 1
-    assert "bubblewrap" in text or "Landlock" in text or "limits only" in text, "the cage that was used is said"
+    assert set(re.findall(r"<svg [^>]*>", text)) and all(
+        'aria-hidden="true"' in svg for svg in re.findall(r"<svg [^>]*>", text)
+    )
+    assert (
+        text.count("<table") == text.count("<caption>")
+        and "<th>" not in text
+        and text.count("<h1>") == 1
+    )
+    assert "bubblewrap" in text or "Landlock" in text or "limits only" in text, (
+        "the cage that was used is said"
+    )
 
 
 def test_it_looks_as_it_should(simulated, browser):
-    """In Chromium: nothing asked from elsewhere, nothing wider than the window, bars as long as their numbers say."""
+    """In Chromium: nothing asked from elsewhere, nothing wider than the window, bars as long as
+    their numbers say.
+    """
     for width in (1280, 390):
         page = browser.new_page(viewport={"width": width, "height": 900})
         asked = []
         page.on("request", lambda request: asked.append(request.url))
         page.goto(simulated[2].as_uri())
         assert len(asked) == 1 and page.evaluate("document.documentElement.scrollWidth") <= width
-        narrowest = page.locator("td").evaluate_all("cells => Math.min(...cells.filter(c => c.offsetParent && c.innerText.length > 30).map(c => c.getBoundingClientRect().width))")
-        assert width > 600 or narrowest > 300, "on a telephone the cells of a row stand below each other"
+        narrowest = page.locator("td").evaluate_all(
+            "cells => Math.min(...cells.filter(c => c.offsetParent && c.innerText.length >"
+            " 30).map(c => c.getBoundingClientRect().width))"
+        )
+        assert width > 600 or narrowest > 300, (
+            "on a telephone the cells of a row stand below each other"
+        )
         rows = page.locator("section.item table tbody tr").evaluate_all(
-            "rows => rows.filter(r => !r.closest('details') && r.querySelector('svg')).map(r => [Number(r.cells[1].innerText), r.querySelector('rect').getBoundingClientRect().width])")
+            "rows => rows.filter(r => !r.closest('details') && r.querySelector('svg')).map(r =>"
+            " [Number(r.cells[1].innerText),"
+            " r.querySelector('rect').getBoundingClientRect().width])"
+        )
         counts, widths = np.array(rows).T
         assert len(rows) > 15 and np.allclose(widths / counts, widths[0] / counts[0], rtol=0.05)
 
 
 def test_item_analysis_against_numbers_worked_by_hand():
-    """Twelve students, two exercises worth 1 and one worth 2: the correlation of each with the rest, from the definition."""
+    """Twelve students, two exercises worth 1 and one worth 2: the correlation of each with the
+    rest, from the definition.
+    """
     rng = np.random.default_rng(3)
     points = rng.integers(0, 2, (12, 3)) * [1, 1, 2]
-    results = [Graded(f"s{i}", "", "graded", tuple(Mark(f"05.{j + 1}", "right" if p else "wrong", float(p), of) for j, (p, of) in enumerate(zip(row, (1, 1, 2)))))
-               for i, row in enumerate(points)]
+    results = [
+        Graded(
+            f"s{i}",
+            "",
+            "graded",
+            tuple(
+                Mark(f"05.{j + 1}", "right" if p else "wrong", float(p), of)
+                for j, (p, of) in enumerate(zip(row, (1, 1, 2)))
+            ),
+        )
+        for i, row in enumerate(points)
+    ]
     for j, item in enumerate(items(results)):
         x, y = points[:, j].astype(float), np.delete(points, j, 1).sum(1).astype(float)
-        by_hand = ((x - x.mean()) * (y - y.mean())).sum() / np.sqrt(((x - x.mean()) ** 2).sum() * ((y - y.mean()) ** 2).sum())
-        assert np.isclose(item.discrimination, by_hand) and np.isclose(item.difficulty, x.mean() / (1, 1, 2)[j])
+        by_hand = ((x - x.mean()) * (y - y.mean())).sum() / np.sqrt(
+            ((x - x.mean()) ** 2).sum() * ((y - y.mean()) ** 2).sum()
+        )
+        assert np.isclose(item.discrimination, by_hand) and np.isclose(
+            item.difficulty, x.mean() / (1, 1, 2)[j]
+        )
         assert item.statuses == Counter("right" if p else "wrong" for p in x)
     assert items(results[:9])[0].discrimination is None and items([]) == []
 
@@ -146,18 +225,42 @@ def test_renaming_reordering_and_comments_hide_no_copy_and_a_common_answer_is_no
 
     def program(seed):
         r = np.random.default_rng(seed)
-        return "\n".join(f"{r.choice(words)} = {r.choice(words)} {r.choice(['+', '*', '-', '@'])} {r.choice(['sin', 'cos'])}({r.choice(words)}) / {r.integers(2, 99)}" for _ in range(25))
+        return "\n".join(
+            f"{r.choice(words)} = {r.choice(words)} {r.choice(['+', '*', '-', '@'])}"
+            f" {r.choice(['sin', 'cos'])}({r.choice(words)}) / {r.integers(2, 99)}"
+            for _ in range(25)
+        )
+
     common = "\n".join(f"x{k} = y{k} + {k}" for k in range(40))
     codes = {f"s{k}": {"05.1": common, "05.2": program(k)} for k in range(30)}
     copied = re.sub(r"v(\d+)", r"my_\1_name", codes["s3"]["05.2"])
-    codes["thief"] = {"05.1": common, "05.2": "\n".join(f"{line}   # {rng.integers(9)}" for line in copied.splitlines())}
+    codes["thief"] = {
+        "05.1": common,
+        "05.2": "\n".join(f"{line}   # {rng.integers(9)}" for line in copied.splitlines()),
+    }
     [pair] = alike(codes, {})
     assert pair.students == ("s3", "thief") and pair.share > 0.95 and pair.exercises == ("05.2",)
     assert alike(codes, {"05.2": codes["s3"]["05.2"]}) == [], "what was handed out is nobody's copy"
 
 
-@pytest.mark.parametrize("notebook", [None, 3, {}, {"cells": None}, {"cells": [3, {"cell_type": "code"}, {"cell_type": "code", "source": None}, {"cell_type": "code", "source": [1, {}]}]},
-                                      {"cells": [{"cell_type": "code", "source": "def f(:\n  '''\ncheck('05.1', f)"}]}])
+@pytest.mark.parametrize(
+    "notebook",
+    [
+        None,
+        3,
+        {},
+        {"cells": None},
+        {
+            "cells": [
+                3,
+                {"cell_type": "code"},
+                {"cell_type": "code", "source": None},
+                {"cell_type": "code", "source": [1, {}]},
+            ]
+        },
+        {"cells": [{"cell_type": "code", "source": "def f(:\n  '''\ncheck('05.1', f)"}]},
+    ],
+)
 def test_a_broken_notebook_is_compared_as_far_as_it_goes(notebook):
     assert alike({"a": answers(notebook), "b": answers(notebook)}, {}) == []
 
@@ -165,5 +268,9 @@ def test_a_broken_notebook_is_compared_as_far_as_it_goes(notebook):
 def test_where_and_what_to_ask():
     assert section_of_mistake("every-order-taken-for-wrong").endswith("“The order of the moves”")
     asked = question(exercises()["05.2"], "every-order-taken-for-wrong")
-    assert "every change of order is a mistake" in asked and asked.endswith("What would convince them?")
-    assert all(section_of_mistake(mistake) for mistake in catalogue()) and sheet_question("99") == ""
+    assert "every change of order is a mistake" in asked and asked.endswith(
+        "What would convince them?"
+    )
+    assert (
+        all(section_of_mistake(mistake) for mistake in catalogue()) and sheet_question("99") == ""
+    )

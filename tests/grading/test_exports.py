@@ -1,4 +1,6 @@
-"""The course in other hands: nbgrader's own commands, Gradescope's folders, Canvas's and Moodle's tables; the same marks everywhere."""
+"""The course in other hands: nbgrader's own commands, Gradescope's folders, Canvas's and Moodle's
+tables; the same marks everywhere.
+"""
 
 import csv
 import io
@@ -32,12 +34,40 @@ COURSE = """lessons:
 late: {percent_per_day: 10, floor: 50, grace_hours: 1}
 partial: 0.5
 """
-RIGHT = {"05.1": "def rot_x(alpha):\n    c, s = np.cos(alpha), np.sin(alpha)\n    return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])",
-         "05.2": 'rule = "b"', "05.3": 'order = ["b", "a", "c", "d"]', "05.4": "def dh_transform(theta, d, a, alpha):\n    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)"}
-NOISY = {**RIGHT, "05.4": "import sys, warnings\ndef dh_transform(theta, d, a, alpha):\n    print(theta)\n    print('noise', file=sys.stderr)\n    warnings.warn('careful')\n"
-                          "    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)"}
-WRONG = {"05.1": RIGHT["05.1"].replace("-s", "s", 1).replace("0, s, c", "0, -s, c"), "05.2": 'rule = "a"', "05.3": "order = 1 / 0", "05.4": RIGHT["05.4"].replace("rot_x(alpha)", "rot_x(d)")}
-BORROWED = {**RIGHT, "05.4": "def dh_transform(theta, d, a, alpha):\n    return dh.DHTable.standard([[theta, d, a, alpha]], angle='rad') and dh.Arm(dh.DHTable.standard([[theta, d, a, alpha]], angle='rad')).forward([0.0])"}
+RIGHT = {
+    "05.1": (
+        "def rot_x(alpha):\n    c, s = np.cos(alpha), np.sin(alpha)\n    return np.array([[1, 0, 0,"
+        " 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])"
+    ),
+    "05.2": 'rule = "b"',
+    "05.3": 'order = ["b", "a", "c", "d"]',
+    "05.4": (
+        "def dh_transform(theta, d, a, alpha):\n    return rot_z(theta) @ trans_z(d) @ trans_x(a) @"
+        " rot_x(alpha)"
+    ),
+}
+NOISY = {
+    **RIGHT,
+    "05.4": (
+        "import sys, warnings\ndef dh_transform(theta, d, a, alpha):\n    print(theta)\n   "
+        " print('noise', file=sys.stderr)\n    warnings.warn('careful')\n    return rot_z(theta) @"
+        " trans_z(d) @ trans_x(a) @ rot_x(alpha)"
+    ),
+}
+WRONG = {
+    "05.1": RIGHT["05.1"].replace("-s", "s", 1).replace("0, s, c", "0, -s, c"),
+    "05.2": 'rule = "a"',
+    "05.3": "order = 1 / 0",
+    "05.4": RIGHT["05.4"].replace("rot_x(alpha)", "rot_x(d)"),
+}
+BORROWED = {
+    **RIGHT,
+    "05.4": (
+        "def dh_transform(theta, d, a, alpha):\n    return dh.DHTable.standard([[theta, d, a,"
+        " alpha]], angle='rad') and dh.Arm(dh.DHTable.standard([[theta, d, a, alpha]],"
+        " angle='rad')).forward([0.0])"
+    ),
+}
 ANSWERS = {"noisy": NOISY, "wrong": WRONG, "borrowed": BORROWED, "late": RIGHT, "untouched": {}}
 LATE = datetime(2026, 11, 3, 6, tzinfo=timezone.utc)
 ON_TIME = datetime(2026, 11, 1, 10, tzinfo=timezone.utc)
@@ -52,24 +82,38 @@ def fill_in(notebook, answers):
 
 def environment():
     """nbgrader starts alembic by its name."""
-    return {**os.environ, "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]), "PYTHONWARNINGS": "ignore"}
+    return {
+        **os.environ,
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]),
+        "PYTHONWARNINGS": "ignore",
+    }
 
 
 def nbgrader(course, *arguments):
-    done = subprocess.run([sys.executable, "-m", "nbgrader", *arguments], cwd=course, env=environment(), capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-m", "nbgrader", *arguments],
+        cwd=course,
+        env=environment(),
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     return done
 
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
-    """A course that nbgrader has generated, that students have handed in to, and that nbgrader has graded and exported."""
+    """A course that nbgrader has generated, that students have handed in to, and that nbgrader has
+    graded and exported.
+    """
     pytest.importorskip("nbgrader")
     place = tmp_path_factory.mktemp("nbgrader") / "course"
     place.mkdir()
     (place.parent / "course.yaml").write_text(COURSE)
     everybody = [Student(name, f"Student {name}", f"{name}@example.org") for name in ANSWERS]
-    assert export_nbgrader(place, everybody, read_settings(place.parent / "course.yaml")) == [LESSON]
+    assert export_nbgrader(place, everybody, read_settings(place.parent / "course.yaml")) == [
+        LESSON
+    ]
     nbgrader(place, "db", "student", "import", "students.csv")
     nbgrader(place, "db", "assignment", "import", "assignments.csv")
     nbgrader(place, "generate_assignment", LESSON)
@@ -79,7 +123,9 @@ def course(tmp_path_factory):
         folder.mkdir(parents=True)
         notebook = fill_in(handed_out, answers)
         if name == "late":  # and without one of the check cells
-            notebook.cells = [cell for cell in notebook.cells if not cell.source.startswith('check("05.2"')]
+            notebook.cells = [
+                cell for cell in notebook.cells if not cell.source.startswith('check("05.2"')
+            ]
         nbformat.write(notebook, folder / f"{LESSON}.ipynb")
         moment = LATE if name == "late" else ON_TIME
         (folder / "timestamp.txt").write_text(f"{moment:%Y-%m-%d %H:%M:%S} UTC")
@@ -91,49 +137,86 @@ def course(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def exported(course):
-    return {row["student_id"]: row for row in csv.DictReader((course / "grades.csv").read_text().splitlines())}
+    return {
+        row["student_id"]: row
+        for row in csv.DictReader((course / "grades.csv").read_text().splitlines())
+    }
 
 
 @pytest.fixture(scope="module")
 def ours(course, tmp_path_factory):
     """The same notebooks through dhlab grade."""
     everybody = [Student(name) for name in ANSWERS]
-    results, _ = grade(course / "submitted", tmp_path_factory.mktemp("ours"), roster=everybody, settings=read_settings(course.parent / "course.yaml"))
+    results, _ = grade(
+        course / "submitted",
+        tmp_path_factory.mktemp("ours"),
+        roster=everybody,
+        settings=read_settings(course.parent / "course.yaml"),
+    )
     return {graded.student: graded for graded in results}
 
 
 def test_nbgrader_hands_out_what_we_hand_out(course):
     """No solution, no hidden test; the learner's lines as in our own lesson."""
     text = (course / "release" / LESSON / f"{LESSON}.ipynb").read_text(encoding="utf-8")
-    assert "SOLUTION" not in text and "HIDDEN" not in text and "graded_check" not in text and "NotImplementedError" not in text
+    assert (
+        "SOLUTION" not in text
+        and "HIDDEN" not in text
+        and "graded_check" not in text
+        and "NotImplementedError" not in text
+    )
     theirs = [cell for cell in nbformat.reads(text, as_version=4).cells]
-    own = nbformat.read(Path(__file__).parents[2] / "lessons" / f"{LESSON}.ipynb", as_version=4).cells
-    assert [c.source for c in theirs if c.cell_type == "markdown"] == [c.source for c in own if c.cell_type == "markdown"]
+    own = nbformat.read(
+        Path(__file__).parents[2] / "lessons" / f"{LESSON}.ipynb", as_version=4
+    ).cells
+    assert [c.source for c in theirs if c.cell_type == "markdown"] == [
+        c.source for c in own if c.cell_type == "markdown"
+    ]
     checks = [cell for cell in theirs if cell.source.startswith("check(")]
-    assert [c.source for c in checks] == [c.source for c in own if c.source.startswith("check(")] and all(c.metadata.nbgrader.locked for c in checks)
+    assert [c.source for c in checks] == [
+        c.source for c in own if c.source.startswith("check(")
+    ] and all(c.metadata.nbgrader.locked for c in checks)
 
 
 def test_nbgrader_gives_the_marks_that_dhlab_grade_gives(exported, ours):
     assert set(exported) == set(ours) == set(ANSWERS)
     for name, row in exported.items():
         assert float(row["raw_score"]) == pytest.approx(ours[name].points), name
-        assert float(row["score"]) == pytest.approx(ours[name].total, abs=0.005) and float(row["max_score"]) == ours[name].of, name
+        assert (
+            float(row["score"]) == pytest.approx(ours[name].total, abs=0.005)
+            and float(row["max_score"]) == ours[name].of
+        ), name
 
 
 def test_and_these_are_the_right_marks(exported, ours):
     """By hand: 05.1 to 05.4 are worth 1, 3 (by course.yaml), 1 and 2; nothing else was answered."""
     points = {name: float(row["raw_score"]) for name, row in exported.items()}
-    assert points == {"noisy": 7, "late": 7, "untouched": 0, "borrowed": 5, "wrong": points["wrong"]}
-    assert points["wrong"] == 0.5 * sum(m.of for m in ours["wrong"].marks if m.mistake and m.exercise in ("05.1", "05.4")) >= 0.5
+    assert points == {
+        "noisy": 7,
+        "late": 7,
+        "untouched": 0,
+        "borrowed": 5,
+        "wrong": points["wrong"],
+    }
+    assert (
+        points["wrong"]
+        == 0.5
+        * sum(m.of for m in ours["wrong"].marks if m.mistake and m.exercise in ("05.1", "05.4"))
+        >= 0.5
+    )
     assert float(exported["late"]["score"]) == pytest.approx(7 * 0.8), "two days begun, 10 % each"
     assert {mark.exercise: mark.status for mark in ours["borrowed"].marks}["05.4"] == "not allowed"
 
 
 def test_nbgrader_without_our_grader_agrees_with_the_exercises_themselves(course, exported):
     for name in ("noisy", "untouched"):
-        notebook = nbformat.read(course / "submitted" / name / LESSON / f"{LESSON}.ipynb", as_version=4)
+        notebook = nbformat.read(
+            course / "submitted" / name / LESSON / f"{LESSON}.ipynb", as_version=4
+        )
         marks = marks_of(notebook)
-        assert sum(mark.points * (3 if mark.exercise == "05.2" else 1) for mark in marks) == float(exported[name]["raw_score"])
+        assert sum(mark.points * (3 if mark.exercise == "05.2" else 1) for mark in marks) == float(
+            exported[name]["raw_score"]
+        )
 
 
 def test_nbgrader_makes_its_feedback(course):
@@ -150,16 +233,27 @@ def test_a_second_export_overwrites_nothing(course):
 def test_every_lesson_can_be_exported(tmp_path):
     pytest.importorskip("nbgrader")
     from nbgrader.nbgraderformat import MetadataValidator
+
     for name in export_nbgrader(tmp_path / "all"):
         notebook = nbformat.read(tmp_path / "all" / "source" / name / f"{name}.ipynb", as_version=4)
         MetadataValidator().validate_nb(notebook)
         solutions = [cell for cell in notebook.cells if "BEGIN SOLUTION" in cell.source]
         assert all(cell.metadata.nbgrader.solution for cell in solutions)
-        graded = {cell.metadata.nbgrader.grade_id: cell.metadata.nbgrader.points for cell in notebook.cells if cell.metadata.get("nbgrader", {}).get("grade")}
-        assert graded == {f"check-{key.replace('.', '-')}": e.points for key, e in exercises().items() if key.startswith(name[:2]) and e.points}
+        graded = {
+            cell.metadata.nbgrader.grade_id: cell.metadata.nbgrader.points
+            for cell in notebook.cells
+            if cell.metadata.get("nbgrader", {}).get("grade")
+        }
+        assert graded == {
+            f"check-{key.replace('.', '-')}": e.points
+            for key, e in exercises().items()
+            if key.startswith(name[:2]) and e.points
+        }
 
 
-@pytest.mark.parametrize("answer, points", [(lambda theta, d, a, alpha: None, 0), (..., 0), ("nonsense", 0)])
+@pytest.mark.parametrize(
+    "answer, points", [(lambda theta, d, a, alpha: None, 0), (..., 0), ("nonsense", 0)]
+)
 def test_a_graded_cell_never_fails(answer, points):
     assert graded_check(2)("05.4", answer) == points
 
@@ -184,7 +278,15 @@ def autograder(tmp_path, answers, user="ada@example.org", key=None):
     (root / "venv" / "bin" / "python").write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
     for path in (root / "run_autograder", root / "venv" / "bin" / "python"):
         path.chmod(0o755)
-    (root / "submission_metadata.json").write_text(json.dumps({"id": 1, "created_at": "2027-01-01T00:00:00+00:00", "users": [{"email": user, "id": 1, "name": "Ada"}]}))
+    (root / "submission_metadata.json").write_text(
+        json.dumps(
+            {
+                "id": 1,
+                "created_at": "2027-01-01T00:00:00+00:00",
+                "users": [{"email": user, "id": 1, "name": "Ada"}],
+            }
+        )
+    )
     release(tmp_path / "out", everybody, key, ("05",))
     notebook = nbformat.read(tmp_path / "out" / "ada" / f"{LESSON}.ipynb", as_version=4)
     nbformat.write(fill_in(notebook, answers), root / "submission" / "my work (1).ipynb")
@@ -200,17 +302,35 @@ def test_gradescope_in_its_own_folders(tmp_path):
     answer = exercises()["05.5"].answer(**own).tolist()
     results, root = autograder(tmp_path, {**NOISY, "05.5": f"origin = {answer}"}, key=key)
     scores = {test["number"]: test["score"] for test in results["tests"]}
-    assert {n: s for n, s in scores.items() if s} == {"05.1": 1, "05.2": 3, "05.3": 1, "05.4": 2, "05.5": 1}, "late is Gradescope's own affair"
-    assert all({"name", "max_score", "status", "output"} <= test.keys() for test in results["tests"]) and results["stdout_visibility"] == "hidden"
-    assert results["execution_time"] >= 0 and "Run in" in results["output"] and "score" not in results
+    assert {n: s for n, s in scores.items() if s} == {
+        "05.1": 1,
+        "05.2": 3,
+        "05.3": 1,
+        "05.4": 2,
+        "05.5": 1,
+    }, "late is Gradescope's own affair"
+    assert (
+        all({"name", "max_score", "status", "output"} <= test.keys() for test in results["tests"])
+        and results["stdout_visibility"] == "hidden"
+    )
+    assert (
+        results["execution_time"] >= 0 and "Run in" in results["output"] and "score" not in results
+    )
     inside = b"".join(path.read_bytes() for path in (root / "source").rglob("*") if path.is_file())
     assert key not in inside and key.hex().encode() not in inside
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
 def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path):
-    results, _ = autograder(tmp_path, {**WRONG, "05.4": "def dh_transform(theta, d, a, alpha):\n    return [theta]"}, user="stranger@example.org")
-    assert "seen at" not in json.dumps(results) and sum(test["score"] for test in results["tests"]) == 0.5
+    results, _ = autograder(
+        tmp_path,
+        {**WRONG, "05.4": "def dh_transform(theta, d, a, alpha):\n    return [theta]"},
+        user="stranger@example.org",
+    )
+    assert (
+        "seen at" not in json.dumps(results)
+        and sum(test["score"] for test in results["tests"]) == 0.5
+    )
 
 
 def test_gradescope_needs_addresses(tmp_path):
@@ -225,26 +345,57 @@ def graded_folder(tmp_path):
     (tmp_path / "graded" / "marks").mkdir(parents=True)
     marks = (Mark("05.1", "right", 1, 1), Mark("05.2", "right", 2, 2), Mark("05.3", "wrong", 0, 1))
     none = tuple(Mark(mark.exercise, "not attempted", 0, mark.of) for mark in marks)
-    for graded in (Graded("ada", "a", "graded", marks, penalty=0.25), Graded("bo", "b", "unreadable", none), Graded("cy", "", "missing", none), Graded("=evil", "c", "graded", marks),
-                   Graded("dee", "d", "not attempted", none)):
-        (tmp_path / "graded" / "marks" / f"{graded.student}.json").write_text(json.dumps(graded.to_dict()))
+    for graded in (
+        Graded("ada", "a", "graded", marks, penalty=0.25),
+        Graded("bo", "b", "unreadable", none),
+        Graded("cy", "", "missing", none),
+        Graded("=evil", "c", "graded", marks),
+        Graded("dee", "d", "not attempted", none),
+    ):
+        (tmp_path / "graded" / "marks" / f"{graded.student}.json").write_text(
+            json.dumps(graded.to_dict())
+        )
     return tmp_path / "graded"
 
 
-CLASS = (Student("ada", 'Lovelace, "Ada"', "ada@x.org"), Student("bo", "=cmd|' /c calc'!A1", "bo@x.org"), Student("cy"), Student("dee"), Student("never"))
+CLASS = (
+    Student("ada", 'Lovelace, "Ada"', "ada@x.org"),
+    Student("bo", "=cmd|' /c calc'!A1", "bo@x.org"),
+    Student("cy"),
+    Student("dee"),
+    Student("never"),
+)
 
 
 def test_canvas_gets_its_columns_and_no_silent_zero(tmp_path):
-    rows = list(csv.reader(io.StringIO(canvas_csv(read_marks(graded_folder(tmp_path)), CLASS), newline="")))
-    assert rows[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "dhlab 05"] and rows[1][0].strip() == "Points Possible" and rows[1][-1] == "4"
+    rows = list(
+        csv.reader(io.StringIO(canvas_csv(read_marks(graded_folder(tmp_path)), CLASS), newline=""))
+    )
+    assert (
+        rows[0] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "dhlab 05"]
+        and rows[1][0].strip() == "Points Possible"
+        and rows[1][-1] == "4"
+    )
     points = {row[3]: row[-1] for row in rows[2:]}
     assert points == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": ""}
-    assert rows[2][0] == 'Lovelace, "Ada"' and not any(cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row)
+    assert rows[2][0] == 'Lovelace, "Ada"' and not any(
+        cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row
+    )
 
 
 def test_moodle_likewise(tmp_path):
-    rows = list(csv.DictReader(io.StringIO(moodle_csv(read_marks(graded_folder(tmp_path)), CLASS), newline="")))
-    assert {row["ID number"]: row["dhlab 05"] for row in rows} == {"ada": "2.25", "bo": "", "cy": "", "dee": "0", "never": ""}
+    rows = list(
+        csv.DictReader(
+            io.StringIO(moodle_csv(read_marks(graded_folder(tmp_path)), CLASS), newline="")
+        )
+    )
+    assert {row["ID number"]: row["dhlab 05"] for row in rows} == {
+        "ada": "2.25",
+        "bo": "",
+        "cy": "",
+        "dee": "0",
+        "never": "",
+    }
     assert rows[0]["Email address"] == "ada@x.org" and rows[1]["Full name"].startswith("'=")
 
 
@@ -257,12 +408,24 @@ def test_marks_that_are_none_are_named(tmp_path):
         read_marks(folder)
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (["nbgrader"], "--out"), (["canvas", "no-such", "--out", "g.csv"], "found no marks"), (["moodle", "--out", "g.csv"], "GRADED"),
-    (["gradescope", "--out", "a.zip", "--key", "no.key"], "no such file"), (["otter"], "otter"), ([], "Missing command"),
-])
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["nbgrader"], "--out"),
+        (["canvas", "no-such", "--out", "g.csv"], "found no marks"),
+        (["moodle", "--out", "g.csv"], "GRADED"),
+        (["gradescope", "--out", "a.zip", "--key", "no.key"], "no such file"),
+        (["otter"], "otter"),
+        ([], "Missing command"),
+    ],
+)
 def test_errors_are_one_sentence(tmp_path, arguments, words):
-    answer = subprocess.run([sys.executable, "-m", "dhlab", "export", *arguments], capture_output=True, text=True, cwd=tmp_path)
+    answer = subprocess.run(
+        [sys.executable, "-m", "dhlab", "export", *arguments],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
     assert answer.returncode == 2 and words in answer.stderr and answer.stderr.count("\n") == 1
 
 
@@ -270,5 +433,26 @@ def test_the_commands(tmp_path):
     folder = graded_folder(tmp_path)
     (tmp_path / "class.csv").write_text("student,name,email\nada,Ada,ada@x.org\ncy,,\n")
     for verb in ("canvas", "moodle"):
-        answer = subprocess.run([sys.executable, "-m", "dhlab", "export", verb, str(folder), "--out", f"{verb}.csv", "--roster", "class.csv"], capture_output=True, text=True, cwd=tmp_path)
-        assert answer.returncode == 0 and "Empty, since there is nothing to mark: 1. Left out, since they are not on the roster: =evil, bo, dee." in answer.stdout and "2.25" in (tmp_path / f"{verb}.csv").read_text(), answer.stderr
+        answer = subprocess.run(
+            [
+                sys.executable,
+                "-m",
+                "dhlab",
+                "export",
+                verb,
+                str(folder),
+                "--out",
+                f"{verb}.csv",
+                "--roster",
+                "class.csv",
+            ],
+            capture_output=True,
+            text=True,
+            cwd=tmp_path,
+        )
+        assert (
+            answer.returncode == 0
+            and "Empty, since there is nothing to mark: 1. Left out, since they are not on the roster: =evil, bo, dee."
+            in answer.stdout
+            and "2.25" in (tmp_path / f"{verb}.csv").read_text()
+        ), answer.stderr

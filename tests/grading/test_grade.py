@@ -1,4 +1,6 @@
-"""A class graded: the same marks however it is done, nothing lost whatever breaks, and the teacher's settings kept."""
+"""A class graded: the same marks however it is done, nothing lost whatever breaks, and the
+teacher's settings kept.
+"""
 
 import json
 import os
@@ -25,14 +27,23 @@ from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 ROSTER = tuple(Student(name) for name in ("ada", "bo", "cy", "dee", "eve", "fay", "gus"))
 WRONG = "def dh_closed(theta, d, a, alpha):\n    return dh_transform(theta, d, a, -alpha)"
 KEY = b"k" * 32
-pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only")
+pytestmark = pytest.mark.skipif(
+    not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
+)
 
 
 @pytest.fixture(scope="module")
 def reference(tmp_path_factory):
-    """Six of seven hand in: right, one mistake, an error, untouched, the library called, broken. (folder, results, out) of one job."""
+    """Six of seven hand in: right, one mistake, an error, untouched, the library called, broken.
+    (folder, results, out) of one job.
+    """
     top = tmp_path_factory.mktemp("reference")
-    for student, change in {"ada": None, "bo": corpus.answer("05.6", WRONG), "cy": corpus.blog("raise ValueError('x')"), "eve": corpus.closed(f"return {corpus.FORWARD}")}.items():
+    for student, change in {
+        "ada": None,
+        "bo": corpus.answer("05.6", WRONG),
+        "cy": corpus.blog("raise ValueError('x')"),
+        "eve": corpus.closed(f"return {corpus.FORWARD}"),
+    }.items():
         hand_in(top / "class", student, change)
     (top / "class" / "dee").mkdir()
     shutil.copy(corpus.ROOT / "lessons" / "05-link-matrix.ipynb", top / "class" / "dee")
@@ -62,8 +73,14 @@ def hand_in(folder, student, change=None, replace=()):
 
 def on_disk(out):
     """All marks as they stand on disk, but for the seconds they took."""
-    found = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in (out / "marks").glob("*.json")}
-    return {student: {key: value for key, value in graded.items() if key != "seconds"} for student, graded in found.items()}
+    found = {
+        path.stem: json.loads(path.read_text(encoding="utf-8"))
+        for path in (out / "marks").glob("*.json")
+    }
+    return {
+        student: {key: value for key, value in graded.items() if key != "seconds"}
+        for student, graded in found.items()
+    }
 
 
 def command(*words):
@@ -74,39 +91,78 @@ def test_a_class(reference):
     _, results, out = reference
     by = {graded.student: graded for graded in results}
     assert [graded.student for graded in results] == [student.student for student in ROSTER]
-    assert {s: g.status for s, g in by.items()} == {"ada": "graded", "bo": "graded", "cy": "graded", "dee": "not attempted", "eve": "graded", "fay": "unreadable", "gus": "missing"}
+    assert {s: g.status for s, g in by.items()} == {
+        "ada": "graded",
+        "bo": "graded",
+        "cy": "graded",
+        "dee": "not attempted",
+        "eve": "graded",
+        "fay": "unreadable",
+        "gus": "missing",
+    }
     assert by["ada"].points == by["ada"].of == sum(exercises()[key].points for key in corpus.LESSON)
     marks = {s: {m.exercise: m for m in g.marks} for s, g in by.items()}
     assert all(set(own) == set(corpus.LESSON) for own in marks.values())
-    assert (marks["bo"]["05.6"].status, marks["bo"]["05.6"].mistake, by["bo"].points) == ("wrong", "alpha-sign", by["ada"].points - 2)
+    assert (marks["bo"]["05.6"].status, marks["bo"]["05.6"].mistake, by["bo"].points) == (
+        "wrong",
+        "alpha-sign",
+        by["ada"].points - 2,
+    )
     assert marks["cy"]["05.7"].status == "wrong" and "ValueError" in marks["cy"]["05.7"].headline
-    assert marks["eve"]["05.6"].status == "not allowed" and marks["eve"]["05.6"].points == 0 and "link_matrices" in marks["eve"]["05.6"].headline
+    assert (
+        marks["eve"]["05.6"].status == "not allowed"
+        and marks["eve"]["05.6"].points == 0
+        and "link_matrices" in marks["eve"]["05.6"].headline
+    )
     grades = (out / "grades.csv").read_text(encoding="utf-8").splitlines()
-    assert len(grades) == 8 and grades[1].startswith("ada,,graded,12,12,12,0,0,1,") and grades[7].startswith("gus,,missing,0,")
+    assert (
+        len(grades) == 8
+        and grades[1].startswith("ada,,graded,12,12,12,0,0,1,")
+        and grades[7].startswith("gus,,missing,0,")
+    )
 
 
 def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(reference, tmp_path):
     distributed = pytest.importorskip("distributed")
     folder, _, one = reference
     grade(folder, tmp_path / "two", roster=ROSTER, jobs=2)
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster:
         with distributed.Client(cluster) as client:
             first = next(iter(client.run(os.getpid).values()))
 
         def kill_one(done, of):
             if done == 1:
                 os.kill(first, signal.SIGKILL)
-        grade(folder, tmp_path / "three", roster=ROSTER, scheduler=cluster.scheduler_address, progress=kill_one)
+
+        grade(
+            folder,
+            tmp_path / "three",
+            roster=ROSTER,
+            scheduler=cluster.scheduler_address,
+            progress=kill_one,
+        )
     assert len(on_disk(one)) == 7
     assert on_disk(one) == on_disk(tmp_path / "two") == on_disk(tmp_path / "three")
-    assert (one / "grades.csv").read_bytes() == (tmp_path / "two" / "grades.csv").read_bytes() == (tmp_path / "three" / "grades.csv").read_bytes()
+    assert (
+        (one / "grades.csv").read_bytes()
+        == (tmp_path / "two" / "grades.csv").read_bytes()
+        == (tmp_path / "three" / "grades.csv").read_bytes()
+    )
 
 
 def test_two_graders_do_not_share_a_folder(reference, tmp_path):
     folder, _, _ = reference
     with Gradebook(tmp_path / "out").alone():
-        second = subprocess.run(command(folder, "--out", tmp_path / "out"), capture_output=True, text=True, timeout=300)
-    assert second.returncode != 0 and "another grader is at work in it" in " ".join(second.stderr.replace("│", " ").split()) and on_disk(tmp_path / "out") == {}
+        second = subprocess.run(
+            command(folder, "--out", tmp_path / "out"), capture_output=True, text=True, timeout=300
+        )
+    assert (
+        second.returncode != 0
+        and "another grader is at work in it" in " ".join(second.stderr.replace("│", " ").split())
+        and on_disk(tmp_path / "out") == {}
+    )
     with Gradebook(tmp_path / "out").alone():
         pass
 
@@ -114,7 +170,11 @@ def test_two_graders_do_not_share_a_folder(reference, tmp_path):
 def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
     folder, _, whole = reference
     out, roster = tmp_path / "out", _roster(tmp_path)
-    process = subprocess.Popen(command(folder, "--out", out, "--roster", roster), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(
+        command(folder, "--out", out, "--roster", roster),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
     deadline = time.monotonic() + 120
     while not (out / "marks").is_dir() or not list((out / "marks").glob("*.json")):
         assert process.poll() is None and time.monotonic() < deadline
@@ -126,18 +186,29 @@ def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
         assert time.monotonic() < deadline
         time.sleep(0.01)
     before = {path: path.stat().st_mtime_ns for path in (out / "marks").glob("*.json")}
-    assert 0 < len(before) < 7 and all(json.loads(path.read_text(encoding="utf-8"))["marks"] for path in before)
-    run = subprocess.run(command(folder, "--out", out, "--roster", roster, "--json"), capture_output=True, text=True, timeout=300)
+    assert 0 < len(before) < 7 and all(
+        json.loads(path.read_text(encoding="utf-8"))["marks"] for path in before
+    )
+    run = subprocess.run(
+        command(folder, "--out", out, "--roster", roster, "--json"),
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
     assert run.returncode == 0 and len(json.loads(run.stdout)) == 7
     assert all(path.stat().st_mtime_ns == moment for path, moment in before.items())
     assert on_disk(out) == on_disk(whole)
-    assert (out / "class-report.html").exists() and len(list((out / "feedback").glob("*.html"))) == 7
+    assert (out / "class-report.html").exists() and len(
+        list((out / "feedback").glob("*.html"))
+    ) == 7
 
 
 def _below(pid):
     """The processes that a process has started, and those that they have."""
     try:
-        children = [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+        children = [
+            int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+        ]
     except OSError:
         return []
     return [*children, *(one for child in children for one in _below(child))]
@@ -147,27 +218,51 @@ def test_a_full_disk_and_a_folder_that_cannot_be_written(reference, tmp_path):
     folder, _, whole = reference
     out = tmp_path / "out"
     out.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", str(out)], capture_output=True).returncode:
+    if subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", str(out)], capture_output=True
+    ).returncode:
         pytest.skip("mounting a small disk takes root")
     try:
         (out / "filler").write_bytes(bytes(248 * 1024))
-        full = subprocess.run(command(folder, "--out", out, "--roster", _roster(tmp_path)), capture_output=True, text=True, timeout=300)
-        assert full.returncode == 2 and full.stderr.count("\n") == 1 and "expected to write here" in full.stderr
-        assert all(json.loads(path.read_text(encoding="utf-8"))["marks"] for path in (out / "marks").glob("*.json"))
+        full = subprocess.run(
+            command(folder, "--out", out, "--roster", _roster(tmp_path)),
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        assert (
+            full.returncode == 2
+            and full.stderr.count("\n") == 1
+            and "expected to write here" in full.stderr
+        )
+        assert all(
+            json.loads(path.read_text(encoding="utf-8"))["marks"]
+            for path in (out / "marks").glob("*.json")
+        )
         subprocess.run(["mount", "-o", "remount,ro", str(out)], check=True)
-        locked = subprocess.run(command(folder, "--out", out, "--roster", _roster(tmp_path)), capture_output=True, text=True, timeout=300)
+        locked = subprocess.run(
+            command(folder, "--out", out, "--roster", _roster(tmp_path)),
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
         assert locked.returncode == 2 and locked.stderr.count("\n") == 1
         subprocess.run(["mount", "-o", "remount,rw,size=8m", str(out)], check=True)
         (out / "filler").unlink()
         grade(folder, out, roster=ROSTER)
-        assert on_disk(out) == on_disk(whole) and (out / "grades.csv").read_bytes() == (whole / "grades.csv").read_bytes()
+        assert (
+            on_disk(out) == on_disk(whole)
+            and (out / "grades.csv").read_bytes() == (whole / "grades.csv").read_bytes()
+        )
     finally:
         subprocess.run(["umount", str(out)], check=True)
 
 
 def _roster(folder):
     path = folder / "roster.csv"
-    path.write_text("student\n" + "\n".join(student.student for student in ROSTER) + "\n", encoding="utf-8")
+    path.write_text(
+        "student\n" + "\n".join(student.student for student in ROSTER) + "\n", encoding="utf-8"
+    )
     return path
 
 
@@ -187,44 +282,85 @@ def test_a_second_run_grades_what_is_new_and_one_exercise_leaves_the_rest(folder
         mark["note"] = "seen by a person"
     path.write_text(json.dumps(edited), encoding="utf-8")
     results, _ = grade(folder, out, roster=ROSTER, exercise="05.7")
-    notes = {mark.exercise: mark.note for mark in next(g for g in results if g.student == "cy").marks}
+    notes = {
+        mark.exercise: mark.note for mark in next(g for g in results if g.student == "cy").marks
+    }
     assert notes.pop("05.7") == "" and set(notes.values()) == {"seen by a person"}
 
 
 def test_the_teachers_settings(folder, tmp_path):
     os.utime(folder / "bo" / "05-link-matrix.ipynb", (1_700_000_000, 1_700_000_000))
     due = datetime.fromtimestamp(1_700_000_000 - 30 * 3600, timezone.utc)
-    late = Settings({"05": Lesson(due, {"05.6": 4})}, percent_per_day=10, floor=50, partial=0.5, own_kinematics=0.25)
+    late = Settings(
+        {"05": Lesson(due, {"05.6": 4})},
+        percent_per_day=10,
+        floor=50,
+        partial=0.5,
+        own_kinematics=0.25,
+    )
     by = {graded.student: graded for graded in grade(folder, tmp_path / "out", settings=late)[0]}
     marks = {s: {m.exercise: m for m in g.marks} for s, g in by.items()}
-    assert (marks["bo"]["05.6"].points, marks["bo"]["05.6"].of) == (2, 4)  # half of it, for a mistake that is recognised
+    assert (marks["bo"]["05.6"].points, marks["bo"]["05.6"].of) == (
+        2,
+        4,
+    )  # half of it, for a mistake that is recognised
     assert (marks["eve"]["05.6"].status, marks["eve"]["05.6"].points) == ("not allowed", 1)
-    assert (by["bo"].late_days, by["bo"].penalty, by["bo"].points, by["bo"].total) == (1.25, 0.2, 12, 9.6)
+    assert (by["bo"].late_days, by["bo"].penalty, by["bo"].points, by["bo"].total) == (
+        1.25,
+        0.2,
+        12,
+        9.6,
+    )
     assert by["ada"].penalty == 0.5  # years late
 
 
 def test_variants_come_from_the_key_and_copies_show(tmp_path):
     folder = tmp_path / "class"
     numbers = {student: variant(KEY, student) for student in ("ada", "bo", "cy")}
-    copied = [(f'given("{key}")', repr(exercises()[key].given(numbers["ada"]))) for key in ("05.5", "05.9")]
+    copied = [
+        (f'given("{key}")', repr(exercises()[key].given(numbers["ada"])))
+        for key in ("05.5", "05.9")
+    ]
     hand_in(folder, "ada", corpus.first("from dhlab.course import set_variant\nset_variant(99)"))
     hand_in(folder, "bo", replace=copied)
     hand_in(folder, "cy")
     by = {graded.student: graded for graded in grade(folder, tmp_path / "out", key=KEY)[0]}
     assert {student: graded.variant for student, graded in by.items()} == numbers
-    assert by["ada"].points == by["cy"].points == 12 and by["ada"].guess_of is None is by["cy"].guess_of
-    assert {mark.exercise for mark in by["bo"].marks if mark.status == "wrong"} == {"05.5", "05.9"} and by["bo"].guess_of == "ada"
+    assert (
+        by["ada"].points == by["cy"].points == 12
+        and by["ada"].guess_of is None is by["cy"].guess_of
+    )
+    assert {mark.exercise for mark in by["bo"].marks if mark.status == "wrong"} == {
+        "05.5",
+        "05.9",
+    } and by["bo"].guess_of == "ada"
 
 
 def test_a_dry_run_runs_and_writes_nothing(folder, tmp_path):
     hand_in(folder, "bad", corpus.first(f"open({str(tmp_path / 'ran')!r}, 'w')"))
-    run = subprocess.run(command(folder, "--out", tmp_path / "out", "--dry-run"), capture_output=True, text=True, timeout=120)
-    assert run.returncode == 0 and "bad" in run.stdout and "Lessons: 05." in run.stdout and "Nothing was run or written." in run.stdout
+    run = subprocess.run(
+        command(folder, "--out", tmp_path / "out", "--dry-run"),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert (
+        run.returncode == 0
+        and "bad" in run.stdout
+        and "Lessons: 05." in run.stdout
+        and "Nothing was run or written." in run.stdout
+    )
     assert not (tmp_path / "out").exists() and not (tmp_path / "ran").exists()
 
 
-@pytest.mark.parametrize("change, words", [({"exercise": "05.99"}, "number of an exercise"), ({"settings": Settings({"77": Lesson()})}, "name the lessons in course.yaml"),
-                                           ({"place": "nowhere"}, "no such folder")])
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"exercise": "05.99"}, "number of an exercise"),
+        ({"settings": Settings({"77": Lesson()})}, "name the lessons in course.yaml"),
+        ({"place": "nowhere"}, "no such folder"),
+    ],
+)
 def test_what_cannot_be_graded(folder, change, words):
     with pytest.raises(ValueError, match=words):
         plan(**{"place": folder, **change})
@@ -232,8 +368,18 @@ def test_what_cannot_be_graded(folder, change, words):
 
 def test_every_lessons_solution_earns_everything_and_its_stubs_nothing(tmp_path):
     for student in ("solutions", "lessons"):
-        shutil.copytree(corpus.ROOT / student, tmp_path / "class" / student, ignore=shutil.ignore_patterns("*.md", "teacher"))
-    solutions, lessons = sorted(grade(tmp_path / "class", tmp_path / "out", jobs=2)[0], key=lambda graded: graded.student, reverse=True)
+        shutil.copytree(
+            corpus.ROOT / student,
+            tmp_path / "class" / student,
+            ignore=shutil.ignore_patterns("*.md", "teacher"),
+        )
+    solutions, lessons = sorted(
+        grade(tmp_path / "class", tmp_path / "out", jobs=2)[0],
+        key=lambda graded: graded.student,
+        reverse=True,
+    )
     assert {m.exercise: m.status for m in solutions.marks if m.status != "right"} == {}
     assert solutions.points == solutions.of == sum(e.points for e in exercises().values())
-    assert {m.status for m in lessons.marks} == {"not attempted"} and lessons.status == "not attempted"
+    assert {m.status for m in lessons.marks} == {
+        "not attempted"
+    } and lessons.status == "not attempted"

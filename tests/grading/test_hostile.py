@@ -1,4 +1,6 @@
-"""The hostile corpus on every level of the cage that this machine has: marks fair, nothing leaked, nothing damaged, neighbours graded."""
+"""The hostile corpus on every level of the cage that this machine has: marks fair, nothing leaked,
+nothing damaged, neighbours graded.
+"""
 
 import hashlib
 import json
@@ -23,10 +25,26 @@ from dhlab.grading.results import publish  # noqa: E402
 from dhlab.grading.settings import Limits, Settings  # noqa: E402
 
 LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
-HARMLESS = [*corpus.TIME[:1], *corpus.LIBRARY, *corpus.PATCHES[:5], *corpus.NOTEBOOKS[:8]]  # for the level that protects nobody
-ATTACKS = [*corpus.TIME[-4:], *corpus.PROCESSES, *corpus.RESOURCES, *corpus.CHANNEL, *corpus.READING, *corpus.LEFT_BEHIND]  # what depends on the level
+HARMLESS = [
+    *corpus.TIME[:1],
+    *corpus.LIBRARY,
+    *corpus.PATCHES[:5],
+    *corpus.NOTEBOOKS[:8],
+]  # for the level that protects nobody
+ATTACKS = [
+    *corpus.TIME[-4:],
+    *corpus.PROCESSES,
+    *corpus.RESOURCES,
+    *corpus.CHANNEL,
+    *corpus.READING,
+    *corpus.LEFT_BEHIND,
+]  # what depends on the level
 AS_A_USER = "DHLAB_CORPUS_AS_A_USER"
-LEVELS = {"bubblewrap": ATTACKS if AS_A_USER in os.environ else corpus.CASES, "landlock": ATTACKS, "rlimits": HARMLESS}
+LEVELS = {
+    "bubblewrap": ATTACKS if AS_A_USER in os.environ else corpus.CASES,
+    "landlock": ATTACKS,
+    "rlimits": HARMLESS,
+}
 
 
 def works(level):
@@ -40,17 +58,24 @@ def works(level):
 
 @pytest.fixture(scope="module", params=LEVELS)
 def graded(request, tmp_path_factory):
-    """(cases, marks by student, output folder, what was found damaged) of the corpus on one level."""
+    """(cases, marks by student, output folder, what was found damaged) of the corpus on one
+    level.
+    """
     level, cases = request.param, LEVELS[request.param]
     if level == "bubblewrap" and not shutil.which("bwrap") or not works(level):
         pytest.skip(f"{level} does not work on this machine")
     top = tmp_path_factory.mktemp(level)
-    with closing(socket.create_server(("127.0.0.1", 0))) as server, pytest.MonkeyPatch.context() as patch:
+    with (
+        closing(socket.create_server(("127.0.0.1", 0))) as server,
+        pytest.MonkeyPatch.context() as patch,
+    ):
         patch.setenv("GRADER_SECRET", "canary")
         facts = _facts(top, server.getsockname()[1])
         corpus.write(top / "class", cases, facts)
         before = _prints(top)
-        results, planned = grade.grade(top / "class", top / "out", settings=Settings(limits=LIMITS, cage=level))
+        results, planned = grade.grade(
+            top / "class", top / "out", settings=Settings(limits=LIMITS, cage=level)
+        )
         publish.publish(planned, results, (), top / "out")
         server.setblocking(False)
         with pytest.raises(BlockingIOError):
@@ -63,15 +88,32 @@ def _facts(top, port):
         (top / folder).mkdir()
     for name in ("teacher.key", "canary", "marks.json", "neighbour.ipynb"):
         (top / name).write_text("GRADER_SECRET", encoding="utf-8")
-    return {"key": str(top / "teacher.key"), "canary": str(top / "canary"), "marks": str(top / "marks.json"), "neighbour": str(top / "neighbour.ipynb"),
-            "class": str(top / "class"), "out": str(top / "out"), "solutions": str(corpus.ROOT / "solutions" / "05-link-matrix.md"),
-            "exercises": str(corpus.ROOT / "dhlab" / "course" / "exercises" / "lesson05.py"), "port": port}
+    return {
+        "key": str(top / "teacher.key"),
+        "canary": str(top / "canary"),
+        "marks": str(top / "marks.json"),
+        "neighbour": str(top / "neighbour.ipynb"),
+        "class": str(top / "class"),
+        "out": str(top / "out"),
+        "solutions": str(corpus.ROOT / "solutions" / "05-link-matrix.md"),
+        "exercises": str(corpus.ROOT / "dhlab" / "course" / "exercises" / "lesson05.py"),
+        "port": port,
+    }
 
 
 def _prints(top):
     """Of everything an attack might damage."""
-    paths = [*top.glob("*.*"), top / "canary", *(top / "class").rglob("*"), corpus.ROOT / "dhlab" / "__init__.py"]
-    return {str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in paths if path.is_file() and not path.is_symlink()}
+    paths = [
+        *top.glob("*.*"),
+        top / "canary",
+        *(top / "class").rglob("*"),
+        corpus.ROOT / "dhlab" / "__init__.py",
+    ]
+    return {
+        str(path): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in paths
+        if path.is_file() and not path.is_symlink()
+    }
 
 
 def test_marks_are_fair(graded):
@@ -84,7 +126,13 @@ def test_marks_are_fair(graded):
         if lost == corpus.ANY:
             fair = one is not None and 0 <= one.points <= one.of
         elif isinstance(lost, str):
-            fair = one is None and lost == "missing" or one is not None and one.status == lost and one.points == 0
+            fair = (
+                one is None
+                and lost == "missing"
+                or one is not None
+                and one.status == lost
+                and one.points == 0
+            )
         else:
             fair = one is not None and one.status == "graded" and found == set(lost)
         if not fair:
@@ -97,8 +145,16 @@ def test_neighbours_are_graded(graded):
     _, results, _, _ = graded
     honest = [one for student, one in results.items() if student.startswith("honest")]
     assert len(honest) >= 2
-    assert all(one.status == "graded" and one.total == one.of and {mark.exercise for mark in one.marks} == set(corpus.LESSON) for one in honest)
-    assert len({tuple(replace(mark, file="", handed_in="") for mark in one.marks) for one in honest}) == 1
+    assert all(
+        one.status == "graded"
+        and one.total == one.of
+        and {mark.exercise for mark in one.marks} == set(corpus.LESSON)
+        for one in honest
+    )
+    assert (
+        len({tuple(replace(mark, file="", handed_in="") for mark in one.marks) for one in honest})
+        == 1
+    )
 
 
 def test_nothing_is_damaged(graded):
@@ -115,16 +171,25 @@ def test_special_files_are_refused(graded):
 
 def test_nothing_leaks_and_nothing_is_rendered(graded):
     _, results, top, _ = graded
-    for path in [*(top / "out").rglob("*.html"), *(top / "out").rglob("*.json"), top / "out" / "grades.csv"]:
+    for path in [
+        *(top / "out").rglob("*.html"),
+        *(top / "out").rglob("*.json"),
+        top / "out" / "grades.csv",
+    ]:
         text = path.read_text(encoding="utf-8")
         assert "GRADER_SECRET" not in text, path
         assert path.suffix != ".html" or "<script>alert" not in text, path
-    assert {json.loads(path.read_text(encoding="utf-8"))["student"] for path in (top / "out" / "marks").glob("*.json")} == set(results)
+    assert {
+        json.loads(path.read_text(encoding="utf-8"))["student"]
+        for path in (top / "out" / "marks").glob("*.json")
+    } == set(results)
 
 
 def test_the_level_is_told(graded):
     _, results, top, _ = graded
-    assert {one.cage for one in results.values() if one.status == "graded"} == {top.name.rstrip("0123456789")}
+    assert {one.cage for one in results.values() if one.status == "graded"} == {
+        top.name.rstrip("0123456789")
+    }
     assert results["honest000"].cage in cage.RISKS
 
 
@@ -132,27 +197,90 @@ def test_every_line_of_the_grades_has_a_status(graded):
     _, results, top, _ = graded
     head, *lines = (top / "out" / "grades.csv").read_text(encoding="utf-8").splitlines()
     assert head.startswith("student,name,status,") and len(lines) == len(results)
-    assert all(line.split(",")[2] in ("graded", "not attempted", "unreadable", "timed out", "missing") for line in lines)
+    assert all(
+        line.split(",")[2] in ("graded", "not attempted", "unreadable", "timed out", "missing")
+        for line in lines
+    )
 
 
 def test_answers_do_not_enter_the_cage(tmp_path):
     from dhlab.grading.cage import stage
+
     stage.stage(tmp_path)
     text = "\n".join(path.read_text(encoding="utf-8") for path in tmp_path.rglob("*.py"))
     assert "EXERCISES" not in text and "RIGHT_ORDERS" not in text and "praise=" not in text
-    assert not [path for path in tmp_path.rglob("*") if "lesson" in path.name or "kinds" in path.name or "judge" in path.name]
+    assert not [
+        path
+        for path in tmp_path.rglob("*")
+        if "lesson" in path.name or "kinds" in path.name or "judge" in path.name
+    ]
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0 or not shutil.which("bwrap"), reason="where the tests do not run as root, they have shown it already")
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0 or not shutil.which("bwrap"),
+    reason="where the tests do not run as root, they have shown it already",
+)
 def test_bubblewrap_without_root():
-    """The attacks once more, with the grader itself run by a user without rights; Python may stand in root's own folder, which is shown to that user."""
+    """The attacks once more, with the grader itself run by a user without rights; Python may stand
+    in root's own folder, which is shown to that user.
+    """
     home = Path(sys.base_prefix).parts[:3]
-    shown = ["bwrap", "--dev-bind", "/", "/", "--perms", "0755", "--tmpfs", "/root", "--ro-bind", str(Path(*home)), str(Path(*home))] if home[1] == "root" else []
+    shown = (
+        [
+            "bwrap",
+            "--dev-bind",
+            "/",
+            "/",
+            "--perms",
+            "0755",
+            "--tmpfs",
+            "/root",
+            "--ro-bind",
+            str(Path(*home)),
+            str(Path(*home)),
+        ]
+        if home[1] == "root"
+        else []
+    )
     with tempfile.TemporaryDirectory() as folder:
         os.chmod(folder, 0o777)
-        as_nobody = [*shown, "setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups", "env", f"HOME={folder}", f"TMPDIR={folder}", f"{AS_A_USER}=1"]
-        if subprocess.run([*as_nobody, sys.executable, "-c", "import dhlab"], capture_output=True, cwd=corpus.ROOT).returncode:
+        as_nobody = [
+            *shown,
+            "setpriv",
+            "--reuid",
+            "65534",
+            "--regid",
+            "65534",
+            "--clear-groups",
+            "env",
+            f"HOME={folder}",
+            f"TMPDIR={folder}",
+            f"{AS_A_USER}=1",
+        ]
+        if subprocess.run(
+            [*as_nobody, sys.executable, "-c", "import dhlab"], capture_output=True, cwd=corpus.ROOT
+        ).returncode:
             pytest.skip("a user without rights cannot read this Python")
-        run = subprocess.run([*as_nobody, sys.executable, "-m", "pytest", "-q", "-o", "addopts=", "-p", "no:cacheprovider", __file__, "-k", "[bubblewrap]"],
-                             capture_output=True, text=True, cwd=corpus.ROOT, timeout=600)
-        assert run.returncode == 0 and " passed" in run.stdout and "skipped" not in run.stdout, run.stdout[-3000:]
+        run = subprocess.run(
+            [
+                *as_nobody,
+                sys.executable,
+                "-m",
+                "pytest",
+                "-q",
+                "-o",
+                "addopts=",
+                "-p",
+                "no:cacheprovider",
+                __file__,
+                "-k",
+                "[bubblewrap]",
+            ],
+            capture_output=True,
+            text=True,
+            cwd=corpus.ROOT,
+            timeout=600,
+        )
+        assert run.returncode == 0 and " passed" in run.stdout and "skipped" not in run.stdout, (
+            run.stdout[-3000:]
+        )

@@ -15,28 +15,57 @@ def roster(tmp_path, text, encoding="utf-8"):
     return read_roster(path)
 
 
-@pytest.mark.parametrize("text, encoding", [
-    ("student,name,email,language\nada,Ada L.,ada@x.org,zh-CN\nbo,,,\n", "utf-8"),
-    ("\ufeffstudent;name;email;language\r\nada;Ada L.;ada@x.org;zh\r\nbo;;;\r\n", "utf-8"),
-    ('Name, Student ,group,EMAIL,language\n"Ada L.", ada ,3,ada@x.org,zh_CN\n\n,bo,,,\n', "utf-8-sig"),
-])
+@pytest.mark.parametrize(
+    "text, encoding",
+    [
+        ("student,name,email,language\nada,Ada L.,ada@x.org,zh-CN\nbo,,,\n", "utf-8"),
+        ("\ufeffstudent;name;email;language\r\nada;Ada L.;ada@x.org;zh\r\nbo;;;\r\n", "utf-8"),
+        (
+            'Name, Student ,group,EMAIL,language\n"Ada L.", ada ,3,ada@x.org,zh_CN\n\n,bo,,,\n',
+            "utf-8-sig",
+        ),
+    ],
+)
 def test_what_spreadsheets_write_is_read(tmp_path, text, encoding):
-    assert roster(tmp_path, text, encoding) == (Student("ada", "Ada L.", "ada@x.org", "zh_CN"), Student("bo"))
+    assert roster(tmp_path, text, encoding) == (
+        Student("ada", "Ada L.", "ada@x.org", "zh_CN"),
+        Student("bo"),
+    )
 
 
 def test_names_may_be_anything(tmp_path):
-    text = 'student,name\ns1,<script>alert(1)</script>\ns2,"=cmd|\'/c calc\'!A1"\ns3,"Line\nbreak"\n李,李小龙\nada@x.org,"O\'Neil, ""Bo"""\n'
+    text = (
+        "student,name\ns1,<script>alert(1)</script>\ns2,\"=cmd|'/c"
+        ' calc\'!A1"\ns3,"Line\nbreak"\n李,李小龙\nada@x.org,"O\'Neil, ""Bo"""\n'
+    )
     found = roster(tmp_path, text)
-    assert [s.student for s in found] == ["s1", "s2", "s3", "李", "ada@x.org"] and found[4].name == 'O\'Neil, "Bo"'
+    assert [s.student for s in found] == ["s1", "s2", "s3", "李", "ada@x.org"] and found[
+        4
+    ].name == 'O\'Neil, "Bo"'
 
 
-@pytest.mark.parametrize("text, words", [
-    ("", "column names"), ("name\nada\n", 'one column "student"'), ("student,student\na,b\n", 'one column "student"'), ("student\n", "found none"),
-    ("student\nada\nADA\n", "every id once"), ("student\n1\n1\n", "every id once"), ("student,name\n,Ada\n", "line 2"), ("student\n../../etc/passwd\n", "names files"),
-    ("student\na/b\n", "names files"), ("student\n.hidden\n", "names files"), ("student\nends.\n", "names files"), ("student\n-rf\n", "names files"),
-    ("student\n=1+1\n", "names files"), ("student\na\0b\n", "expected"), ("student\n" + "a" * 101 + "\n", "names files"), ("student\nCON:\n", "names files"),
-    ("student,language\nada,klingon!\n", "language"),
-])
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("", "column names"),
+        ("name\nada\n", 'one column "student"'),
+        ("student,student\na,b\n", 'one column "student"'),
+        ("student\n", "found none"),
+        ("student\nada\nADA\n", "every id once"),
+        ("student\n1\n1\n", "every id once"),
+        ("student,name\n,Ada\n", "line 2"),
+        ("student\n../../etc/passwd\n", "names files"),
+        ("student\na/b\n", "names files"),
+        ("student\n.hidden\n", "names files"),
+        ("student\nends.\n", "names files"),
+        ("student\n-rf\n", "names files"),
+        ("student\n=1+1\n", "names files"),
+        ("student\na\0b\n", "expected"),
+        ("student\n" + "a" * 101 + "\n", "names files"),
+        ("student\nCON:\n", "names files"),
+        ("student,language\nada,klingon!\n", "language"),
+    ],
+)
 def test_what_is_wrong_is_said_in_one_sentence(tmp_path, text, words):
     with pytest.raises(ValueError, match=words) as error:
         roster(tmp_path, text)
@@ -48,7 +77,21 @@ def test_other_encodings_are_named(tmp_path):
         roster(tmp_path, "student,name\nli,李小龙\n", "gbk")
 
 
-@pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1", " =1", "=HYPERLINK(\"http://x\")", "＝1+1"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "=1+1",
+        "+1",
+        "-1",
+        "@SUM(A1)",
+        "\t=1",
+        "\r=1",
+        "\n=1",
+        " =1",
+        '=HYPERLINK("http://x")',
+        "＝1+1",
+    ],
+)
 def test_no_cell_is_a_formula(text):
     [[cell, number]] = csv.reader(io.StringIO(csv_text([[text, -1.5]]), newline=""))
     assert cell == "'" + text.replace("\r", "\n") and number == "-1.5"

@@ -27,16 +27,34 @@ def read(tmp_path, text):
 
 def test_everything(tmp_path):
     course = read(tmp_path, WHOLE)
-    assert course.lessons["05"].due == datetime(2026, 11, 20, 22, 59, tzinfo=timezone.utc)  # Vienna is an hour ahead in winter
+    assert course.lessons["05"].due == datetime(
+        2026, 11, 20, 22, 59, tzinfo=timezone.utc
+    )  # Vienna is an hour ahead in winter
     assert course.lessons["06"].due == datetime(2026, 11, 27, 23, 59, tzinfo=timezone.utc)
-    assert (course.points(exercises()["06.2"]), course.points(exercises()["06.1"]), course.points(exercises()["01.1"])) == (5, 1, 1)
-    assert (course.partial, course.own_kinematics, course.cage, course.limits) == (0.5, 0.25, "landlock", Limits(cell_seconds=2.5, memory_mb=256))
+    assert (
+        course.points(exercises()["06.2"]),
+        course.points(exercises()["06.1"]),
+        course.points(exercises()["01.1"]),
+    ) == (5, 1, 1)
+    assert (course.partial, course.own_kinematics, course.cage, course.limits) == (
+        0.5,
+        0.25,
+        "landlock",
+        Limits(cell_seconds=2.5, memory_mb=256),
+    )
 
 
 def test_a_date_alone_is_the_end_of_that_day(tmp_path):
-    course = read(tmp_path, 'timezone: Europe/Vienna\nlessons: {"05": {due: 2026-11-17}}\nlate: {percent_per_day: 10}')
+    course = read(
+        tmp_path,
+        'timezone: Europe/Vienna\nlessons: {"05": {due: 2026-11-17}}\nlate: {percent_per_day: 10}',
+    )
     due = course.lessons["05"].due
-    assert (due.hour, due.minute, due.utcoffset()) == (23, 59, timedelta(hours=1)) and course.lateness("05", datetime(2026, 11, 17, 22, 30, tzinfo=timezone.utc)) == (0, 0)
+    assert (due.hour, due.minute, due.utcoffset()) == (
+        23,
+        59,
+        timedelta(hours=1),
+    ) and course.lateness("05", datetime(2026, 11, 17, 22, 30, tzinfo=timezone.utc)) == (0, 0)
 
 
 @pytest.mark.parametrize("number", ["5", "55", "11"])
@@ -46,23 +64,56 @@ def test_a_lesson_that_is_none_is_told_as_one(tmp_path, number):
     assert "decimal comma" not in str(caught.value)
 
 
-@pytest.mark.parametrize("hours, days, penalty", [(-5, 0, 0), (0, 0, 0), (1.9, 0, 0), (2.5, 0.1042, 0.1), (23, 0.9583, 0.1), (25, 1.0417, 0.2), (24 * 9, 9, 0.4)])
+@pytest.mark.parametrize(
+    "hours, days, penalty",
+    [
+        (-5, 0, 0),
+        (0, 0, 0),
+        (1.9, 0, 0),
+        (2.5, 0.1042, 0.1),
+        (23, 0.9583, 0.1),
+        (25, 1.0417, 0.2),
+        (24 * 9, 9, 0.4),
+    ],
+)
 def test_lateness(tmp_path, hours, days, penalty):
     course = read(tmp_path, WHOLE)
-    assert course.lateness("05", course.lessons["05"].due + timedelta(hours=hours)) == (days, penalty)
-    assert course.lateness("01", course.lessons["05"].due + timedelta(hours=hours)) == (0, 0) == course.lateness("05", None)
+    assert course.lateness("05", course.lessons["05"].due + timedelta(hours=hours)) == (
+        days,
+        penalty,
+    )
+    assert (
+        course.lateness("01", course.lessons["05"].due + timedelta(hours=hours))
+        == (0, 0)
+        == course.lateness("05", None)
+    )
 
 
 def test_an_empty_file_is_the_default(tmp_path):
     assert read(tmp_path, "{}") == Settings()
 
 
-@pytest.mark.parametrize("text, words", [
-    ("lesson: {}", 'unknown key "lesson"; did you mean "lessons"'), ('lessons: {"99": {}}', 'unknown key "99"'), ('lessons: {"05": {points: {"05.99": 1}}}', 'unknown key "05.99"'),
-    ('lessons: {"05": {due: tomorrow}}', "expected a date such as"), ("timezone: Mars/Olympus", "expected a name such as"), ("late: {percent_per_day: 120}", "from 0 to 100"),
-    ("partial: half", "expected a number"), ("partial: 2", "from 0 to 1"), ("limits: {seconds: 0}", "from 1 to"), ("cage: strong", "bubblewrap, landlock, rlimits"),
-    ("late: {floor: 3}", "no percent_per_day")])
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("lesson: {}", 'unknown key "lesson"; did you mean "lessons"'),
+        ('lessons: {"99": {}}', 'unknown key "99"'),
+        ('lessons: {"05": {points: {"05.99": 1}}}', 'unknown key "05.99"'),
+        ('lessons: {"05": {due: tomorrow}}', "expected a date such as"),
+        ("timezone: Mars/Olympus", "expected a name such as"),
+        ("late: {percent_per_day: 120}", "from 0 to 100"),
+        ("partial: half", "expected a number"),
+        ("partial: 2", "from 0 to 1"),
+        ("limits: {seconds: 0}", "from 1 to"),
+        ("cage: strong", "bubblewrap, landlock, rlimits"),
+        ("late: {floor: 3}", "no percent_per_day"),
+    ],
+)
 def test_what_may_not_stand_there(tmp_path, text, words):
     with pytest.raises(ValueError) as caught:
         read(tmp_path, text)
-    assert words in str(caught.value) and "course.yaml" in str(caught.value) and "\n" not in str(caught.value)
+    assert (
+        words in str(caught.value)
+        and "course.yaml" in str(caught.value)
+        and "\n" not in str(caught.value)
+    )

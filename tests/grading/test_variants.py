@@ -1,4 +1,6 @@
-"""Variants: HMAC-SHA256 by hand, no two alike in a class, a key that is made once and shown to nobody."""
+"""Variants: HMAC-SHA256 by hand, no two alike in a class, a key that is made once and shown to
+nobody.
+"""
 
 import hashlib
 import os
@@ -24,7 +26,10 @@ def hmac_by_hand(key, message):
 
 @pytest.mark.parametrize("student", ["ada", "李小龙", "a" * 100, "Ångström"])
 def test_a_variant_is_the_hmac_of_the_id(student):
-    assert variant(KEY, student) == int.from_bytes(hmac_by_hand(KEY, student.encode())[:8], "big") % (2**31 - 1) + 1
+    assert (
+        variant(KEY, student)
+        == int.from_bytes(hmac_by_hand(KEY, student.encode())[:8], "big") % (2**31 - 1) + 1
+    )
 
 
 def test_a_variant_depends_on_key_and_student_alone():
@@ -32,7 +37,9 @@ def test_a_variant_depends_on_key_and_student_alone():
     assert len(set(numbers)) == 2000 and all(0 < n < 2**31 for n in numbers)
     other = [variant(KEY[::-1], f"student {k}") for k in range(2000)]
     assert not set(numbers) & set(other) and abs(np.corrcoef(numbers, other)[0, 1]) < 0.1
-    assert variant(KEY, "Ångström") == variant(KEY, "Ångström"), "one name, written in two ways of Unicode"
+    assert variant(KEY, "Ångström") == variant(KEY, "Ångström"), (
+        "one name, written in two ways of Unicode"
+    )
 
 
 def test_every_exercise_with_numbers_draws_other_ones():
@@ -44,7 +51,10 @@ def test_every_exercise_with_numbers_draws_other_ones():
 
 
 def test_without_a_key_everybody_has_the_same():
-    assert variants(None, ["a", "b"]) == {"a": 0, "b": 0} and len(set(variants(KEY, ["a", "b"]).values())) == 2
+    assert (
+        variants(None, ["a", "b"]) == {"a": 0, "b": 0}
+        and len(set(variants(KEY, ["a", "b"]).values())) == 2
+    )
 
 
 def test_a_key_is_made_once_and_for_its_owner_alone(tmp_path):

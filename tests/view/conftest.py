@@ -1,4 +1,6 @@
-"""Pages with explorers, opened in one Chromium; npm for the tests that build the module or listen as a screen reader would."""
+"""Pages with explorers, opened in one Chromium; npm for the tests that build the module or listen
+as a screen reader would.
+"""
 
 import os
 import shutil
@@ -32,12 +34,19 @@ MODEL = """(state) => {
 
 @pytest.fixture(scope="session")
 def packages(tmp_path_factory):
-    """A copy of the explorer's source with what its lock file names; skipped, saying so, where npm is not there or has no registry."""
+    """A copy of the explorer's source with what its lock file names; skipped, saying so, where npm
+    is not there or has no registry.
+    """
     if shutil.which("npm") is None:
         _without("npm is not installed")
     folder = tmp_path_factory.mktemp("npm") / "js"
     shutil.copytree(SOURCE, folder, ignore=shutil.ignore_patterns("node_modules"))
-    done = subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, capture_output=True, text=True)
+    done = subprocess.run(
+        ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
     if done.returncode:
         _without(f"npm ci failed: {done.stderr.strip().splitlines()[-1:]}")
     return folder
@@ -46,26 +55,53 @@ def packages(tmp_path_factory):
 def _without(reason):
     if os.environ.get("CI"):
         pytest.fail(f"CI needs npm and a registry: {reason}")
-    pytest.skip(f"{reason}, so the explorer's module was not built again and no page was checked with axe")
+    pytest.skip(
+        f"{reason}, so the explorer's module was not built again and no page was checked with axe"
+    )
 
 
 @pytest.fixture
 def opened(browser):
-    """``opened(explorer, …)`` is a page without a kernel and without a network that shows them; whatever goes wrong on it fails the test."""
+    """``opened(explorer, …)`` is a page without a kernel and without a network that shows them;
+    whatever goes wrong on it fails the test.
+    """
     pages, faults = [], []
 
     def get(*explorers, script="", stills=False, **settings):
-        context = browser.new_context(offline=True, viewport={"width": 1280, "height": 900}, **settings)
+        context = browser.new_context(
+            offline=True, viewport={"width": 1280, "height": 900}, **settings
+        )
         context.add_init_script(script)
         page = context.new_page()
         page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
-        page.on("request", lambda request: None if request.url.startswith(("data:", "about:")) else faults.append(f"asked for {request.url}"))
+        page.on(
+            "console",
+            lambda message: faults.append(message.text) if message.type == "error" else None,
+        )
+        page.on(
+            "request",
+            lambda request: (
+                None
+                if request.url.startswith(("data:", "about:"))
+                else faults.append(f"asked for {request.url}")
+            ),
+        )
         module = MODULE.read_text(encoding="utf-8")
-        names = dict(pair.split(" as ")[::-1] for pair in module[module.rindex("export{") + 7:module.rindex("}")].split(","))
-        module += f"\nconst forward = {names['forward']}, frames = {names['frames']}, widget = {names['default']};"
-        page.set_content(PAGE.format("".join(as_html(explorer, stills) for explorer in explorers), module))
-        page.wait_for_function("window.dhlab && [...document.querySelectorAll('.dhlab-explorer')].every((e) => e.explorer)")
+        names = dict(
+            pair.split(" as ")[::-1]
+            for pair in module[module.rindex("export{") + 7 : module.rindex("}")].split(",")
+        )
+        module += (
+            f"\nconst forward = {names['forward']}, frames = {names['frames']}, widget ="
+            f" {names['default']};"
+        )
+        page.set_content(
+            PAGE.format("".join(as_html(explorer, stills) for explorer in explorers), module)
+        )
+        page.wait_for_function(
+            "window.dhlab && [...document.querySelectorAll('.dhlab-explorer')].every((e) =>"
+            " e.explorer)"
+        )
         pages.append(context)
         return page
 
@@ -77,12 +113,20 @@ def opened(browser):
 
 @pytest.fixture
 def live(opened):
-    """``live(explorer)`` is a page that shows it as a notebook does: what hands do goes to Python, and what Python says comes back."""
+    """``live(explorer)`` is a page that shows it as a notebook does: what hands do goes to Python,
+    and what Python says comes back.
+    """
+
     def get(explorer, **settings):
         page = opened(**settings)
-        page.expose_function("toPython", lambda kind, name, value: heard(explorer, kind, name, value))
-        page.evaluate(MODEL, explorer.get_state(["_data", "q", "row", "convention", "step", "_answer"]))
+        page.expose_function(
+            "toPython", lambda kind, name, value: heard(explorer, kind, name, value)
+        )
+        page.evaluate(
+            MODEL, explorer.get_state(["_data", "q", "row", "convention", "step", "_answer"])
+        )
         return page
+
     return get
 
 
@@ -97,6 +141,10 @@ def heard(explorer, kind, name, value):
 
 @lru_cache(None)
 def as_html(explorer, stills):
-    """What a notebook stores of an explorer; drawing the still picture takes a while, so that only those get it who look at it."""
-    bundle = explorer._repr_mimebundle_(**({} if stills else {"still": {"text/html": "", "text/plain": ""}}))
+    """What a notebook stores of an explorer; drawing the still picture takes a while, so that only
+    those get it who look at it.
+    """
+    bundle = explorer._repr_mimebundle_(
+        **({} if stills else {"still": {"text/html": "", "text/plain": ""}})
+    )
     return (bundle[0] if isinstance(bundle, tuple) else bundle)["text/html"]

@@ -1,4 +1,6 @@
-"""Pictures of whole arms against numbers found another way: elementary matrices, text boxes measured by matplotlib."""
+"""Pictures of whole arms against numbers found another way: elementary matrices, text boxes
+measured by matplotlib.
+"""
 
 import sys
 
@@ -27,7 +29,10 @@ def chain_of(arm, q):
     for i, (theta, d, a, alpha) in enumerate(arm.table.rows):
         moved = arm.sign[i] * q[i]
         theta, d = (theta, d + moved) if arm.table.joints[i] == "P" else (theta + moved, d)
-        about_z, about_x = [elementary("z", theta), elementary("Z", d)], [elementary("X", a), elementary("x", alpha)]
+        about_z, about_x = (
+            [elementary("z", theta), elementary("Z", d)],
+            [elementary("X", a), elementary("x", alpha)],
+        )
         moves = about_z + about_x if arm.table.convention == "standard" else about_x + about_z
         chain.append(chain[-1] @ np.linalg.multi_dot(moves))
     return chain
@@ -35,12 +40,18 @@ def chain_of(arm, q):
 
 def random_q(arm, seed):
     rng = np.random.default_rng(seed)
-    return np.where(arm.table.prismatic, rng.uniform(0.05, 0.4, len(arm)), rng.uniform(-np.pi, np.pi, len(arm)))
+    return np.where(
+        arm.table.prismatic, rng.uniform(0.05, 0.4, len(arm)), rng.uniform(-np.pi, np.pi, len(arm))
+    )
 
 
 def numbers(row):
     """The numbers of one line of a picture's table."""
-    return [float(word.strip("(),")) for word in row.split() if word.strip("(),").replace(".", "").replace("-", "").isdigit()]
+    return [
+        float(word.strip("(),"))
+        for word in row.split()
+        if word.strip("(),").replace(".", "").replace("-", "").isdigit()
+    ]
 
 
 @pytest.mark.parametrize("name", dh.robots())
@@ -50,11 +61,22 @@ def test_nothing_is_cut_off(name):
         figure = view.arm(arm, random_q(arm, seed)).figure
         renderer = figure.canvas.get_renderer()
         page = figure.bbox
-        artists = [artist for axes in figure.axes for artist in [*axes.lines, *axes.patches, *axes.texts]] + figure.texts
+        artists = [
+            artist for axes in figure.axes for artist in [*axes.lines, *axes.patches, *axes.texts]
+        ] + figure.texts
         assert len(artists) > 30
         for artist in artists:
-            box = artist.get_window_extent(renderer) if artist in figure.texts else artist.get_tightbbox(renderer)
-            assert box.x0 >= page.x0 - 1 and box.y0 >= page.y0 - 1 and box.x1 <= page.x1 + 1 and box.y1 <= page.y1 + 1, (name, seed, artist)
+            box = (
+                artist.get_window_extent(renderer)
+                if artist in figure.texts
+                else artist.get_tightbbox(renderer)
+            )
+            assert (
+                box.x0 >= page.x0 - 1
+                and box.y0 >= page.y0 - 1
+                and box.x1 <= page.x1 + 1
+                and box.y1 <= page.y1 + 1
+            ), (name, seed, artist)
 
 
 @pytest.mark.parametrize("name", ["article-6r", "panda", "stanford"])
@@ -74,7 +96,9 @@ def test_table_and_drawn_axes_are_the_frames(name):
     lines = picture.table.splitlines()[2:]
     for i, (T, line) in enumerate(zip(chain_of(arm, q), lines)):
         assert line.split()[0] == f"{{{i}}}"
-        assert numbers(line) == pytest.approx([*T[:3, 3], *T[:3, 0], *T[:3, 1], *T[:3, 2]], abs=6e-4)
+        assert numbers(line) == pytest.approx(
+            [*T[:3, 3], *T[:3, 0], *T[:3, 1], *T[:3, 2]], abs=6e-4
+        )
         for letter, axis in zip("xyz", T[:3, :3].T):
             start, tip = picture.points[f"{letter}-axis:{i}"]
             assert start == pytest.approx(T[:3, 3], abs=1e-9)
@@ -84,7 +108,11 @@ def test_table_and_drawn_axes_are_the_frames(name):
 def test_projection_keeps_parallels_and_lengths():
     """The drawn lines are one linear map of the points in space, with a plane's true scale."""
     picture = view.arm(dh.load("ur5e"), [0.3, -1, 1, 0.2, 0.7, 0], side=False)
-    drawn = {line.get_gid(): np.array(line.get_xydata()) for line in picture.figure.axes[0].lines if line.get_gid() in picture.points}
+    drawn = {
+        line.get_gid(): np.array(line.get_xydata())
+        for line in picture.figure.axes[0].lines
+        if line.get_gid() in picture.points
+    }
     names = [name for name in drawn if name.endswith(tuple(f"axis:{i}" for i in range(7)))]
     starts = np.array([picture.points[name][0] for name in names])
     flat = np.array([drawn[name][0] for name in names])
@@ -96,7 +124,9 @@ def test_projection_keeps_parallels_and_lengths():
 @pytest.mark.parametrize("name", ["article-6r", "panda", "puma560", "cobra600"])
 def test_every_axis_is_lettered(name):
     arm = dh.load(name)
-    texts = " ".join(text.get_text() for text in view.arm(arm, random_q(arm, 1)).figure.axes[0].texts)
+    texts = " ".join(
+        text.get_text() for text in view.arm(arm, random_q(arm, 1)).figure.axes[0].texts
+    )
     for i in range(len(arm) + 1):
         assert f"{{{i}}}" in texts
         for letter in "xyz":
@@ -104,11 +134,21 @@ def test_every_axis_is_lettered(name):
 
 
 def test_letters_stand_by_their_own_axis():
-    """Of all axes, the drawn arrow nearest to a letter is the one it names, for frames that are well apart."""
-    poses = [np.eye(4), transform.trans([0.6, 0, 0]) @ transform.rot_x(0.6), transform.trans([0, 0.7, 0.3]) @ transform.rot_y(1)]
+    """Of all axes, the drawn arrow nearest to a letter is the one it names, for frames that are
+    well apart.
+    """
+    poses = [
+        np.eye(4),
+        transform.trans([0.6, 0, 0]) @ transform.rot_x(0.6),
+        transform.trans([0, 0.7, 0.3]) @ transform.rot_y(1),
+    ]
     picture = view.frames(poses)
     axes = picture.figure.axes[0]
-    tips = {line.get_gid(): line.get_xydata()[-1] for line in axes.lines if "-axis:" in str(line.get_gid())}
+    tips = {
+        line.get_gid(): line.get_xydata()[-1]
+        for line in axes.lines
+        if "-axis:" in str(line.get_gid())
+    }
     for text in axes.texts:
         if text.get_gid() == "axis-label":
             letter, number = text.get_text().strip("$").replace("{", "").replace("}", "").split("_")
@@ -117,10 +157,13 @@ def test_letters_stand_by_their_own_axis():
 
 
 def test_links_follow_the_dh_path():
-    """Drawn links lie along z_{i-1} then x_i, in a standard table; their lengths add up to the sums of |d| and |a|."""
+    """Drawn links lie along z_{i-1} then x_i, in a standard table; their lengths add up to the sums
+    of |d| and |a|.
+    """
     arm = dh.load("ur5e")
     q = random_q(arm, 2)
     from dhlab.view.drawing.bodies import dh_path
+
     path = dh_path("standard", np.array(chain_of(arm, q)))
     steps = np.diff(path, axis=0)
     assert np.linalg.norm(steps[::2], axis=1) == pytest.approx(np.abs(arm.table.d), abs=1e-9)
@@ -135,6 +178,7 @@ def test_links_follow_the_dh_path():
 def test_a_joint_is_drawn_on_its_axis(name):
     """Turning joint i (or sliding it) moves no joint drawn up to i, whatever else it moves."""
     from dhlab.view.drawing.bodies import joint_places
+
     arm = dh.load(name)
     q = random_q(arm, 4)
     for i in range(len(arm)):
@@ -142,7 +186,9 @@ def test_a_joint_is_drawn_on_its_axis(name):
             continue
         moved = q.copy()
         moved[i] += 0.7
-        before, after = (joint_places(arm.table.convention, arm.frames(value)) for value in (q, moved))
+        before, after = (
+            joint_places(arm.table.convention, arm.frames(value)) for value in (q, moved)
+        )
         assert after[0][: i + 1] == pytest.approx(before[0][: i + 1], abs=1e-9)
         assert after[1][: i + 1] == pytest.approx(before[1][: i + 1], abs=1e-9)
 
@@ -150,7 +196,11 @@ def test_a_joint_is_drawn_on_its_axis(name):
 def test_alt_tells_the_end():
     arm = dh.load("article-6r")
     at_zero = view.arm(arm, side=False).alt
-    assert "x = 0.75, y = -0.2, z = 0.1 m" in at_zero and "6 revolute joints" in at_zero and "{4} and {5} share one origin" in at_zero
+    assert (
+        "x = 0.75, y = -0.2, z = 0.1 m" in at_zero
+        and "6 revolute joints" in at_zero
+        and "{4} and {5} share one origin" in at_zero
+    )
     turned = view.arm(arm, [np.pi / 2, 0, 0, 0, 0, 0], side=False).alt
     assert "x = 0.2, y = 0.75, z = 0.1 m" in turned and "90°" in turned
     assert "1 prismatic joint" in view.arm(dh.load("cobra600"), side=False).alt
@@ -166,12 +216,18 @@ def test_base_and_tool_are_named():
     assert "tool-line" in picture.points
     texts = [text.get_text() for text in picture.figure.axes[0].texts]
     assert any("tool" in text for text in texts) and any("base" in text for text in texts)
-    assert numbers(picture.table.splitlines()[-1])[:3] == pytest.approx(arm.forward([0] * 6)[:3, 3], abs=1e-4)
+    assert numbers(picture.table.splitlines()[-1])[:3] == pytest.approx(
+        arm.forward([0] * 6)[:3, 3], abs=1e-4
+    )
 
 
 def test_without_frames_only_the_end_is_drawn():
     picture = view.arm(dh.load("ur5e"), frames=False, side=False)
-    assert [name for name in picture.points if "axis:" in name] == ["x-axis:6", "y-axis:6", "z-axis:6"]
+    assert [name for name in picture.points if "axis:" in name] == [
+        "x-axis:6",
+        "y-axis:6",
+        "z-axis:6",
+    ]
 
 
 def test_side_view_says_its_plane():
@@ -183,21 +239,31 @@ def test_side_view_says_its_plane():
 def test_configurations_differ_in_line_and_colour():
     arm = dh.load("ur5e")
     picture = view.poses(arm, [[0.3 * k] * 6 for k in range(5)], names=list("abcde"))
-    lines = [line for line in picture.figure.axes[0].lines if str(line.get_gid()).startswith("pose:")]
+    lines = [
+        line for line in picture.figure.axes[0].lines if str(line.get_gid()).startswith("pose:")
+    ]
     assert len(lines) == 5
-    assert len({line.get_color() for line in lines}) == 5 and len({str(line._unscaled_dash_pattern) for line in lines}) == 5
+    assert (
+        len({line.get_color() for line in lines}) == 5
+        and len({str(line._unscaled_dash_pattern) for line in lines}) == 5
+    )
     ends = [numbers(row)[:3] for row in picture.table.splitlines()[2:]]
-    assert ends == [pytest.approx(chain_of(arm, [0.3 * k] * 6)[-1][:3, 3], abs=1e-4) for k in range(5)]
+    assert ends == [
+        pytest.approx(chain_of(arm, [0.3 * k] * 6)[-1][:3, 3], abs=1e-4) for k in range(5)
+    ]
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda arm: view.arm(arm.table), "expected an Arm"),
-    (lambda arm: view.arm(arm, [0, 0]), "expected 6 values"),
-    (lambda arm: view.arm(arm, np.zeros((2, 6))), "several are for view.poses"),
-    (lambda arm: view.poses(arm, np.zeros((6, 6))), "1 to 5 configurations"),
-    (lambda arm: view.poses(arm, np.zeros(6)), "1 to 5 configurations"),
-    (lambda arm: view.poses(arm, np.zeros((2, 6)), names=["one"]), "expected 2"),
-])
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda arm: view.arm(arm.table), "expected an Arm"),
+        (lambda arm: view.arm(arm, [0, 0]), "expected 6 values"),
+        (lambda arm: view.arm(arm, np.zeros((2, 6))), "several are for view.poses"),
+        (lambda arm: view.poses(arm, np.zeros((6, 6))), "1 to 5 configurations"),
+        (lambda arm: view.poses(arm, np.zeros(6)), "1 to 5 configurations"),
+        (lambda arm: view.poses(arm, np.zeros((2, 6)), names=["one"]), "expected 2"),
+    ],
+)
 def test_errors_are_sentences(call, words):
     with pytest.raises(ValueError, match=words):
         call(dh.load("article-6r"))
@@ -208,5 +274,9 @@ def test_pyplot_never_hears_of_it():
     if "matplotlib.pyplot" in sys.modules:
         assert matplotlib.pyplot.get_fignums() == []
     import subprocess
-    code = "import sys, dhlab as dh; from dhlab import view; view.arm(dh.load('ur5e')); sys.exit('matplotlib.pyplot' in sys.modules)"
+
+    code = (
+        "import sys, dhlab as dh; from dhlab import view; view.arm(dh.load('ur5e'));"
+        " sys.exit('matplotlib.pyplot' in sys.modules)"
+    )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

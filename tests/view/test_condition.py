@@ -31,7 +31,9 @@ def by_differences(arm, q, h=1e-6):
 def test_the_curve_is_the_condition_number_of_the_poses_derivative():
     q = path(ARM, BENT, 5, 0.2, 1.2, 7)
     curve = view.condition(ARM, q, 5).points["curve"]
-    assert np.allclose(curve[:, 0], np.rad2deg(q[:, 4])) and np.allclose(curve[:, 1], [by_differences(ARM, row) for row in q], rtol=1e-4)
+    assert np.allclose(curve[:, 0], np.rad2deg(q[:, 4])) and np.allclose(
+        curve[:, 1], [by_differences(ARM, row) for row in q], rtol=1e-4
+    )
 
 
 def test_a_singularity_is_said_drawn_and_tabled():
@@ -45,8 +47,16 @@ def test_a_singularity_is_said_drawn_and_tabled():
 
 def test_a_path_without_singularity_says_where_it_comes_nearest():
     picture = view.condition(ARM, path(ARM, BENT, 5, 0.3, 1.0), 5, title="along the wrist")
-    assert "meets no singularity" in picture.alt and "highest" in picture.alt and "17.19°" in picture.alt
-    assert picture.figure.texts[0].get_text() == "along the wrist" and "singular" not in picture.table.replace("singular value", "")
+    assert (
+        "meets no singularity" in picture.alt
+        and "highest" in picture.alt
+        and "17.19°" in picture.alt
+    )
+    assert picture.figure.texts[
+        0
+    ].get_text() == "along the wrist" and "singular" not in picture.table.replace(
+        "singular value", ""
+    )
 
 
 def test_sliding_joints_are_in_metres():
@@ -57,7 +67,12 @@ def test_sliding_joints_are_in_metres():
 
 def test_what_does_not_fit_is_refused():
     q = path(ARM, BENT, 5, -1, 1)
-    for wrong, joint, words in ((q, 0, "joint from 1 to 6"), (q, 4, "joint 4 to move"), (q[:1], 5, "two configurations"), (q[0], 5, "two configurations")):
+    for wrong, joint, words in (
+        (q, 0, "joint from 1 to 6"),
+        (q, 4, "joint 4 to move"),
+        (q[:1], 5, "two configurations"),
+        (q[0], 5, "two configurations"),
+    ):
         with pytest.raises(ValueError, match=words):
             view.condition(ARM, wrong, joint)
     with pytest.raises(ValueError, match="view.condition: expected an Arm"):
@@ -68,5 +83,7 @@ def test_what_does_not_fit_is_refused():
 
 
 def test_the_same_picture_is_the_same_bytes():
-    once, twice = (view.condition(ARM, path(ARM, BENT, 5, -1, 1), 5)._repr_mimebundle_() for _ in range(2))
+    once, twice = (
+        view.condition(ARM, path(ARM, BENT, 5, -1, 1), 5)._repr_mimebundle_() for _ in range(2)
+    )
     assert once == twice and 'alt="' in once["text/html"] and "<table" in once["text/html"]

@@ -1,4 +1,6 @@
-"""The explorer on Python's side: what it takes, what it says, what it stores, and that every placement can be finished from what it offers."""
+"""The explorer on Python's side: what it takes, what it says, what it stores, and that every
+placement can be finished from what it offers.
+"""
 
 import json
 import re
@@ -24,7 +26,9 @@ def arm():
 
 def test_module_is_what_its_source_gives(packages):
     subprocess.run(["npm", "run", "--silent", "build"], cwd=packages, check=True)
-    assert (packages.parent / "explorer.js").read_bytes() == MODULE.read_bytes(), "run npm ci and npm run build in dhlab/view/explorer/js"
+    assert (packages.parent / "explorer.js").read_bytes() == MODULE.read_bytes(), (
+        "run npm ci and npm run build in dhlab/view/explorer/js"
+    )
 
 
 def test_lock_names_no_registry():
@@ -75,10 +79,17 @@ def test_compare_mode_follows_the_pose_shown(arm):
         explorer.step = 5
 
 
-ERRORS = [({"mode": "arms"}, "expected one of the modes arm, link"), ({"q": [0]}, "q: expected 6 values"), ({"q": np.zeros((2, 6))}, "expected one configuration"),
-          ({"mode": "link", "joint": 7}, "joint from 1 to 6, found 7"), ({"mode": "link", "poses": 1}, "takes q, joint, found 'poses'"),
-          ({"mode": "compare"}, "expected either poses .* or other"), ({"mode": "compare", "q": np.zeros((2, 6)), "poses": np.zeros((3, 3))}, "as many finite poses"),
-          ({"mode": "compare", "other": dh.load("panda")}, "second arm of 6 joints, found 7"), ({"mode": "place", "end": np.eye(4)}, "an arm brings its own")]
+ERRORS = [
+    ({"mode": "arms"}, "expected one of the modes arm, link"),
+    ({"q": [0]}, "q: expected 6 values"),
+    ({"q": np.zeros((2, 6))}, "expected one configuration"),
+    ({"mode": "link", "joint": 7}, "joint from 1 to 6, found 7"),
+    ({"mode": "link", "poses": 1}, "takes q, joint, found 'poses'"),
+    ({"mode": "compare"}, "expected either poses .* or other"),
+    ({"mode": "compare", "q": np.zeros((2, 6)), "poses": np.zeros((3, 3))}, "as many finite poses"),
+    ({"mode": "compare", "other": dh.load("panda")}, "second arm of 6 joints, found 7"),
+    ({"mode": "place", "end": np.eye(4)}, "an arm brings its own"),
+]
 
 
 @pytest.mark.parametrize("needs, sentence", ERRORS, ids=[sentence[:20] for _, sentence in ERRORS])
@@ -99,7 +110,12 @@ def test_no_arm_is_said():
             dh.explore([[0, 0, 0, 0]], mode=mode, **({"other": 1} if mode == "compare" else {}))
 
 
-CELLS = ["import dhlab as dh\narm = dh.load('article-6r')\narm", "dh.explore(arm, q=[0.1] * 6)", "dh.explore(arm, mode='place')", "arm.table"]
+CELLS = [
+    "import dhlab as dh\narm = dh.load('article-6r')\narm",
+    "dh.explore(arm, q=[0.1] * 6)",
+    "dh.explore(arm, mode='place')",
+    "arm.table",
+]
 
 
 def _stored():
@@ -112,7 +128,9 @@ def _stored():
 def test_stored_outputs_are_the_same_every_time_and_show_something_anywhere():
     live, outputs, notebook = _stored()
     _, again, _ = _stored()
-    assert "application/vnd.jupyter.widget-view+json" in live and "model_id" not in json.dumps(notebook)
+    assert "application/vnd.jupyter.widget-view+json" in live and "model_id" not in json.dumps(
+        notebook
+    )
     assert outputs == again
     shown, explored, placed, _ = (output["text/html"] for output in outputs)
     assert "<table" in shown and 'class="dhlab-explorer"' in shown and "<img" not in shown
@@ -158,9 +176,16 @@ def test_every_placement_can_be_finished_from_the_offers(name, convention):
 
 def test_a_step_from_python_is_seen_in_the_view(arm):
     explorer = dh.explore(arm, mode="place")
-    assert explorer.place("z0", [0, 0, 1]) and explorer._answer["placed"] == [{"step": "z0", "value": [0, 0, 1]}]
+    assert explorer.place("z0", [0, 0, 1]) and explorer._answer["placed"] == [
+        {"step": "z0", "value": [0, 0, 1]}
+    ]
     wrong = explorer.place("z1", [0, 0, 1])
-    assert not wrong and explorer._answer["said"]["rule"] == wrong.rule and explorer.arm is None and explorer.table is None
+    assert (
+        not wrong
+        and explorer._answer["said"]["rule"] == wrong.rule
+        and explorer.arm is None
+        and explorer.table is None
+    )
     with pytest.raises(ValueError, match='such as "z1"'):
         explorer.place("y1", [0, 0, 1])
     with pytest.raises(ValueError, match='expected mode "place"'):
@@ -171,7 +196,11 @@ def test_steps_are_taken_back_one_by_one(arm):
     placing, answers = Placing(*axes_of(arm), "standard"), []
     while placing.placement.missing:
         answers.append(placing.answer())
-        offer = next(offer for offer in answers[-1]["offers"] if placing.make(answers[-1]["next"], offer["value"], offer["point"]))
+        offer = next(
+            offer
+            for offer in answers[-1]["offers"]
+            if placing.make(answers[-1]["next"], offer["value"], offer["point"])
+        )
         placing.make("z0", [1, 1, 1])  # a wrong one after it is nothing to take back
     for before in reversed(answers):
         placing.back()
@@ -190,14 +219,22 @@ def test_a_wrong_step_made_twice_is_answered_twice(arm):
 
 def luminance(hexadecimal):
     """Relative luminance as WCAG 2.1 defines it."""
-    rgb = np.array([int(hexadecimal[k:k + 2], 16) for k in (1, 3, 5)]) / 255
-    return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
+    rgb = np.array([int(hexadecimal[k : k + 2], 16) for k in (1, 3, 5)]) / 255
+    return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ [
+        0.2126,
+        0.7152,
+        0.0722,
+    ]
 
 
 @pytest.mark.parametrize("scheme", ["LIGHT", "DARK"])
 def test_what_is_written_in_the_picture_stands_out_from_its_ground(scheme):
     source = (MODULE.parent / "js" / "src" / "theme.js").read_text(encoding="utf-8")
-    colors = dict(re.findall(r'(\w+): "(#\w{6})"', re.search(rf"const {scheme} = \{{(.*?)\}};", source, re.DOTALL)[1]))
+    colors = dict(
+        re.findall(
+            r'(\w+): "(#\w{6})"', re.search(rf"const {scheme} = \{{(.*?)\}};", source, re.DOTALL)[1]
+        )
+    )
     for name in ("x", "y", "z", "ink", "quiet", "other", "error", "trace"):
         dark, light = sorted(luminance(color) for color in (colors[name], colors["ground"]))
         assert (light + 0.05) / (dark + 0.05) >= 4.5, name
@@ -207,5 +244,7 @@ def test_the_still_picture_of_two_near_arms_letters_each_axis_once(arm):
     rows = arm.table.rows
     rows[5, 1] += 0.002
     near = dh.Arm(dh.DHTable.standard(rows, angle="rad"), name="near")
-    texts = [text.get_text() for text in stills.two(arm, near, np.zeros(len(arm))).figure.axes[0].texts]
+    texts = [
+        text.get_text() for text in stills.two(arm, near, np.zeros(len(arm))).figure.axes[0].texts
+    ]
     assert [texts.count(f"${letter}$") for letter in "xyz"] == [1, 1, 1]

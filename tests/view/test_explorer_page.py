@@ -1,4 +1,6 @@
-"""The explorer in Chromium, on a page without kernel and network: poses, hands on it, labels, tables, light and dark, what is heard and what is not seen."""
+"""The explorer in Chromium, on a page without kernel and network: poses, hands on it, labels,
+tables, light and dark, what is heard and what is not seen.
+"""
 
 import re
 
@@ -22,9 +24,14 @@ def wrong(arm):
 def every_mode():
     arm = dh.load("ur5e")
     qs = np.random.default_rng(1).uniform(-1.5, 1.5, (5, 6))
-    return {"arm": dh.explore(arm, q=Q), "link": dh.explore(arm, mode="link", joint=4, q=Q), "conventions": dh.explore(arm, mode="conventions", q=Q),
-            "compare": dh.explore(wrong(arm), mode="compare", q=qs, poses=arm.forward(qs)), "two": dh.explore(arm, mode="compare", other=wrong(arm), q=Q),
-            "place": dh.explore(dh.load("stanford"), mode="place")}
+    return {
+        "arm": dh.explore(arm, q=Q),
+        "link": dh.explore(arm, mode="link", joint=4, q=Q),
+        "conventions": dh.explore(arm, mode="conventions", q=Q),
+        "compare": dh.explore(wrong(arm), mode="compare", q=qs, poses=arm.forward(qs)),
+        "two": dh.explore(arm, mode="compare", other=wrong(arm), q=Q),
+        "place": dh.explore(dh.load("stanford"), mode="place"),
+    }
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +45,9 @@ def explorer(page, k=0):
 
 def text_table(page, caption):
     """The cells of a table as they are read aloud."""
-    rows = page.locator(".explorer table", has=page.locator("caption", has_text=caption)).locator("tbody tr")
+    rows = page.locator(".explorer table", has=page.locator("caption", has_text=caption)).locator(
+        "tbody tr"
+    )
     return [row.locator("th, td").all_text_contents() for row in rows.all()]
 
 
@@ -58,7 +67,10 @@ def test_pose_equals_pythons_for_every_arm_and_both_conventions(opened):
     for name in dh.robots():
         for arm in (dh.load(name).to("standard"), dh.load(name).to("craig")):
             q = rng.uniform(-3, 3, (50, len(arm)))
-            found = page.evaluate("([arm, qs]) => qs.map((q) => [dhlab.forward(arm, q), ...dhlab.frames(arm, q)])", [arm_data(arm), q.tolist()])
+            found = page.evaluate(
+                "([arm, qs]) => qs.map((q) => [dhlab.forward(arm, q), ...dhlab.frames(arm, q)])",
+                [arm_data(arm), q.tolist()],
+            )
             wanted = np.concatenate([arm.forward(q)[:, None], arm.frames(q)], axis=1)
             largest = max(largest, np.abs(np.reshape(found, wanted.shape) - wanted).max())
     print(f"largest difference {largest:.1e}")
@@ -66,12 +78,20 @@ def test_pose_equals_pythons_for_every_arm_and_both_conventions(opened):
 
 
 def test_sign_offset_slide_base_and_tool_count(opened):
-    table = dh.DHTable.standard([[30, 0.1, 0.2, 90], [-20, 0.3, 0, -90], [0, 0, 0.4, 10]], angle="deg", joints="RPR")
+    table = dh.DHTable.standard(
+        [[30, 0.1, 0.2, 90], [-20, 0.3, 0, -90], [0, 0, 0.4, 10]], angle="deg", joints="RPR"
+    )
     T = dh.load("ur5e").forward(Q)
     arm = dh.Arm(table, base=T, tool=np.linalg.inv(T), sign=[-1, -1, 1])
     page, q = opened(dh.explore(arm)), [0.4, -0.15, 1.1]
     for one in (arm, arm.to("craig")):
-        np.testing.assert_allclose(np.reshape(page.evaluate("([arm, q]) => dhlab.forward(arm, q)", [arm_data(one), q]), (4, 4)), arm.forward(q), atol=1e-12)
+        np.testing.assert_allclose(
+            np.reshape(
+                page.evaluate("([arm, q]) => dhlab.forward(arm, q)", [arm_data(one), q]), (4, 4)
+            ),
+            arm.forward(q),
+            atol=1e-12,
+        )
 
 
 NOTEBOOK = """() => { // Enter alone makes no change event there, and letters are commands
@@ -93,11 +113,27 @@ def test_enter_is_enough_in_every_number_box_and_a_notebook_hears_no_key(opened,
             page.keyboard.type(value)
             page.keyboard.press("Enter")
             assert sliders.nth(k).input_value() == value and boxes.nth(k).input_value() == value
-    for key in ["a", "b", "d", "d", "m", "0", "0", "7", "Backspace", "ArrowUp", "ArrowDown", "Escape"]:
+    for key in [
+        "a",
+        "b",
+        "d",
+        "d",
+        "m",
+        "0",
+        "0",
+        "7",
+        "Backspace",
+        "ArrowUp",
+        "ArrowDown",
+        "Escape",
+    ]:
         page.keyboard.press(key)
     sliders.nth(0).focus()
     page.keyboard.press("ArrowRight")
-    assert set(page.evaluate("window.commands")) <= {"Control", "a"} and page.evaluate("window.commands.length") == 4 * boxes.count(), "Control and a alone"
+    assert (
+        set(page.evaluate("window.commands")) <= {"Control", "a"}
+        and page.evaluate("window.commands.length") == 4 * boxes.count()
+    ), "Control and a alone"
 
 
 def test_enter_in_the_box_of_mode_place_moves_the_point(live):
@@ -108,7 +144,10 @@ def test_enter_in_the_box_of_mode_place_moves_the_point(live):
     page.evaluate(NOTEBOOK)
     page.get_by_role("spinbutton").fill("35")
     page.keyboard.press("Enter")
-    assert page.get_by_role("slider", name="Along the line of z").input_value() == "35" and page.get_by_role("button", name="Place it").is_enabled()
+    assert (
+        page.get_by_role("slider", name="Along the line of z").input_value() == "35"
+        and page.get_by_role("button", name="Place it").is_enabled()
+    )
 
 
 def test_a_number_with_more_digits_than_shown_stays_as_typed(opened, modes):
@@ -117,7 +156,9 @@ def test_a_number_with_more_digits_than_shown_stays_as_typed(opened, modes):
     box.fill("33.33333")
     for key in ("Enter", "Tab"):
         page.keyboard.press(key)
-        assert page.evaluate("document.querySelector('.dhlab-explorer').explorer.host.get('q')[0]") == pytest.approx(np.deg2rad(33.33333), abs=1e-12)
+        assert page.evaluate(
+            "document.querySelector('.dhlab-explorer').explorer.host.get('q')[0]"
+        ) == pytest.approx(np.deg2rad(33.33333), abs=1e-12)
 
 
 def test_sliders_by_mouse_and_keyboard_move_arm_and_tables(opened):
@@ -132,16 +173,25 @@ def test_sliders_by_mouse_and_keyboard_move_arm_and_tables(opened):
     page.get_by_role("spinbutton", name="Joint 3, degrees, exactly").fill("33.25")
     page.keyboard.press("Enter")
     q = page.evaluate("document.querySelector('.dhlab-explorer').explorer.host.get('q')")
-    assert q[0] > 1 and q[1] == pytest.approx(np.deg2rad(-3)) and q[2] == pytest.approx(np.deg2rad(33.25))
+    assert (
+        q[0] > 1
+        and q[1] == pytest.approx(np.deg2rad(-3))
+        and q[2] == pytest.approx(np.deg2rad(33.25))
+    )
     end = arm.forward(q)
-    np.testing.assert_allclose(numbers(page.locator("dd").first.inner_text()), 1000 * end[:3, 3], atol=0.051)
+    np.testing.assert_allclose(
+        numbers(page.locator("dd").first.inner_text()), 1000 * end[:3, 3], atol=0.051
+    )
     shown = text_table(page, "Table now")
-    np.testing.assert_allclose([numbers(row[1])[0] for row in shown], np.rad2deg(arm.table.theta + q), atol=0.0051)
+    np.testing.assert_allclose(
+        [numbers(row[1])[0] for row in shown], np.rad2deg(arm.table.theta + q), atol=0.0051
+    )
     expect_status(page, f"x = {end[0, 3] * 1000:.1f}".replace("-", "−").removesuffix(".0"))
 
 
 def expect_status(page, text):
     from playwright.sync_api import expect
+
     expect(page.get_by_role("status").first).to_contain_text(text)
 
 
@@ -150,41 +200,64 @@ def test_text_table_is_the_frames(opened, name):
     arm = dh.load(name)
     q = np.linspace(-0.5, 0.8, len(arm))
     page = opened(dh.explore(arm))
-    page.evaluate("q => document.querySelector('.dhlab-explorer').explorer.host.set('q', q)", q.tolist())
+    page.evaluate(
+        "q => document.querySelector('.dhlab-explorer').explorer.host.set('q', q)", q.tolist()
+    )
     unfold(page)
     rows, frames = text_table(page, "The frames"), arm.frames(q)
     assert len(rows) == len(frames) + (not np.array_equal(arm.tool, np.eye(4)))
     for row, T in zip(rows, [*frames, arm.forward(q)]):
-        np.testing.assert_allclose([numbers(cell)[0] for cell in row[1:4]], 1000 * T[:3, 3], atol=0.051)
+        np.testing.assert_allclose(
+            [numbers(cell)[0] for cell in row[1:4]], 1000 * T[:3, 3], atol=0.051
+        )
         np.testing.assert_allclose([numbers(cell) for cell in row[4:]], T[:3, :3].T, atol=0.00051)
 
 
 def test_labels_are_apart_and_nearly_all_there_at_the_usual_views(opened):
     arms = [dh.load(name) for name in dh.robots()]
-    page, missing = opened(*(dh.explore(arm, q=np.linspace(0.5, -0.7, len(arm))) for arm in arms)), {}
+    page, missing = (
+        opened(*(dh.explore(arm, q=np.linspace(0.5, -0.7, len(arm))) for arm in arms)),
+        {},
+    )
     for view in VIEWS:
-        found = page.evaluate("""view => [...document.querySelectorAll('.dhlab-explorer')].map(({ explorer: { stage } }) => {
+        found = page.evaluate(
+            """view => [...document.querySelectorAll('.dhlab-explorer')].map(({ explorer: { stage } }) => {
             stage.look(view);
             stage.draw(0);
-            return [stage.wanted, stage.paper.labels.map((b) => [b.left, b.top, b.right, b.bottom])]; })""", view)
+            return [stage.wanted, stage.paper.labels.map((b) => [b.left, b.top, b.right, b.bottom])]; })""",
+            view,
+        )
         for arm, (wanted, boxes) in zip(arms, found):
             for i, a in enumerate(boxes):
-                assert all(a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3] for b in boxes[:i]), f"{arm.name}, {view}"
+                assert all(
+                    a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3] for b in boxes[:i]
+                ), f"{arm.name}, {view}"
             missing[arm.name, view] = 1 - len(boxes) / wanted
-    assert max(missing.values()) < 0.2 and np.mean(list(missing.values())) < 0.04, sorted(missing.items(), key=lambda item: -item[1])[:5]
+    assert max(missing.values()) < 0.2 and np.mean(list(missing.values())) < 0.04, sorted(
+        missing.items(), key=lambda item: -item[1]
+    )[:5]
 
 
 def drawn(page, k=0):
     """Wait for the picture."""
-    page.wait_for_function("k => { const { stage } = document.querySelectorAll('.dhlab-explorer')[k].explorer; return stage.drawn > 0 && !stage.stale; }", arg=k)
+    page.wait_for_function(
+        "k => { const { stage } = document.querySelectorAll('.dhlab-explorer')[k].explorer; return"
+        " stage.drawn > 0 && !stage.stale; }",
+        arg=k,
+    )
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_in_any_mode(opened, modes, packages, scheme):
     page = opened(*modes.values(), stills=True, color_scheme=scheme)
     unfold(page)
-    page.evaluate((packages / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8"))
-    found = page.evaluate("axe.run().then((r) => [r.passes.length, r.violations.map((v) => v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 120)).join(' | '))])")
+    page.evaluate(
+        (packages / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+    )
+    found = page.evaluate(
+        "axe.run().then((r) => [r.passes.length, r.violations.map((v) => v.id + ': ' +"
+        " v.nodes.map((n) => n.html.slice(0, 120)).join(' | '))])"
+    )
     assert found[0] > 15 and found[1] == []
 
 
@@ -194,7 +267,9 @@ def test_one_loop_sleeps_out_of_sight_and_when_nothing_changes(opened, modes):
     drawn(page)
     before = page.evaluate(count)
     assert before[-1] == 0, "the last one is far below and has not been drawn"
-    page.evaluate("document.querySelectorAll('.dhlab-explorer').forEach((e) => e.explorer.stage.redraw())")
+    page.evaluate(
+        "document.querySelectorAll('.dhlab-explorer').forEach((e) => e.explorer.stage.redraw())"
+    )
     drawn(page)
     after = page.evaluate(count)
     assert after[0] == before[0] + 1 and after[-1] == 0
@@ -202,14 +277,22 @@ def test_one_loop_sleeps_out_of_sight_and_when_nothing_changes(opened, modes):
     assert page.evaluate(count) == after, "nothing moves, nothing is drawn"
     explorer(page, len(modes) - 1).scroll_into_view_if_needed()
     drawn(page, len(modes) - 1)
-    assert page.evaluate("[...Object.getOwnPropertySymbols(globalThis)].filter((s) => s.description === 'dhlab.explorer').length") == 1
+    assert (
+        page.evaluate(
+            "[...Object.getOwnPropertySymbols(globalThis)].filter((s) => s.description ==="
+            " 'dhlab.explorer').length"
+        )
+        == 1
+    )
 
 
 def test_without_webgl_the_still_picture_is_seen_and_the_sliders_work(opened):
     block = """const canvas = HTMLCanvasElement.prototype, get = canvas.getContext;
         canvas.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : get.call(this, kind, ...more); };"""
     page = opened(dh.explore(dh.load("ur5e")), stills=True, script=block)
-    assert page.locator("figure.dhlab-picture img").is_visible() and page.locator("canvas").is_hidden()
+    assert (
+        page.locator("figure.dhlab-picture img").is_visible() and page.locator("canvas").is_hidden()
+    )
     before = page.locator("dd").first.inner_text()
     page.get_by_role("slider", name="Joint 1, degrees").press("PageUp")
     assert page.locator("dd").first.inner_text() != before
@@ -217,19 +300,26 @@ def test_without_webgl_the_still_picture_is_seen_and_the_sliders_work(opened):
 
 def test_with_webgl_the_still_picture_makes_room(opened, modes):
     page = opened(modes["arm"], stills=True)
-    assert page.locator("figure.dhlab-picture img").is_hidden() and page.locator("canvas").is_visible()
+    assert (
+        page.locator("figure.dhlab-picture img").is_hidden() and page.locator("canvas").is_visible()
+    )
     drawn(page)
-    colours = page.evaluate("""() => { const c = document.querySelector('.dhlab-explorer').explorer.stage.canvas, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+    colours = page.evaluate(
+        """() => { const c = document.querySelector('.dhlab-explorer').explorer.stage.canvas, d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
         const seen = { x: 0, y: 0, z: 0 };
         for (let i = 0; i < d.length; i += 4) { const [r, g, b] = d.slice(i, i + 3); if (d[i + 3] < 200) continue;
             if (r > 150 && g < 110 && b < 80) seen.x++; if (g > 80 && r < 70 && b < 120 && g > b) seen.y++; if (b > 110 && r < 80 && b > g + 30) seen.z++; }
-        return seen; }""")
+        return seen; }"""
+    )
     assert min(colours.values()) > 100, colours
 
 
 def test_the_view_turns_by_keys_mouse_and_buttons(opened, modes):
     page = opened(modes["arm"])
-    angles = "(({ azimuth, elevation, zoom }) => [azimuth, elevation, zoom])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    angles = (
+        "(({ azimuth, elevation, zoom }) => [azimuth, elevation,"
+        " zoom])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    )
     drawn(page)
     home, canvas = page.evaluate(angles), page.locator("canvas")
     canvas.focus()
@@ -252,14 +342,22 @@ def test_the_view_turns_by_keys_mouse_and_buttons(opened, modes):
 
 def test_one_finger_turns_two_fingers_zoom(opened, modes):
     page = opened(modes["arm"], has_touch=True)
-    camera = "(({ azimuth, zoom }) => [azimuth, zoom])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    camera = (
+        "(({ azimuth, zoom }) => [azimuth,"
+        " zoom])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    )
     box, hand = page.locator("canvas").bounding_box(), page.context.new_cdp_session(page)
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def drag(*ways):
         for k in range(6):
-            points = [{"x": x + dx * k / 5 + start, "y": y, "id": i} for i, (start, dx) in enumerate(ways)]
-            hand.send("Input.dispatchTouchEvent", {"type": "touchMove" if k else "touchStart", "touchPoints": points})
+            points = [
+                {"x": x + dx * k / 5 + start, "y": y, "id": i} for i, (start, dx) in enumerate(ways)
+            ]
+            hand.send(
+                "Input.dispatchTouchEvent",
+                {"type": "touchMove" if k else "touchStart", "touchPoints": points},
+            )
         hand.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
         return page.evaluate(camera)
 
@@ -272,14 +370,20 @@ def test_one_finger_turns_two_fingers_zoom(opened, modes):
 def test_a_lost_picture_comes_back(opened, modes):
     page = opened(modes["arm"])
     drawn(page)
-    page.evaluate("""() => { const { stage } = document.querySelector('.dhlab-explorer').explorer;
-        window.lost = stage.paper.renderer.gl.getExtension('WEBGL_lose_context'); window.lost.loseContext(); stage.redraw(); window.before = stage.drawn; }""")
+    page.evaluate(
+        """() => { const { stage } = document.querySelector('.dhlab-explorer').explorer;
+        window.lost = stage.paper.renderer.gl.getExtension('WEBGL_lose_context'); window.lost.loseContext(); stage.redraw(); window.before = stage.drawn; }"""
+    )
     page.wait_for_timeout(200)
     page.evaluate("window.lost.restoreContext()")
-    page.wait_for_function("document.querySelector('.dhlab-explorer').explorer.stage.drawn > window.before")
+    page.wait_for_function(
+        "document.querySelector('.dhlab-explorer').explorer.stage.drawn > window.before"
+    )
 
 
-@pytest.mark.parametrize("convention, order", [("Standard", "θ₄ d₄ a₄ α₄"), ("Craig", "α₃ a₃ θ₄ d₄")])
+@pytest.mark.parametrize(
+    "convention, order", [("Standard", "θ₄ d₄ a₄ α₄"), ("Craig", "α₃ a₃ θ₄ d₄")]
+)
 def test_link_moves_one_by_one_in_the_order_of_the_convention(opened, modes, convention, order):
     page = opened(modes["link"], reduced_motion="reduce")
     page.get_by_role("radio", name=convention).check(force=True)
@@ -290,12 +394,24 @@ def test_link_moves_one_by_one_in_the_order_of_the_convention(opened, modes, con
     row = modes["link"].row
     table = dh.DHTable(convention.lower(), *row[:, None], "R")
     for k in range(4):
-        np.testing.assert_allclose(numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3], _after(table, k), atol=0.051)
+        np.testing.assert_allclose(
+            numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
+            _after(table, k),
+            atol=0.051,
+        )
         page.get_by_role("button", name="One move forward").click()
         assert items.nth(k).get_attribute("class") == "now"
-    np.testing.assert_allclose(numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3], 1000 * dh.Arm(table).forward([0])[:3, 3], atol=0.051)
+    np.testing.assert_allclose(
+        numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
+        1000 * dh.Arm(table).forward([0])[:3, 3],
+        atol=0.051,
+    )
     page.get_by_role("button", name="One move back").click()
-    np.testing.assert_allclose(numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3], _after(table, 3), atol=0.051)
+    np.testing.assert_allclose(
+        numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
+        _after(table, 3),
+        atol=0.051,
+    )
 
 
 @pytest.mark.parametrize("convention", ["Standard", "Craig"])
@@ -320,11 +436,23 @@ def test_the_move_that_runs_is_the_one_marked(opened, convention):
         assert seen[-1] == (["done"] * 3 + ["now"] if way == "on" else [""] * 4)
 
 
-@pytest.mark.parametrize("row", [(110, 0.3, -0.1, -20), (-60, 0.1, -0.3, 90), (30, 0.2, 0.3, 90), (40, 0.3, 0.4, 50), (90, 0.3, 0.2, 90)])
+@pytest.mark.parametrize(
+    "row",
+    [
+        (110, 0.3, -0.1, -20),
+        (-60, 0.1, -0.3, 90),
+        (30, 0.2, 0.3, 90),
+        (40, 0.3, 0.4, 50),
+        (90, 0.3, 0.2, 90),
+    ],
+)
 def test_no_x_and_z_fall_together_in_the_first_view_of_a_row(opened, row):
     table = dh.DHTable.standard([row], angle="deg")
     page = opened(dh.explore(table, mode="link"))
-    camera = "(({ azimuth, right, up }) => [azimuth, right, up])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    camera = (
+        "(({ azimuth, right, up }) => [azimuth, right,"
+        " up])(document.querySelector('.dhlab-explorer').explorer.stage.camera)"
+    )
     azimuth, *flat = page.evaluate(camera)
     R = dh.Arm(table).forward([0])[:3, :3]
     axes = [np.eye(3)[0], np.eye(3)[2], R[:, 0], R[:, 2]]
@@ -333,7 +461,10 @@ def test_no_x_and_z_fall_together_in_the_first_view_of_a_row(opened, row):
             space = np.linalg.norm(np.cross(v, w))
             if space > 1e-6:
                 a, b = np.array(flat) @ v, np.array(flat) @ w
-                assert abs(a[0] * b[1] - a[1] * b[0]) / max(np.linalg.norm(a), np.linalg.norm(b)) > 0.25 * space
+                assert (
+                    abs(a[0] * b[1] - a[1] * b[0]) / max(np.linalg.norm(a), np.linalg.norm(b))
+                    > 0.25 * space
+                )
     assert azimuth == -58 or row[0] != 90, "a view that is good stays"
     page.get_by_role("button", name="Top", exact=True).click()
     page.get_by_role("button", name="Home", exact=True).click()
@@ -349,18 +480,29 @@ def _after(table, k):
 
 def test_conventions_say_how_far_the_frames_are_apart(opened, modes):
     page, arm = opened(modes["conventions"]), dh.load("ur5e")
-    far = np.linalg.norm((arm.to("standard").frames(Q) - arm.to("craig").frames(Q))[:, :3, 3], axis=1)
+    far = np.linalg.norm(
+        (arm.to("standard").frames(Q) - arm.to("craig").frames(Q))[:, :3, 3], axis=1
+    )
     for k in range(7):
         page.get_by_role("radio", name=f"{{{k}}}").check(force=True)
         text = page.get_by_text(f"Frame {{{k}}}: standard puts").inner_text()
-        assert "coincide" in text if far[k] < 1e-9 else numbers(text.split("origins are")[1])[0] == pytest.approx(1000 * far[k], abs=0.051)
+        assert (
+            "coincide" in text
+            if far[k] < 1e-9
+            else numbers(text.split("origins are")[1])[0] == pytest.approx(1000 * far[k], abs=0.051)
+        )
 
 
 def test_compare_tells_every_error_and_goes_to_the_worst(opened, modes):
     page, data = opened(modes["compare"]), modes["compare"]._data
-    found = np.reshape(data["poses"], (-1, 4, 4))[:, :3, 3] - modes["compare"].arm.forward(data["qs"])[:, :3, 3]
+    found = (
+        np.reshape(data["poses"], (-1, 4, 4))[:, :3, 3]
+        - modes["compare"].arm.forward(data["qs"])[:, :3, 3]
+    )
     errors = 1000 * np.linalg.norm(found, axis=1)
-    np.testing.assert_allclose([numbers(row[1])[0] for row in text_table(page, "Errors")], errors, atol=0.0051)
+    np.testing.assert_allclose(
+        [numbers(row[1])[0] for row in text_table(page, "Errors")], errors, atol=0.0051
+    )
     page.get_by_role("button", name="The pose before").click()
     page.get_by_role("button", name="Worst").click()
     assert page.get_by_role("slider", name="Pose").input_value() == str(1 + errors.argmax())
@@ -375,21 +517,37 @@ def test_ends_that_nearly_coincide_share_their_letters(opened):
     arm = dh.load("ur5e")
     rows = arm.table.rows
     rows[5, 1] += 0.001
-    page = opened(dh.explore(arm, mode="compare", other=dh.Arm(dh.DHTable.standard(rows, angle="rad"), name="near"), q=Q))
+    page = opened(
+        dh.explore(
+            arm,
+            mode="compare",
+            other=dh.Arm(dh.DHTable.standard(rows, angle="rad"), name="near"),
+            q=Q,
+        )
+    )
     drawn(page)
-    letters = page.evaluate("document.querySelector('.dhlab-explorer').explorer.stage.paper.labels.map((box) => box.label.text)")
+    letters = page.evaluate(
+        "document.querySelector('.dhlab-explorer').explorer.stage.paper.labels.map((box) =>"
+        " box.label.text)"
+    )
     assert [letters.count(letter) for letter in "xyz"] == [1, 1, 1]
 
 
 def test_bare_axes_end_on_the_floor_with_a_dot(opened):
     page = opened(dh.explore(dh.load("article-6r"), mode="place"))
     drawn(page)
-    lowest, lines, dots = page.evaluate("""() => { const { stage } = document.querySelector('.dhlab-explorer').explorer, lines = [], dots = [];
+    lowest, lines, dots = page.evaluate(
+        """() => { const { stage } = document.querySelector('.dhlab-explorer').explorer, lines = [], dots = [];
         const known = { lowest: stage.lowest, line: (points) => lines.push(points), ring: (at) => dots.push(at) };
         stage.mode.build(new Proxy(known, { get: (scene, name) => scene[name] ?? (() => [0, 0, 0]) }));
-        return [stage.lowest, lines, dots]; }""")
+        return [stage.lowest, lines, dots]; }"""
+    )
     assert np.min(np.array(lines)[..., 2]) == pytest.approx(lowest) and len(lines) == 6
-    assert np.array(dots)[:, 2] == pytest.approx([lowest] * len(dots)) and np.allclose(dots[0][:2], 0) and len(dots) == 2
+    assert (
+        np.array(dots)[:, 2] == pytest.approx([lowest] * len(dots))
+        and np.allclose(dots[0][:2], 0)
+        and len(dots) == 2
+    )
 
 
 def test_placement_is_played_to_its_table(opened, modes):
@@ -399,7 +557,11 @@ def test_placement_is_played_to_its_table(opened, modes):
     assert page.locator(".steps li:visible").count() == 3
     page.get_by_role("button", name="To the end").click()
     rows = text_table(page, "The finished table")
-    np.testing.assert_allclose([numbers(row[4])[0] for row in rows], np.rad2deg([row[3] for row in data["finished"]["rows"]]), atol=0.0051)
+    np.testing.assert_allclose(
+        [numbers(row[4])[0] for row in rows],
+        np.rad2deg([row[3] for row in data["finished"]["rows"]]),
+        atol=0.0051,
+    )
     assert page.locator(".steps li:visible").count() == len(data["worked"]) == 3 * 7
 
 
@@ -409,8 +571,15 @@ def test_the_theme_of_the_page_is_taken_up(opened, modes, attribute):
     dark, light = ("dark", "light") if attribute == "data-theme" else ("false", "true")
     shade = page.locator(".explorer")
     for value, wanted in ((dark, "dark"), (light, "light")):
-        page.evaluate("([name, value]) => document.body.setAttribute(name, value)", [attribute, value])
-        page.wait_for_function("wanted => document.querySelector('.dhlab-explorer').shadowRoot.querySelector('.explorer').dataset.theme === wanted", arg=wanted)
+        page.evaluate(
+            "([name, value]) => document.body.setAttribute(name, value)", [attribute, value]
+        )
+        page.wait_for_function(
+            "wanted =>"
+            " document.querySelector('.dhlab-explorer').shadowRoot.querySelector('.explorer').dataset.theme"
+            " === wanted",
+            arg=wanted,
+        )
     assert shade.get_attribute("data-theme") == "light"
 
 
@@ -432,7 +601,11 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
             page.get_by_role("button", name="Place it").click()
             while explorer._answer is before:
                 page.wait_for_timeout(10)
-            page.wait_for_function("text => document.querySelector('main > div').shadowRoot.querySelector('.verdict').textContent.includes(text)", arg=explorer._answer["said"]["message"])
+            page.wait_for_function(
+                "text => document.querySelector('main >"
+                " div').shadowRoot.querySelector('.verdict').textContent.includes(text)",
+                arg=explorer._answer["said"]["message"],
+            )
             verdicts.append(page.locator(".verdict").get_attribute("class"))
             if explorer._answer["said"]["right"]:
                 break
@@ -440,7 +613,9 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
     q = rng.uniform(-1, 1, (5, 4))
     np.testing.assert_allclose(explorer.arm.forward(q), arm.forward(q), atol=1e-9)
     rows = text_table(page, "The finished table")
-    np.testing.assert_allclose([numbers(row[3])[0] for row in rows], 1000 * explorer.arm.table.a, atol=0.051)
+    np.testing.assert_allclose(
+        [numbers(row[3])[0] for row in rows], 1000 * explorer.arm.table.a, atol=0.051
+    )
     page.get_by_role("button", name="Undo").click()
     page.get_by_text("1 step left").wait_for()
     assert explorer.arm is None and explorer.placing.placement.missing == ("x4",)
@@ -455,6 +630,10 @@ def test_python_and_hands_move_the_same_numbers(live):
     page.get_by_role("slider", name="alpha, the turn about x").press("ArrowRight")
     page.get_by_role("radio", name="Standard").check(force=True)
     page.wait_for_timeout(100)
-    assert explorer.row[3] == pytest.approx(np.deg2rad(-89.5)) and explorer.convention == "standard" and explorer.table.convention == "standard"
+    assert (
+        explorer.row[3] == pytest.approx(np.deg2rad(-89.5))
+        and explorer.convention == "standard"
+        and explorer.table.convention == "standard"
+    )
     page.evaluate("close()")
     assert page.evaluate("document.querySelector('main > div').explorer.stage.canvas.isConnected")

@@ -17,7 +17,9 @@ def turned(axis, degrees):
 
 
 def check_arc(points, centre, axis, first, angle):
-    """Points on a circle about ``axis`` through ``centre``, from the direction ``first``, over ``angle`` radians."""
+    """Points on a circle about ``axis`` through ``centre``, from the direction ``first``, over
+    ``angle`` radians.
+    """
     rays = points - centre
     assert rays @ axis == pytest.approx(np.zeros(len(rays)), abs=1e-9)
     radii = np.linalg.norm(rays, axis=1)
@@ -27,7 +29,9 @@ def check_arc(points, centre, axis, first, angle):
     assert sum(steps) == pytest.approx(angle, abs=1e-9)
 
 
-@pytest.mark.parametrize("theta, alpha", [(40, 50), (-120, -70), (170, 90), (10, -179), (-350, 200)])
+@pytest.mark.parametrize(
+    "theta, alpha", [(40, 50), (-120, -70), (170, 90), (10, -179), (-350, 200)]
+)
 def test_standard_arcs(theta, alpha):
     points = view.link(dh.DHTable.standard([[theta, 0.3, 0.4, alpha]], angle="deg"), 1).points
     x, z = np.eye(3)[0], np.eye(3)[2]
@@ -44,22 +48,31 @@ def test_craig_arcs():
     check_arc(points["theta-arc"], 0.4 * x, z_2, x, np.deg2rad(40))
 
 
-@pytest.mark.parametrize("table, i, along_d", [(STANDARD, 1, [0, 0, 1]), (CRAIG, 2, turned("x", 50)[:, 2])])
+@pytest.mark.parametrize(
+    "table, i, along_d", [(STANDARD, 1, [0, 0, 1]), (CRAIG, 2, turned("x", 50)[:, 2])]
+)
 def test_lengths_are_measured_along_their_axes(table, i, along_d):
     points = view.link(table, i).points
     along_a = turned("z", 40)[:, 0] if table.convention == "standard" else np.eye(3)[0]
-    assert np.diff(points["d-length"], axis=0)[0] == pytest.approx(0.3 * np.array(along_d), abs=1e-9)
+    assert np.diff(points["d-length"], axis=0)[0] == pytest.approx(
+        0.3 * np.array(along_d), abs=1e-9
+    )
     assert np.diff(points["a-length"], axis=0)[0] == pytest.approx(0.4 * along_a, abs=1e-9)
 
 
-@pytest.mark.parametrize("table, i", [(STANDARD, 1), (CRAIG, 2), (dh.DHTable.standard([[30, 0.3, -0.4, -50]], angle="deg"), 1)])
+@pytest.mark.parametrize(
+    "table, i",
+    [(STANDARD, 1), (CRAIG, 2), (dh.DHTable.standard([[30, 0.3, -0.4, -50]], angle="deg"), 1)],
+)
 def test_a_is_measured_beside_the_common_normal(table, i):
     picture = view.link(table, i)
     length = np.linalg.norm(np.diff(picture.points["x-axis:1"], axis=0)) / 0.85
-    move, = [move for move in moves_of(table, i, 0) if move.kind == "a"]
+    (move,) = [move for move in moves_of(table, i, 0) if move.kind == "a"]
     shift = picture.points["a-length"] - [move.start[:3, 3], move.end[:3, 3]]
-    assert np.linalg.norm(shift[0]) < 0.2 * length and shift[0] == pytest.approx(shift[1]), "far off it would look like an axis"
-    text, = [text for text in picture.figure.axes[0].texts if text.get_text() == "common normal"]
+    assert np.linalg.norm(shift[0]) < 0.2 * length and shift[0] == pytest.approx(shift[1]), (
+        "far off it would look like an axis"
+    )
+    (text,) = [text for text in picture.figure.axes[0].texts if text.get_text() == "common normal"]
     corner, edge = text.get_window_extent().min, text.get_window_extent().max
     assert (corner > 0).all() and (edge < picture.figure.bbox.max).all()
 
@@ -86,17 +99,23 @@ def test_second_frame_is_where_the_matrices_put_it():
         assert (tip - start) / np.linalg.norm(tip - start) == pytest.approx(R[:, k], abs=1e-9)
 
 
-@pytest.mark.parametrize("table, i, symbols", [
-    (STANDARD, 1, [r"\theta_{1} = 40°", r"d_{1} = 0.3", r"a_{1} = 0.4", r"\alpha_{1} = 50°"]),
-    (CRAIG, 2, [r"\alpha_{1} = 50°", r"a_{1} = 0.4", r"\theta_{2} = 40°", r"d_{2} = 0.3"]),
-])
+@pytest.mark.parametrize(
+    "table, i, symbols",
+    [
+        (STANDARD, 1, [r"\theta_{1} = 40°", r"d_{1} = 0.3", r"a_{1} = 0.4", r"\alpha_{1} = 50°"]),
+        (CRAIG, 2, [r"\alpha_{1} = 50°", r"a_{1} = 0.4", r"\theta_{2} = 40°", r"d_{2} = 0.3"]),
+    ],
+)
 def test_symbols_carry_the_subscripts_of_the_convention(table, i, symbols):
     picture = view.link(table, i)
     texts = " ".join(text.get_text() for text in picture.figure.axes[0].texts)
     for symbol in symbols:
         assert symbol in texts
     order = [line.split()[0] for line in picture.table.splitlines()[2:]]
-    plain = [symbol.split(" ")[0].replace("\\", "").replace("{", "").replace("}", "") for symbol in symbols]
+    plain = [
+        symbol.split(" ")[0].replace("\\", "").replace("{", "").replace("}", "")
+        for symbol in symbols
+    ]
     assert order == plain
 
 
@@ -127,19 +146,29 @@ def test_nothing_is_cut_off(name):
     for i in range(1, len(table) + 1):
         figure = view.link(table, i, 0.5).figure
         renderer = figure.canvas.get_renderer()
-        for artist in [artist for axes in figure.axes for artist in [*axes.lines, *axes.patches, *axes.texts]]:
+        for artist in [
+            artist for axes in figure.axes for artist in [*axes.lines, *axes.patches, *axes.texts]
+        ]:
             box = artist.get_tightbbox(renderer)
-            assert box.x0 >= -1 and box.y0 >= -1 and box.x1 <= figure.bbox.x1 + 1 and box.y1 <= figure.bbox.y1 + 1, (name, i, artist)
+            assert (
+                box.x0 >= -1
+                and box.y0 >= -1
+                and box.x1 <= figure.bbox.x1 + 1
+                and box.y1 <= figure.bbox.y1 + 1
+            ), (name, i, artist)
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda: view.link(dh.load("ur5e"), 1), "expected a DHTable"),
-    (lambda: view.link(STANDARD, 0), "rows are counted from 1"),
-    (lambda: view.link(STANDARD, 2), "a row from 1 to 1"),
-    (lambda: view.link(STANDARD, 1.0), "a row from 1 to 1"),
-    (lambda: view.link(STANDARD, 1, [0, 0]), "one finite number for q"),
-    (lambda: view.link(STANDARD, 1, np.nan), "one finite number for q"),
-])
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: view.link(dh.load("ur5e"), 1), "expected a DHTable"),
+        (lambda: view.link(STANDARD, 0), "rows are counted from 1"),
+        (lambda: view.link(STANDARD, 2), "a row from 1 to 1"),
+        (lambda: view.link(STANDARD, 1.0), "a row from 1 to 1"),
+        (lambda: view.link(STANDARD, 1, [0, 0]), "one finite number for q"),
+        (lambda: view.link(STANDARD, 1, np.nan), "one finite number for q"),
+    ],
+)
 def test_errors_are_sentences(call, words):
     with pytest.raises(ValueError, match=words):
         call()

@@ -14,13 +14,19 @@ from dhlab.view.drawing.style import AXES, INK, POSES
 
 @pytest.fixture(scope="module")
 def picture():
-    return view.frames([np.eye(4), transform.trans([0.4, 0.1, 0.2]) @ transform.rot_x(0.5)], title="a < b & c")
+    return view.frames(
+        [np.eye(4), transform.trans([0.4, 0.1, 0.2]) @ transform.rot_x(0.5)], title="a < b & c"
+    )
 
 
 def luminance(color):
     """Relative luminance as WCAG 2.1 defines it."""
     rgb = np.array(to_rgb(color))
-    return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
+    return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ [
+        0.2126,
+        0.7152,
+        0.0722,
+    ]
 
 
 @pytest.mark.parametrize("color", [style.color for style in AXES] + [color for color, _ in POSES])
@@ -37,7 +43,9 @@ def test_notebook_sees_image_words_and_table(picture):
     bundle = picture._repr_mimebundle_()
     html = bundle["text/html"]
     assert html.startswith('<figure class="dhlab-picture"><img alt="2 frames in space.')
-    assert "<summary>The frames as a table</summary><table" in html and html.endswith("</details></figure>")
+    assert "<summary>The frames as a table</summary><table" in html and html.endswith(
+        "</details></figure>"
+    )
     data = base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", html)[1])
     assert data.startswith(b"\x89PNG") and b"Software" not in data
     assert bundle["text/plain"] == picture.alt + "\n" + picture.table
@@ -54,7 +62,9 @@ def test_any_name_can_be_drawn(name):
     view.frames(np.eye(4), [name], title=name)._repr_mimebundle_()
 
 
-@pytest.mark.parametrize("suffix, start", [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF")])
+@pytest.mark.parametrize(
+    "suffix, start", [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF")]
+)
 def test_save(picture, tmp_path, suffix, start):
     path = tmp_path / f"one{suffix}"
     picture.save(path)
@@ -81,14 +91,31 @@ def test_save_says_what_is_wrong(picture, tmp_path):
 
 def test_users_settings_do_not_matter(picture):
     import matplotlib
+
     before = picture._repr_mimebundle_()
-    with matplotlib.rc_context({"axes.facecolor": "black", "text.color": "white", "lines.linewidth": 9, "font.family": "serif", "savefig.dpi": 30}):
-        again = view.frames([np.eye(4), transform.trans([0.4, 0.1, 0.2]) @ transform.rot_x(0.5)], title="a < b & c")
+    with matplotlib.rc_context(
+        {
+            "axes.facecolor": "black",
+            "text.color": "white",
+            "lines.linewidth": 9,
+            "font.family": "serif",
+            "savefig.dpi": 30,
+        }
+    ):
+        again = view.frames(
+            [np.eye(4), transform.trans([0.4, 0.1, 0.2]) @ transform.rot_x(0.5)], title="a < b & c"
+        )
         assert again._repr_mimebundle_() == before
 
 
 def test_frames_share_labels_where_they_coincide():
-    picture = view.frames([np.eye(4), transform.trans([0.3, 0, 0]), transform.trans([0.3, 0, 0]) @ transform.rot_x(np.pi / 2)])
+    picture = view.frames(
+        [
+            np.eye(4),
+            transform.trans([0.3, 0, 0]),
+            transform.trans([0.3, 0, 0]) @ transform.rot_x(np.pi / 2),
+        ]
+    )
     texts = [text.get_text() for text in picture.figure.axes[0].texts]
     assert "{1}, {2}" in texts and any("x_{1}" in text and "x_{2}" in text for text in texts)
     assert any("y_{1}" in text and "z_{2}" not in text for text in texts)
@@ -98,8 +125,8 @@ def test_frames_share_labels_where_they_coincide():
 def test_a_letter_shared_by_two_axes_has_the_colour_of_neither():
     picture = view.frames([np.eye(4), transform.rot_z(np.pi / 2)], ["wanted", "reached"])
     shades = {text.get_text(): text.get_color() for text in picture.figure.axes[0].texts}
-    mixed, = [text for text in shades if "y" in text and "x" in text]
-    both_z, = [text for text in shades if text.count("z_") == 2]
+    (mixed,) = [text for text in shades if "y" in text and "x" in text]
+    (both_z,) = [text for text in shades if text.count("z_") == 2]
     assert shades[mixed] == INK and shades[both_z] == AXES[2].color
 
 
@@ -109,14 +136,17 @@ def test_far_from_the_world_origin():
     assert axes.get_xlim()[1] - axes.get_xlim()[0] < 1
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda: view.frames([]), "expected one pose"),
-    (lambda: view.frames([[1, 2], [3]]), "expected one pose"),
-    (lambda: view.frames(np.zeros((3, 3))), "expected one pose"),
-    (lambda: view.frames(np.diag([1.0, 1, -1, 1])), "mirror"),
-    (lambda: view.frames(np.eye(4), ["a", "b"]), "expected 1"),
-    (lambda: view.frames(np.eye(4), [None]), "expected texts"),
-])
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: view.frames([]), "expected one pose"),
+        (lambda: view.frames([[1, 2], [3]]), "expected one pose"),
+        (lambda: view.frames(np.zeros((3, 3))), "expected one pose"),
+        (lambda: view.frames(np.diag([1.0, 1, -1, 1])), "mirror"),
+        (lambda: view.frames(np.eye(4), ["a", "b"]), "expected 1"),
+        (lambda: view.frames(np.eye(4), [None]), "expected texts"),
+    ],
+)
 def test_errors_are_sentences(call, words):
     with pytest.raises(ValueError, match=words):
         call()

@@ -1,1 +1,3 @@
-"""From a lesson's source to its notebooks: reading it, finding its faults, holding it to the contract, writing."""
+"""From a lesson's source to its notebooks: reading it, finding its faults, holding it to the
+contract, writing.
+"""

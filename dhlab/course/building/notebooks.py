@@ -1,8 +1,9 @@
-"""Building the course: ``solutions/NN-name.md`` becomes an executed solution and the lesson that is handed out.
+"""Building the course: ``solutions/NN-name.md`` becomes an executed solution and the lesson that is
+handed out.
 
-    python -m dhlab.course.building.notebooks            # lint, then rebuild everything
-    python -m dhlab.course.building.notebooks 04         # lint and rebuild one lesson
-    python -m dhlab.course.building.notebooks --check    # say what differs from what is committed, change nothing
+python -m dhlab.course.building.notebooks            # lint, then rebuild everything python -m
+dhlab.course.building.notebooks 04         # lint and rebuild one lesson python -m
+dhlab.course.building.notebooks --check    # say what differs from what is committed, change nothing
 """
 
 import argparse
@@ -16,15 +17,32 @@ from ...formats.files import write_text
 from ...view.explorer.stored import without_widgets
 from ..exercises import exercises
 
-__all__ = ["sources", "read_source", "lesson_notebook", "solution_notebook", "without_outputs", "build", "stale", "ran", "lines_of"]
+__all__ = [
+    "sources",
+    "read_source",
+    "lesson_notebook",
+    "solution_notebook",
+    "without_outputs",
+    "build",
+    "stale",
+    "ran",
+    "lines_of",
+]
 
 ROOT = Path(__file__).parents[3]
 SOLUTIONS, LESSONS = ROOT / "solutions", ROOT / "lessons"
-REGION = re.compile(r"^([ \t]*)### BEGIN SOLUTION[ \t]*\n.*?### END SOLUTION[ \t]*$", re.MULTILINE | re.DOTALL)
-DOTS = re.compile(r"^(?=([ \t]*)[^#\"\n]*\.\.\.)", re.MULTILINE)  # the beginning of a line of code with dots
+REGION = re.compile(
+    r"^([ \t]*)### BEGIN SOLUTION[ \t]*\n.*?### END SOLUTION[ \t]*$", re.MULTILINE | re.DOTALL
+)
+DOTS = re.compile(
+    r"^(?=([ \t]*)[^#\"\n]*\.\.\.)", re.MULTILINE
+)  # the beginning of a line of code with dots
 HERE = "\0"  # where a solution stood
 SECONDS = 120  # for a cell
-KERNEL = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}, "language_info": {"name": "python"}}
+KERNEL = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
 
 
 def sources(only=()):
@@ -39,12 +57,16 @@ def sources(only=()):
     numbers = [path.name[:2] for path in found]
     for number in only:
         if number not in numbers:
-            raise ValueError(f"expected the number of a lesson ({', '.join(numbers)}), found {number!r}; write it with two digits, such as 05")
+            raise ValueError(
+                f"expected the number of a lesson ({', '.join(numbers)}), found {number!r}; write"
+                " it with two digits, such as 05"
+            )
     return [path for path in found if not only or path.name[:2] in only]
 
 
 def read_source(path):
-    """A lesson's source as a notebook: cell ids from lesson and position, nbgrader's metadata on exercises and checks.
+    """A lesson's source as a notebook: cell ids from lesson and position, nbgrader's metadata on
+    exercises and checks.
 
     Raises
     ------
@@ -54,7 +76,10 @@ def read_source(path):
     notebook = _parsed(path)
     lesson, about = path.name[:2], notebook.metadata.get("dhlab", {})
     if not isinstance(about, dict):
-        raise ValueError(f"{_name(path)}: expected dhlab: in the head with lines such as minutes: 15 under it, found {about!r}; indent them by two spaces")
+        raise ValueError(
+            f"{_name(path)}: expected dhlab: in the head with lines such as minutes: 15 under it,"
+            f" found {about!r}; indent them by two spaces"
+        )
     notebook.metadata = nbformat.from_dict({**KERNEL, "dhlab": {"lesson": lesson, **about}})
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for position, cell in enumerate(notebook.cells):
@@ -69,13 +94,17 @@ def _parsed(path):
     import jupytext
     from jupytext.myst import MystMetadataParsingError
     from yaml import YAMLError
+
     try:
         return jupytext.reads(path.read_text(encoding="utf-8"), fmt="md:myst")
     except (YAMLError, MystMetadataParsingError) as error:
         mark = getattr(error, "problem_mark", None)
         found = getattr(error, "problem", None) or " ".join(str(error).split())
-        raise ValueError(f"{_name(path)}{f', line {mark.line + 1}' if mark else ''}: expected YAML in the head and in the lines that begin with a colon, "
-                         f"found: {found}; look there and in the line above for a bracket, a quote or an indent") from None
+        raise ValueError(
+            f"{_name(path)}{f', line {mark.line + 1}' if mark else ''}: expected YAML in the head"
+            f" and in the lines that begin with a colon, found: {found}; look there and in the line"
+            " above for a bracket, a quote or an indent"
+        ) from None
 
 
 def _name(path):
@@ -98,10 +127,24 @@ def _add_grading(cell):
     number = cell.metadata.get("exercise")
     checked = re.match(r'check\("([^"]+)"', cell.source)
     if number is not None:
-        cell.metadata["nbgrader"] = {"grade": False, "grade_id": f"stub-{number}", "locked": False, "schema_version": 3, "solution": True, "task": False}
+        cell.metadata["nbgrader"] = {
+            "grade": False,
+            "grade_id": f"stub-{number}",
+            "locked": False,
+            "schema_version": 3,
+            "solution": True,
+            "task": False,
+        }
     elif checked and checked[1] in exercises():
-        cell.metadata["nbgrader"] = {"grade": True, "grade_id": f"check-{checked[1]}", "locked": True, "points": exercises()[checked[1]].points,
-                                     "schema_version": 3, "solution": False, "task": False}
+        cell.metadata["nbgrader"] = {
+            "grade": True,
+            "grade_id": f"check-{checked[1]}",
+            "locked": True,
+            "points": exercises()[checked[1]].points,
+            "schema_version": 3,
+            "solution": False,
+            "task": False,
+        }
 
 
 def lesson_notebook(source):
@@ -114,12 +157,24 @@ def lesson_notebook(source):
 
 
 def _stub(source):
-    """A cell without its solution: what is to be done stands in its place, or above the dots that are to be replaced."""
-    stub = REGION.sub(lambda region: f"{region[1]}...  # your code here" if region[1] else HERE, source)
-    todo = "# your answer here: replace the dots" if "..." in stub else "# your answer here: change the lines above"
+    """A cell without its solution: what is to be done stands in its place, or above the dots that
+    are to be replaced.
+    """
+    stub = REGION.sub(
+        lambda region: f"{region[1]}...  # your code here" if region[1] else HERE, source
+    )
+    todo = (
+        "# your answer here: replace the dots"
+        if "..." in stub
+        else "# your answer here: change the lines above"
+    )
     if HERE not in stub or not DOTS.search(stub):
         return stub.replace(HERE, todo)
-    return DOTS.sub(lambda line: f"{line[1]}{todo}\n", stub.replace(f"\n{HERE}", "").replace(f"{HERE}\n", ""), count=1)
+    return DOTS.sub(
+        lambda line: f"{line[1]}{todo}\n",
+        stub.replace(f"\n{HERE}", "").replace(f"{HERE}\n", ""),
+        count=1,
+    )
 
 
 def solution_notebook(source):
@@ -135,13 +190,28 @@ def ran(notebook):
     """A copy of a notebook after a run from top to bottom; an error is among its outputs."""
     from nbclient import NotebookClient
     from nbclient.exceptions import CellTimeoutError, DeadKernelError
+
     notebook = nbformat.from_dict(notebook)
     try:
-        NotebookClient(notebook, timeout=SECONDS, kernel_name="python3", allow_errors=True, coalesce_streams=True, extra_arguments=["--IPKernelApp.log_level=40"],
-                       resources={"metadata": {"path": str(ROOT)}}).execute()
+        NotebookClient(
+            notebook,
+            timeout=SECONDS,
+            kernel_name="python3",
+            allow_errors=True,
+            coalesce_streams=True,
+            extra_arguments=["--IPKernelApp.log_level=40"],
+            resources={"metadata": {"path": str(ROOT)}},
+        ).execute()
     except (CellTimeoutError, DeadKernelError) as error:
-        found = f"one that takes longer than {SECONDS} s" if isinstance(error, CellTimeoutError) else "one that ends Python"
-        raise ValueError(f"lesson {notebook.metadata['dhlab']['lesson']}: expected cells that run to their end, found {found}; look for a loop without an end, or an exit") from None
+        found = (
+            f"one that takes longer than {SECONDS} s"
+            if isinstance(error, CellTimeoutError)
+            else "one that ends Python"
+        )
+        raise ValueError(
+            f"lesson {notebook.metadata['dhlab']['lesson']}: expected cells that run to their end,"
+            f" found {found}; look for a loop without an end, or an exit"
+        ) from None
     return notebook
 
 
@@ -160,25 +230,31 @@ def build(only=()):
     Raises
     ------
     ValueError
-        A source that cannot become a lesson, a broken line of the contract, a solution that its checks do not find right, an answer that would be
-        handed out; of this lesson, then, nothing is written.
+        A source that cannot become a lesson, a broken line of the contract, a solution that its
+        checks do not find right, an answer that would be handed out; of this lesson, then, nothing
+        is written.
     """
     from .contract import report
     from .faults import refuse_runs, refuse_sources
+
     try:
         refuse_sources(sources(only))
     except ValueError as error:
         raise ValueError(f"nothing was built:\n{error}") from None
     _, failures = report(only)
     if failures:
-        raise ValueError("the lessons break their contract, nothing was built:\n" + "\n".join(failures))
+        raise ValueError(
+            "the lessons break their contract, nothing was built:\n" + "\n".join(failures)
+        )
     LESSONS.mkdir(exist_ok=True)
     for path in sources(only):
         source = read_source(path)
         lesson, solution = lesson_notebook(source), solution_notebook(source)
         refuse_runs(path, solution, ran(lesson))
         write_text(LESSONS / f"{path.stem}.ipynb", nbformat.writes(lesson) + "\n", overwrite=True)
-        write_text(SOLUTIONS / f"{path.stem}.ipynb", nbformat.writes(solution) + "\n", overwrite=True)
+        write_text(
+            SOLUTIONS / f"{path.stem}.ipynb", nbformat.writes(solution) + "\n", overwrite=True
+        )
         print(f"built {path.stem}")
     glossary = SOLUTIONS / "glossary.md"
     write_text(LESSONS / "glossary.md", glossary.read_text(encoding="utf-8"), overwrite=True)
@@ -189,8 +265,15 @@ def stale(only=()):
     differing = []
     for path in sources(only):
         source = read_source(path)
-        for committed, wanted in ((LESSONS / f"{path.stem}.ipynb", lesson_notebook(source)), (SOLUTIONS / f"{path.stem}.ipynb", source)):
-            found = nbformat.writes(without_outputs(nbformat.read(committed, as_version=4))) if committed.exists() else ""
+        for committed, wanted in (
+            (LESSONS / f"{path.stem}.ipynb", lesson_notebook(source)),
+            (SOLUTIONS / f"{path.stem}.ipynb", source),
+        ):
+            found = (
+                nbformat.writes(without_outputs(nbformat.read(committed, as_version=4)))
+                if committed.exists()
+                else ""
+            )
             if found != nbformat.writes(wanted):
                 differing.append(str(committed.relative_to(ROOT)))
     glossary = SOLUTIONS / "glossary.md", LESSONS / "glossary.md"
@@ -201,14 +284,21 @@ def stale(only=()):
 
 def main():
     """The command line of this module."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("lessons", nargs="*", help="numbers such as 05; all when left out")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     try:
         if options.check:
             differing = stale(options.lessons)
-            print("\n".join(f"{name}: not what its source gives; run make lessons" for name in differing) or "all notebooks are what their sources give")
+            print(
+                "\n".join(
+                    f"{name}: not what its source gives; run make lessons" for name in differing
+                )
+                or "all notebooks are what their sources give"
+            )
             sys.exit(bool(differing))
         build(options.lessons)
     except ValueError as error:

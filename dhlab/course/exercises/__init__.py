@@ -1,4 +1,6 @@
-"""Every exercise of the course, a module per lesson; a module's ``EXERCISES`` lists its own in the order of the lesson."""
+"""Every exercise of the course, a module per lesson; a module's ``EXERCISES`` lists its own in the
+order of the lesson.
+"""
 
 from functools import cache
 from importlib import import_module
@@ -29,6 +31,8 @@ def exercises():
     for module in sorted(m.name for m in iter_modules(__path__) if m.name.startswith("lesson")):
         for exercise in import_module(f"{__name__}.{module}").EXERCISES:
             if exercise.id in found:
-                raise ValueError(f"{module}: expected every exercise id once, found {exercise.id} twice")
+                raise ValueError(
+                    f"{module}: expected every exercise id once, found {exercise.id} twice"
+                )
             found[exercise.id] = exercise
     return found

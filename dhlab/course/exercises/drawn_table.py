@@ -14,10 +14,12 @@ __all__ = ["DrawnTable", "numbers"]
 
 @dataclass(frozen=True, kw_only=True)
 class DrawnTable(Table):
-    """A DH table to be written for numbers that are drawn; judged as :class:`Table` does, so every right table passes.
+    """A DH table to be written for numbers that are drawn; judged as :class:`Table` does, so every
+    right table passes.
 
-    ``draw(rng)`` gives the task's numbers by name and ``arm(**given)`` the right Arm; ``slips(**given)`` yields (mistake, place, rows) that
-    only this task invites, rows in degrees and metres; ``handed_out(**given)`` is the broken table of a "smallest fix", which is no attempt
+    ``draw(rng)`` gives the task's numbers by name and ``arm(**given)`` the right Arm;
+    ``slips(**given)`` yields (mistake, place, rows) that only this task invites, rows in degrees
+    and metres; ``handed_out(**given)`` is the broken table of a "smallest fix", which is no attempt
     as long as it is unchanged.
     """
 
@@ -43,6 +45,7 @@ class DrawnTable(Table):
         def wrong_arms():
             for mistake, place, rows in self.slips(**given):
                 yield mistake, place, Arm(make(rows, angle="deg"), base=right.base, tool=right.tool)
+
         shared = {field.name: getattr(self, field.name) for field in fields(Table)}
         return Table(**shared | {"answer": right, "mistakes": wrong_arms}).compare(answer, variant)
 
@@ -64,6 +67,8 @@ def _same_rows(answer, rows):
     if isinstance(table, DHTable):
         table = numbers(table)
     try:
-        return np.shape(table) == np.shape(rows) and np.allclose(np.asarray(table, dtype=float), rows, rtol=0, atol=1e-6)
+        return np.shape(table) == np.shape(rows) and np.allclose(
+            np.asarray(table, dtype=float), rows, rtol=0, atol=1e-6
+        )
     except (TypeError, ValueError):
         return False

@@ -1,4 +1,6 @@
-"""The functions of lesson 08: what their wrong answers are told beyond what the doctor knows of them."""
+"""The functions of lesson 08: what their wrong answers are told beyond what the doctor knows of
+them.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -14,7 +16,9 @@ from ..kinds import Function, Said
 
 __all__ = ["MISREAD", "UNDAMPED", "Program"]
 
-MOST = 0.75  # of the calls: steps of the plain inverse leap near a singularity, and there rounding makes two right versions differ
+# of the calls: steps of the plain inverse leap near a singularity, and there rounding makes two
+# right versions differ
+MOST = 0.75
 NEAR = 1e-5
 
 
@@ -22,8 +26,9 @@ NEAR = 1e-5
 class Program(Function):
     """A function whose answers are angles, with more wrong versions than the doctor's.
 
-    ``more`` holds (mistake, Said, version), each compared with most of the answers; ``needs`` names functions of earlier exercises that must be
-    written, with the exercise; ``places`` other words for a place; ``unknown`` is said of a version that nobody knows.
+    ``more`` holds (mistake, Said, version), each compared with most of the answers; ``needs`` names
+    functions of earlier exercises that must be written, with the exercise; ``places`` other words
+    for a place; ``unknown`` is said of a version that nobody knows.
     """
 
     more: tuple = ()
@@ -34,20 +39,36 @@ class Program(Function):
     def compare(self, answer, variant):
         missing = self._missing(answer)
         if missing:
-            return self.wrong(place=Said(f"{missing} returned nothing", next=f"Finish {self.needs[missing]} first."))
+            return self.wrong(
+                place=Said(
+                    f"{missing} returned nothing", next=f"Finish {self.needs[missing]} first."
+                )
+            )
         verdict = super().compare(answer, variant)
         return replace(verdict, place=self.places.get(verdict.place, verdict.place))
 
     def _missing(self, answer):
-        """The first function of an earlier exercise that this one calls and that is still unwritten; None."""
+        """The first function of an earlier exercise that this one calls and that is still
+        unwritten; None.
+        """
         code, around = getattr(answer, "__code__", None), getattr(answer, "__globals__", {})
-        return next((name for name in self.needs if code and name in code.co_names and is_stub(around.get(name))), None)
+        return next(
+            (
+                name
+                for name in self.needs
+                if code and name in code.co_names and is_stub(around.get(name))
+            ),
+            None,
+        )
 
     def refine(self, mistake, answers, cases):
         if mistake or all(np.array_equal(given, answers[0]) for given in answers):
             return None
         for known, said, version in self.more:
-            if np.mean([_near(version(*case), given) for case, given in zip(cases, answers)]) >= MOST:
+            if (
+                np.mean([_near(version(*case), given) for case, given in zip(cases, answers)])
+                >= MOST
+            ):
                 return known, said
         off = sum(not _near(self.answer(*case), given) for case, given in zip(cases, answers))
         return (None, replace(self.unknown, place=f"{off} of {len(cases)} calls")) if off else None
@@ -59,15 +80,28 @@ def _near(a, b):
 
 # ---- 08.6: damped least squares without the damping
 
+
 def _undamped(rows, T_goal, q, damping, steps):
     for _ in range(steps):
         frames = chain(rows, q)
-        q = q + np.linalg.solve(geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool)), pose_error(frames[-1], T_goal))
+        q = q + np.linalg.solve(
+            geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool)),
+            pose_error(frames[-1], T_goal),
+        )
     return wrapped(q)
 
 
-UNDAMPED = (("damping-missing", Said("the damping is missing: the steps are those of the plain inverse", why="Near a singularity the plain inverse asks for enormous joint steps.",
-                                     next="Add damping**2 times the unit matrix to what you invert."), _undamped),)
+UNDAMPED = (
+    (
+        "damping-missing",
+        Said(
+            "the damping is missing: the steps are those of the plain inverse",
+            why="Near a singularity the plain inverse asks for enormous joint steps.",
+            next="Add damping**2 times the unit matrix to what you invert.",
+        ),
+        _undamped,
+    ),
+)
 
 
 # ---- 08.8: angles of the wrist read off with other signs; θ4 and θ6 enter both wrists alike
@@ -75,26 +109,57 @@ UNDAMPED = (("damping-missing", Said("the damping is missing: the steps are thos
 READINGS = (  # (mistake, what is said of the angle, what becomes of it), the right one first
     ("", "", lambda angle: angle),
     ("atan-for-atan2", "is off by 180°: both signs go into arctan2", lambda angle: angle + np.pi),
-    ("joint-reversed", "runs the wrong way: look at the sign of the first argument of arctan2", lambda angle: -angle),
-    ("atan-for-atan2", "runs the wrong way: look at the sign of the second argument of arctan2", lambda angle: np.pi - angle),
-    ("atan-for-atan2", "is off: the arguments of arctan2 have changed places", lambda angle: np.pi / 2 - angle))
+    (
+        "joint-reversed",
+        "runs the wrong way: look at the sign of the first argument of arctan2",
+        lambda angle: -angle,
+    ),
+    (
+        "atan-for-atan2",
+        "runs the wrong way: look at the sign of the second argument of arctan2",
+        lambda angle: np.pi - angle,
+    ),
+    (
+        "atan-for-atan2",
+        "is off: the arguments of arctan2 have changed places",
+        lambda angle: np.pi / 2 - angle,
+    ),
+)
 
 
 def _read(changes):
-    """All branches with angles of the wrist changed where arctan2 reads them off; ``changes``: (place, function of the first wrist's angle)."""
+    """All branches with angles of the wrist changed where arctan2 reads them off; ``changes``:
+    (place, function of the first wrist's angle).
+    """
+
     def version(T):
         Q = branches(T)
         half_turn = np.where(np.sin(Q[:, 4]) > 0, 0, np.pi)
         for k, change in changes:
             Q[:, k] = change(Q[:, k] - half_turn) + half_turn
         return in_order(Q)
+
     return version
 
 
 def _misread():
-    for (mistake_4, words_4, change_4), (mistake_6, words_6, change_6) in list(product(READINGS, repeat=2))[1:]:
-        headline = "; ".join(f"{name} {words}" for name, words in (("θ4", words_4), ("θ6", words_6)) if words)
-        yield mistake_4 or mistake_6, Said(headline, next="Compare with the last column and the last row: each entry has a sign of its own."), _read(((3, change_4), (5, change_6)))
+    for (mistake_4, words_4, change_4), (mistake_6, words_6, change_6) in list(
+        product(READINGS, repeat=2)
+    )[1:]:
+        headline = "; ".join(
+            f"{name} {words}" for name, words in (("θ4", words_4), ("θ6", words_6)) if words
+        )
+        yield (
+            mistake_4 or mistake_6,
+            Said(
+                headline,
+                next=(
+                    "Compare with the last column and the last row: each entry has a sign of its"
+                    " own."
+                ),
+            ),
+            _read(((3, change_4), (5, change_6))),
+        )
 
 
 MISREAD = tuple(_misread())

@@ -12,7 +12,9 @@ __all__ = ["ShapedValue", "as_numbers", "is_array_of"]
 
 @dataclass(frozen=True, kw_only=True)
 class ShapedValue(Value):
-    """A :class:`Value` that also knows wrong answers of another shape: ``misshapen(answer, **given)`` gives (mistake, place) or None."""
+    """A :class:`Value` that also knows wrong answers of another shape: ``misshapen(answer,
+    **given)`` gives (mistake, place) or None.
+    """
 
     misshapen: Callable
 

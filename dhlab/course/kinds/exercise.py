@@ -14,9 +14,11 @@ __all__ = ["Exercise", "Said", "untouched"]
 
 @dataclass(frozen=True)
 class Said:
-    """What an exercise says of a mistake, where the catalogue's words, written for programs and tables in general, would mislead.
+    """What an exercise says of a mistake, where the catalogue's words, written for programs and
+    tables in general, would mislead.
 
-    ``headline`` and ``next`` stand in place of the catalogue's; ``why`` too, and is left out when empty.
+    ``headline`` and ``next`` stand in place of the catalogue's; ``why`` too, and is left out when
+    empty.
     """
 
     headline: str
@@ -27,10 +29,13 @@ class Said:
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise:
-    """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said when it is right.
+    """What every exercise has: an id such as "05.2", a title, points, two hints, and what is said
+    when it is right.
 
-    ``words`` holds a :class:`Said` for the mistakes that have other words here than in the catalogue, by id, or by (id, place) for one place of
-    them; a single wrong answer has its own where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question that a question of the post-test asks again.
+    ``words`` holds a :class:`Said` for the mistakes that have other words here than in the
+    catalogue, by id, or by (id, place) for one place of them; a single wrong answer has its own
+    where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question
+    that a question of the post-test asks again.
     """
 
     id: str
@@ -52,7 +57,9 @@ class Exercise:
     def judge(self, answer, variant=0):
         """The Verdict on an answer; never raises because of the answer."""
         if untouched(answer):
-            return self.say(NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again.")
+            return self.say(
+                NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again."
+            )
         return self.compare(answer, variant)
 
     def compare(self, answer, variant):
@@ -61,27 +68,54 @@ class Exercise:
 
     def say(self, status, headline="", **words):
         """A Verdict of this exercise."""
-        return Verdict(self.id, status, headline, points=self.points if status == RIGHT else 0, of=self.points, **words)
+        return Verdict(
+            self.id,
+            status,
+            headline,
+            points=self.points if status == RIGHT else 0,
+            of=self.points,
+            **words,
+        )
 
     def right(self):
         """The Verdict on a right answer."""
         return self.say(RIGHT, self.praise)
 
     def wrong(self, mistake_id=None, headline="", place="", next=""):
-        """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the mistake is known."""
+        """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the
+        mistake is known.
+        """
         hint = f'hint("{self.id}") gives a first hint.'
         said, shown = place if isinstance(place, Said) else self.words.get((mistake_id, place)), ""
         if said is None:
             said, shown = self.words.get(mistake_id), place
         if said and not headline:
-            return self.say(WRONG, said.headline, place=said.place or shown, why=said.why, next=said.next or hint, mistake=mistake_id)
+            return self.say(
+                WRONG,
+                said.headline,
+                place=said.place or shown,
+                why=said.why,
+                next=said.next or hint,
+                mistake=mistake_id,
+            )
         if mistake_id is None:
             return self.say(WRONG, headline, place=place, next=next or hint)
         mistake = catalogue()[mistake_id]
-        return self.say(WRONG, headline or f"{mistake.title}. {mistake.see}", place=place, why=mistake.why, next=next or mistake.next, mistake=mistake_id)
+        return self.say(
+            WRONG,
+            headline or f"{mistake.title}. {mistake.see}",
+            place=place,
+            why=mistake.why,
+            next=next or mistake.next,
+            mistake=mistake_id,
+        )
 
 
 def untouched(answer):
     if answer is None or answer is Ellipsis:
         return True
-    return isinstance(answer, (list, tuple)) and len(answer) > 0 and all(untouched(entry) for entry in answer)
+    return (
+        isinstance(answer, (list, tuple))
+        and len(answer) > 0
+        and all(untouched(entry) for entry in answer)
+    )

@@ -1,4 +1,6 @@
-"""The kind of exercise in which frames are placed on bare joint axes: each step is judged by :mod:`dhlab.placing`, and any valid choice passes."""
+"""The kind of exercise in which frames are placed on bare joint axes: each step is judged by
+:mod:`dhlab.placing`, and any valid choice passes.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,25 +15,79 @@ from . import Exercise, Said, untouched
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 
 MISTAKES = {  # the catalogue's id for every rule of dhlab.placing.rules that a choice can break
-    "z-on-wrong-joint": "frame-at-other-end", "z-across-axis": "z-across-joint-axis", "z-not-along-axis": "z-across-joint-axis",
-    "z-beside-axis": "z-across-joint-axis", "origin-off-z": "origin-off-common-normal", "origin-on-other-axis": "origin-off-common-normal",
-    "origin-not-at-foot": "origin-off-common-normal", "origin-not-at-meeting": "origin-off-common-normal", "not-one-row": "four-numbers-for-any-pose",
-    "x-along-z": "x-off-common-normal", "x-not-across-z": "x-off-common-normal", "x-not-across-other": "x-not-across-z",
-    "x-in-plane": "x-off-common-normal", "x-misses-other-axis": "x-off-common-normal"}
-BESIDE = "A housing may sit anywhere along its axis; the four numbers know only the line.", "Put the origin on z_i itself, then ask how z_i lies to the z before."
-THERE = "A row ends where x_i arrives on z_i, and that is where its frame stands.", "Follow the row: along the z before it, then along x_i. On which line does it arrive?"
-LEANING = "A row turns about the z before it, and then about x_i: only an x_i at right angles to both z axes fits.", "Form the scalar product of x_i with each of the two z axes: both must be 0."
-WORDS = {  # (why, next) of a rule, where the catalogue's words of its mistake were written for tables and programs, or for skew axes only
-    "z-on-wrong-joint": ("The first turn of a row is about the z before it: z0 belongs to joint 1, z1 to joint 2, always one less.", "Count the joints from the base."),
-    "origin-off-z": BESIDE, "origin-on-other-axis": THERE,
-    "origin-not-at-foot": ("Between skew axes only one line is at right angles to both and meets both.", "Draw the shortest line between the two axes: where does it arrive?"),
-    "origin-not-at-meeting": ("Where the two axes meet there is no way to walk: a is 0.", "Find the point that lies on both axes."),
-    "not-one-row": ("A row walks along the z before it by d, then along x_i by a. It reaches no point beside.",
-                    "Which way does x_i point, at right angles to both z axes? Start on the z before, and go along x_i only."),
-    "x-not-across-z": LEANING, "x-not-across-other": LEANING, "x-along-z": LEANING,
-    "x-in-plane": ("Of axes that meet, only the normal of their plane is at right angles to both.", "Form the cross product of the two z axes."),
-    "x-misses-other-axis": ("A row walks along x_i from one axis to the other.", "Is the origin right? Then point from the one axis straight across to the other.")}
-SLIDES = "z lies along the direction of the slide, either way: a row's d is counted along z.", "Move the joint alone. Along which direction do all its points go?"
+    "z-on-wrong-joint": "frame-at-other-end",
+    "z-across-axis": "z-across-joint-axis",
+    "z-not-along-axis": "z-across-joint-axis",
+    "z-beside-axis": "z-across-joint-axis",
+    "origin-off-z": "origin-off-common-normal",
+    "origin-on-other-axis": "origin-off-common-normal",
+    "origin-not-at-foot": "origin-off-common-normal",
+    "origin-not-at-meeting": "origin-off-common-normal",
+    "not-one-row": "four-numbers-for-any-pose",
+    "x-along-z": "x-off-common-normal",
+    "x-not-across-z": "x-off-common-normal",
+    "x-not-across-other": "x-not-across-z",
+    "x-in-plane": "x-off-common-normal",
+    "x-misses-other-axis": "x-off-common-normal",
+}
+BESIDE = (
+    "A housing may sit anywhere along its axis; the four numbers know only the line.",
+    "Put the origin on z_i itself, then ask how z_i lies to the z before.",
+)
+THERE = (
+    "A row ends where x_i arrives on z_i, and that is where its frame stands.",
+    "Follow the row: along the z before it, then along x_i. On which line does it arrive?",
+)
+LEANING = (
+    (
+        "A row turns about the z before it, and then about x_i: only an x_i at right angles to both"
+        " z axes fits."
+    ),
+    "Form the scalar product of x_i with each of the two z axes: both must be 0.",
+)
+# (why, next) of a rule, where the catalogue's words of its mistake were written for tables and
+# programs, or for skew axes only
+WORDS = {
+    "z-on-wrong-joint": (
+        (
+            "The first turn of a row is about the z before it: z0 belongs to joint 1, z1 to joint"
+            " 2, always one less."
+        ),
+        "Count the joints from the base.",
+    ),
+    "origin-off-z": BESIDE,
+    "origin-on-other-axis": THERE,
+    "origin-not-at-foot": (
+        "Between skew axes only one line is at right angles to both and meets both.",
+        "Draw the shortest line between the two axes: where does it arrive?",
+    ),
+    "origin-not-at-meeting": (
+        "Where the two axes meet there is no way to walk: a is 0.",
+        "Find the point that lies on both axes.",
+    ),
+    "not-one-row": (
+        "A row walks along the z before it by d, then along x_i by a. It reaches no point beside.",
+        (
+            "Which way does x_i point, at right angles to both z axes? Start on the z before, and"
+            " go along x_i only."
+        ),
+    ),
+    "x-not-across-z": LEANING,
+    "x-not-across-other": LEANING,
+    "x-along-z": LEANING,
+    "x-in-plane": (
+        "Of axes that meet, only the normal of their plane is at right angles to both.",
+        "Form the cross product of the two z axes.",
+    ),
+    "x-misses-other-axis": (
+        "A row walks along x_i from one axis to the other.",
+        "Is the origin right? Then point from the one axis straight across to the other.",
+    ),
+}
+SLIDES = (
+    "z lies along the direction of the slide, either way: a row's d is counted along z.",
+    "Move the joint alone. Along which direction do all its points go?",
+)
 TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
@@ -39,8 +95,9 @@ TOLD = 3  # free choices that are named when somebody's right frames differ from
 class Frames(Exercise):
     """Frames to be placed: a list with one ``[z, origin, x]`` per frame, 0 … n, in the base frame.
 
-    ``draw(rng)`` gives the task's ``axes`` and ``end`` as :func:`dhlab.assign_frames` takes them; for a "smallest fix" also ``frames``, the
-    broken ones that are handed out, which are no attempt as long as they are unchanged. What is still ``...`` is left out, and what is there is judged.
+    ``draw(rng)`` gives the task's ``axes`` and ``end`` as :func:`dhlab.assign_frames` takes them;
+    for a "smallest fix" also ``frames``, the broken ones that are handed out, which are no attempt
+    as long as they are unchanged. What is still ``...`` is left out, and what is there is judged.
     """
 
     draw: Callable
@@ -57,25 +114,45 @@ class Frames(Exercise):
         given = self.given(variant)
         rows = _rows(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):
-            return self.wrong(headline=rows, next="Write a list with one row [z, origin, x] per frame; each of the three has an x, a y and a z.")
+            return self.wrong(
+                headline=rows,
+                next=(
+                    "Write a list with one row [z, origin, x] per frame; each of the three has an"
+                    " x, a y and a z."
+                ),
+            )
         task = Placement(given["axes"], given["end"])
         wrong = _first_wrong(task, rows)
         if wrong is not None:
             return self._refused(task, wrong, _was_allowed(task, given, rows, wrong))
         if not task.finished:
-            right = ", ".join(f"{letter}{i}" for i in range(len(rows)) for letter, placed in (("z", task.z), ("o", task.o), ("x", task.x)) if i in placed)
-            return self.say(NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}.")
+            right = ", ".join(
+                f"{letter}{i}"
+                for i in range(len(rows))
+                for letter, placed in (("z", task.z), ("o", task.o), ("x", task.x))
+                if i in placed
+            )
+            return self.say(
+                NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}."
+            )
         return self.say(RIGHT, f"{self.praise}{_other_choices(task)}")
 
     def _refused(self, task, judgement, allowed):
         step, rule = judgement.step, judgement.rule
         mistake = MISTAKES.get(rule)
         if mistake is None:
-            return self.wrong(headline=f"{step} is not right. {judgement.message}{allowed}", place=step, next="Three numbers in brackets, or X, Y, Z or -X, -Y, -Z.")
+            return self.wrong(
+                headline=f"{step} is not right. {judgement.message}{allowed}",
+                place=step,
+                next="Three numbers in brackets, or X, Y, Z or -X, -Y, -Z.",
+            )
         i = int(step[1:])
         joint = task.joint(i) if mistake == "z-across-joint-axis" else None
         if joint and task.axes[joint - 1].letter == "P":
-            message, (why, next_step) = f"Joint {joint} slides, and this is not its direction.", SLIDES
+            message, (why, next_step) = (
+                f"Joint {joint} slides, and this is not its direction.",
+                SLIDES,
+            )
         else:
             message, (why, next_step) = judgement.message, WORDS.get(rule, ("", ""))
         headline = f"{step} is not right. {message}{allowed}"
@@ -87,7 +164,9 @@ class Frames(Exercise):
 
 def _same(answer, frames):
     try:
-        return np.allclose(np.array([[list(part) for part in row] for row in answer], dtype=float), frames)
+        return np.allclose(
+            np.array([[list(part) for part in row] for row in answer], dtype=float), frames
+        )
     except (TypeError, ValueError):
         return False
 
@@ -101,13 +180,23 @@ def _rows(answer, count):
     if len(rows) != count:
         return f"expected {count} rows [z, origin, x], frames 0 to {count - 1}, found {len(rows)}"
     short = next((i for i, row in enumerate(rows) if len(row) != 3), None)
-    return rows if short is None else f"expected z, origin and x for frame {short}, found {len(rows[short])} entries"
+    return (
+        rows
+        if short is None
+        else f"expected z, origin and x for frame {short}, found {len(rows[short])} entries"
+    )
 
 
 def _first_wrong(task, rows):
-    """Make every step that is there, all z first; the Judgement on the first wrong one, or None. What waits for a missing step waits."""
+    """Make every step that is there, all z first; the Judgement on the first wrong one, or None.
+    What waits for a missing step waits.
+    """
     steps = [(task.set_z, i, row[0]) for i, row in enumerate(rows)]
-    steps += [step for i, row in enumerate(rows) for step in ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))]
+    steps += [
+        step
+        for i, row in enumerate(rows)
+        for step in ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))
+    ]
     for place, i, value in steps:
         judgement = None if untouched(value) else place(i, value)
         if judgement is not None and not judgement and judgement.rule != "order":
@@ -116,15 +205,25 @@ def _first_wrong(task, rows):
 
 
 def _was_allowed(task, given, rows, wrong):
-    """Which of the steps that a learner changed were right as they were handed out, as a sentence; "" when none was."""
+    """Which of the steps that a learner changed were right as they were handed out, as a sentence;
+    "" when none was.
+    """
     if "frames" not in given:
         return ""
     handed_out = Placement(given["axes"], given["end"])
     broken = _first_wrong(handed_out, given["frames"]).step
-    changed = [f"{letter}{i}" for i, (row, frame) in enumerate(zip(rows, given["frames"])) for letter, part, before in zip("zox", row, frame)
-               if not untouched(part) and not _same([[part]], [[before]])]
+    changed = [
+        f"{letter}{i}"
+        for i, (row, frame) in enumerate(zip(rows, given["frames"]))
+        for letter, part, before in zip("zox", row, frame)
+        if not untouched(part) and not _same([[part]], [[before]])
+    ]
     allowed = [step for step in changed if step != broken]
-    return f" {' and '.join(allowed)} {'was' if len(allowed) == 1 else 'were'} allowed as handed out." if allowed else ""
+    return (
+        f" {' and '.join(allowed)} {'was' if len(allowed) == 1 else 'were'} allowed as handed out."
+        if allowed
+        else ""
+    )
 
 
 def _other_choices(task):

@@ -1,1 +1,3 @@
-"""What is wrong with an arm's table, found from measured poses or from the motion of one joint at a time."""
+"""What is wrong with an arm's table, found from measured poses or from the motion of one joint at a
+time.
+"""

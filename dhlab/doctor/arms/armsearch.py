@@ -1,4 +1,6 @@
-"""The search for the one change that repairs an arm: every entry of the catalogue, every number of the table, signs, offsets, ends, data."""
+"""The search for the one change that repairs an arm: every entry of the catalogue, every number of
+the table, signs, offsets, ends, data.
+"""
 
 from dataclasses import dataclass, replace
 
@@ -9,7 +11,16 @@ from .faults import ALPHA, THETA, A, D
 from .fitting import Fit, Measured, carried, fit, misfit, place_ends, with_rows
 from .repairs import discrete_repairs
 
-__all__ = ["Explanation", "singles", "calibrated", "STARTS", "entries_of", "turned", "turns", "length_columns"]
+__all__ = [
+    "Explanation",
+    "singles",
+    "calibrated",
+    "STARTS",
+    "entries_of",
+    "turned",
+    "turns",
+    "length_columns",
+]
 
 STARTS = np.arange(12) * np.pi / 6
 GRID = np.arange(24) * np.pi / 12
@@ -19,9 +30,10 @@ GRID = np.arange(24) * np.pi / 12
 class Explanation:
     """A repaired arm that may explain the data.
 
-    ``chain`` holds the arms on the way: the candidate, after the first change, (after the second). ``entries`` are the (row, column)
-    that were fitted, ``ends`` names "base" or "tool" when one was, ``data_fault`` the mistake when the data were changed instead, to ``changed``.
-    ``odd`` counts fitted entries that are no number one would have guessed.
+    ``chain`` holds the arms on the way: the candidate, after the first change, (after the second).
+    ``entries`` are the (row, column) that were fitted, ``ends`` names "base" or "tool" when one
+    was, ``data_fault`` the mistake when the data were changed instead, to ``changed``. ``odd``
+    counts fitted entries that are no number one would have guessed.
     """
 
     fit: Fit
@@ -46,7 +58,11 @@ def entries_of(arm, columns=(THETA, D, A, ALPHA)):
 def singles(arm, data):
     """Every explanation by one change, fitting or not; the caller keeps those that fit."""
     for repair in discrete_repairs(arm):
-        found = fit(place_ends(repair.arm, data), data, repair.free) if repair.free else misfit(repair.arm, data)
+        found = (
+            fit(place_ends(repair.arm, data), data, repair.free)
+            if repair.free
+            else misfit(repair.arm, data)
+        )
         yield Explanation(found, (arm, found.arm), repair.free)
     placed = place_ends(arm, data)
     for i, column in entries_of(arm):
@@ -78,7 +94,9 @@ def turned(arm, entry, turn):
 
 
 def _entry_fits(placed, data, i, column):
-    """Fits of one entry; an angle is begun where it is best, or all round, since a fit only sees the nearest valley."""
+    """Fits of one entry; an angle is begun where it is best, or all round, since a fit only sees
+    the nearest valley.
+    """
     entry = i, column
     if column in (D, A):
         return [fit(placed, data, (entry,))]
@@ -91,17 +109,34 @@ def _entry_fits(placed, data, i, column):
 
 
 def _signs_of_twists(arm, data):
-    """Arms with other signs of several alphas (their lengths' signs open), the two that fit best: by rotation, with a free base by position."""
+    """Arms with other signs of several alphas (their lengths' signs open), the two that fit best:
+    by rotation, with a free base by position.
+    """
     twisted = np.flatnonzero(np.abs(np.sin(arm.table.alpha)) > 1e-9)
     by_position = data.R is None or data.base_free
-    if data.tool_free or not 2 <= len(twisted) <= 7 or by_position and (arm.table.rows[:, 1:] < 0).any():  # lost signs leave no negative number
+    if (
+        data.tool_free
+        or not 2 <= len(twisted) <= 7
+        or by_position
+        and (arm.table.rows[:, 1:] < 0).any()
+    ):  # lost signs leave no negative number
         return []
     trials = []
     for pattern in range(1, 2 ** len(twisted)):
         rows = arm.table.rows
         rows[twisted[[(pattern >> k) & 1 == 1 for k in range(len(twisted))]], ALPHA] *= -1
         trial = with_rows(arm, rows)
-        trials.append((min(_length_signs(trial, data)[2], default=np.inf) if by_position else _rotation_apart(trial, data), pattern, trial))
+        trials.append(
+            (
+                (
+                    min(_length_signs(trial, data)[2], default=np.inf)
+                    if by_position
+                    else _rotation_apart(trial, data)
+                ),
+                pattern,
+                trial,
+            )
+        )
     return [trial for _, _, trial in sorted(trials, key=lambda item: item[:2])[:2]]
 
 
@@ -121,8 +156,14 @@ def _signs_of_lengths(arm, data):
 
 
 def _length_signs(arm, data):
-    """The lengths, every pattern of their signs and its misfit: positions are linear in lengths, so every pattern is one matrix product."""
-    entries = [e for e in entries_of(arm, (D, A)) if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")]
+    """The lengths, every pattern of their signs and its misfit: positions are linear in lengths, so
+    every pattern is one matrix product.
+    """
+    entries = [
+        e
+        for e in entries_of(arm, (D, A))
+        if arm.table.rows[e] and not (e[1] == D and arm.table.joints[e[0]] == "P")
+    ]
     if data.tool_free or not 2 <= len(entries) <= 12:
         return [], [], []
     columns, off = length_columns(arm, data, entries)
@@ -130,11 +171,21 @@ def _length_signs(arm, data):
     patterns = 1 - 2 * ((np.arange(2 ** len(entries))[:, None] >> np.arange(len(entries))) & 1)
     offs = off + (patterns - 1) * lengths @ columns.T
     targets = data.p / data.noise[0]
-    return entries, patterns, carried(offs.reshape(len(offs), -1, 3) + targets, targets) if data.base_free else (offs**2).sum(1)
+    return (
+        entries,
+        patterns,
+        (
+            carried(offs.reshape(len(offs), -1, 3) + targets, targets)
+            if data.base_free
+            else (offs**2).sum(1)
+        ),
+    )
 
 
 def length_columns(arm, data, entries):
-    """How the positions move with each length (3m, k) and how far they are off now (3m,), in units of the noise."""
+    """How the positions move with each length (3m, k) and how far they are off now (3m,), in units
+    of the noise.
+    """
     F = arm.frames(data.q)
     standard = arm.table.convention == "standard"
     axes = [F[:, i if (c == D) == standard else i + 1, :3, 2 if c == D else 0] for i, c in entries]
@@ -143,11 +194,15 @@ def length_columns(arm, data, entries):
 
 
 def _all_offsets(arm, data):
-    """Several zero offsets at once: quarter turns on a grid, judged by rotation (or position), the best fitted."""
+    """Several zero offsets at once: quarter turns on a grid, judged by rotation (or position), the
+    best fitted.
+    """
     n = len(arm)
     if n > 7 or len(data.q) < 3:
         return
-    grid = np.stack(np.meshgrid(*[np.arange(4) * np.pi / 2] * (n - 1), indexing="ij"), -1).reshape(-1, n - 1)
+    grid = np.stack(np.meshgrid(*[np.arange(4) * np.pi / 2] * (n - 1), indexing="ij"), -1).reshape(
+        -1, n - 1
+    )
     grid = np.column_stack([np.zeros(len(grid)), grid])
     if len(grid) > 1100:
         grid = grid[(grid > 0).sum(1) <= 4]
@@ -160,7 +215,9 @@ def _all_offsets(arm, data):
 
 
 def _rounded_angles(placed, data):
-    """Angles that were written with two to four decimals of a radian: all of them fitted, kept when they round to what stands there."""
+    """Angles that were written with two to four decimals of a radian: all of them fitted, kept when
+    they round to what stands there.
+    """
     free = entries_of(placed, (THETA, ALPHA))
     angles = np.array([placed.table.rows[e] for e in free])
     for digits in (2, 3, 4):
@@ -173,12 +230,18 @@ def _rounded_angles(placed, data):
 
 
 def _grid_misfit(T, data):
-    """Misfit of a grid of arms at three poses, whatever the free base or tool; T is (grid, 3, 4, 4)."""
+    """Misfit of a grid of arms at three poses, whatever the free base or tool; T is (grid, 3, 4,
+    4).
+    """
     if data.R is None:
         p = T[..., :3, 3]
         sides = np.linalg.norm(p[:, [0, 1, 2]] - p[:, [1, 2, 0]], axis=-1)
         wanted = np.linalg.norm(data.p[[0, 1, 2]] - data.p[[1, 2, 0]], axis=-1)
-        return ((sides - wanted) ** 2).sum(1) if data.base_free else ((p - data.p[:3]) ** 2).sum((1, 2))
+        return (
+            ((sides - wanted) ** 2).sum(1)
+            if data.base_free
+            else ((p - data.p[:3]) ** 2).sum((1, 2))
+        )
     R, U = T[..., :3, :3], data.R[:3]
     if data.base_free:
         R, U = np.swapaxes(R[:, :1], -1, -2) @ R, U[0].T @ U
@@ -188,10 +251,12 @@ def _grid_misfit(T, data):
 
 
 def turns(arm, data):
-    """For every angle of the table: (entry, the turn that repairs the measurements best, the misfit then left), in closed form.
+    """For every angle of the table: (entry, the turn that repairs the measurements best, the misfit
+    then left), in closed form.
 
-    Rotations: with L the rotation of the axis' frame, N = Lᵀ R_measured R_predictedᵀ L is a turn about one axis if that angle is all that is wrong.
-    Positions alone: seen from the axis' frame the measured ones are the predicted ones, turned about one axis; where the base is free as well,
+    Rotations: with L the rotation of the axis' frame, N = Lᵀ R_measured R_predictedᵀ L is a turn
+    about one axis if that angle is all that is wrong. Positions alone: seen from the axis' frame
+    the measured ones are the predicted ones, turned about one axis; where the base is free as well,
     the turn is the best of a grid.
     """
     F = arm.frames(data.q)
@@ -203,7 +268,10 @@ def turns(arm, data):
                 back = data.R @ np.swapaxes(F[:, -1, :3, :3] @ arm.tool[:3, :3], -1, -2)
                 yield (i, column), *_turn_of_rotations(L[:, :3, :3], back, axis, data)
             else:
-                yield (i, column), *_turn_of_positions(L, (F[:, -1] @ arm.tool)[:, :3, 3], axis, data)
+                yield (
+                    (i, column),
+                    *_turn_of_positions(L, (F[:, -1] @ arm.tool)[:, :3, 3], axis, data),
+                )
 
 
 def _turn_of_rotations(L, back, axis, data):
@@ -223,10 +291,19 @@ def _turn_of_positions(L, ends, axis, data):
         left = carried(np.einsum("mij,gmj->gmi", L[:, :3, :3], turned_v) + L[:, :3, 3], data.p)
         return GRID[np.argmin(left)], left.min() / data.noise[0] ** 2
     w = np.einsum("mij,mi->mj", L[:, :3, :3], data.p - L[:, :3, 3])
-    s, c = (v[:, j] * w[:, k] - v[:, k] * w[:, j]).sum(), (v[:, j] * w[:, j] + v[:, k] * w[:, k]).sum()
-    return np.arctan2(s, c), ((v**2).sum() + (w**2).sum() - 2 * (v[:, axis] * w[:, axis]).sum() - 2 * np.hypot(s, c)) / data.noise[0] ** 2
+    s, c = (
+        (v[:, j] * w[:, k] - v[:, k] * w[:, j]).sum(),
+        (v[:, j] * w[:, j] + v[:, k] * w[:, k]).sum(),
+    )
+    return (
+        np.arctan2(s, c),
+        ((v**2).sum() + (w**2).sum() - 2 * (v[:, axis] * w[:, axis]).sum() - 2 * np.hypot(s, c))
+        / data.noise[0] ** 2,
+    )
 
 
 def calibrated(arm, data, prior=None):
-    """The fit of every entry at once, begun at the arm: what a factory calibration does; ``prior`` as in ``fit``."""
+    """The fit of every entry at once, begun at the arm: what a factory calibration does; ``prior``
+    as in ``fit``.
+    """
     return fit(place_ends(arm, data), data, entries_of(arm), steps=25, prior=prior)

@@ -1,7 +1,9 @@
-"""What each mistake of the catalogue does to a right arm: the other half of an entry, beside its words.
+"""What each mistake of the catalogue does to a right arm: the other half of an entry, beside its
+words.
 
-A function per mistake yields :class:`Fault` s, one for each place the mistake can be made; registered under the mistake's id. Adding a
-mistake is one function here, one entry in ``catalogue.yaml`` and one test.
+A function per mistake yields :class:`Fault` s, one for each place the mistake can be made;
+registered under the mistake's id. Adding a mistake is one function here, one entry in
+``catalogue.yaml`` and one test.
 """
 
 from dataclasses import dataclass, replace
@@ -23,7 +25,9 @@ FAULTS = {}
 
 @dataclass(frozen=True)
 class Fault:
-    """A mistake made at one place of a right arm: its id, joint (1-based) or None, parameter or None, and the wrong Arm."""
+    """A mistake made at one place of a right arm: its id, joint (1-based) or None, parameter or
+    None, and the wrong Arm.
+    """
 
     mistake: str
     joint: int | None
@@ -33,14 +37,18 @@ class Fault:
 
 def fault(mistake, parameter=None):
     """Register a function of a right arm that yields (joint or None, wrong Arm)."""
+
     def register(function):
         FAULTS.setdefault(mistake, []).append((parameter, function))
         return function
+
     return register
 
 
 def faults(arm):
-    """Every mistake at every place, made on a right arm; those that change nothing in the numbers are left out."""
+    """Every mistake at every place, made on a right arm; those that change nothing in the numbers
+    are left out.
+    """
     for mistake, makers in FAULTS.items():
         for parameter, make in makers:
             for joint, wrong in make(arm):
@@ -59,16 +67,18 @@ def _each(arm, change):
 def _negate(column):
     def change(rows, i):
         rows[i, column] *= -1
+
     return change
 
 
 def _scale(column, factor):
     def change(rows, i):
         rows[i, column] *= factor
+
     return change
 
 
-# --- convention and columns ---------------------------------------------------------------------------------------------------
+# --- convention and columns ---
 
 
 @fault("standard-rows-in-craig-matrix")
@@ -114,7 +124,7 @@ def _(arm):
         yield i + 1, with_rows(arm, rows)
 
 
-# --- entries ------------------------------------------------------------------------------------------------------------------
+# --- entries ---
 
 
 @fault("alpha-sign", "alpha")
@@ -147,7 +157,16 @@ def _(arm):
 def _(arm):
     for factor in (10, 0.1, 100, 0.01):
         yield None, with_rows(arm, arm.table.rows * [1, factor, factor, 1])
-    for factors in ([1, 1000, 1000, 1], [1, 1e-3, 1e-3, 1], [1, 1000, 1, 1], [1, 1, 1000, 1], [1, 1e-3, 1, 1], [1, 1, 1e-3, 1], [1, 25.4e-3, 25.4e-3, 1], [1, 1 / 25.4e-3, 1 / 25.4e-3, 1]):
+    for factors in (
+        [1, 1000, 1000, 1],
+        [1, 1e-3, 1e-3, 1],
+        [1, 1000, 1, 1],
+        [1, 1, 1000, 1],
+        [1, 1e-3, 1, 1],
+        [1, 1, 1e-3, 1],
+        [1, 25.4e-3, 25.4e-3, 1],
+        [1, 1 / 25.4e-3, 1 / 25.4e-3, 1],
+    ):
         yield None, with_rows(arm, arm.table.rows * factors)
 
 
@@ -171,7 +190,13 @@ def _(arm):
 
 @fault("angle-unit")
 def _(arm):
-    for factors in ([DEG, 1, 1, DEG], [1 / DEG, 1, 1, 1 / DEG], [1, 1, 1, 1 / DEG], [1 / DEG, 1, 1, 1], [DEG, 1, 1, 1]):
+    for factors in (
+        [DEG, 1, 1, DEG],
+        [1 / DEG, 1, 1, 1 / DEG],
+        [1, 1, 1, 1 / DEG],
+        [1 / DEG, 1, 1, 1],
+        [DEG, 1, 1, 1],
+    ):
         yield None, with_rows(arm, arm.table.rows * factors)
 
 
@@ -186,8 +211,10 @@ def _(arm):
 @fault("z-across-joint-axis", "alpha")
 def _(arm):
     for turn in (np.pi / 2, -np.pi / 2):
+
         def change(rows, i, turn=turn):
             rows[i, ALPHA] += turn
+
         yield from _each(arm, change)
 
 
@@ -222,7 +249,7 @@ def _(arm):
             yield i + 1, with_rows(arm, rows)
 
 
-# --- joint variables ----------------------------------------------------------------------------------------------------------
+# --- joint variables ---
 
 
 def _offsets(arm, change):
@@ -231,6 +258,7 @@ def _offsets(arm, change):
 
     def one(rows, i):
         rows[i, THETA] = change(rows[i, THETA])
+
     yield from _each(arm, one)
 
 
@@ -281,7 +309,14 @@ def _(arm):
 def _(arm):
     for i, letter in enumerate(arm.table.joints):
         if letter == "P":
-            yield i + 1, with_rows(arm, arm.table.rows, joints=arm.table.joints[:i] + "R" + arm.table.joints[i + 1:])
+            yield (
+                i + 1,
+                with_rows(
+                    arm,
+                    arm.table.rows,
+                    joints=arm.table.joints[:i] + "R" + arm.table.joints[i + 1 :],
+                ),
+            )
 
 
 @fault("prismatic-constant-lost")
@@ -294,19 +329,23 @@ def _(arm):
                 yield i + 1, with_rows(arm, rows)
 
 
-# --- frames -------------------------------------------------------------------------------------------------------------------
+# --- frames ---
 
 
 @fault("x-flip-incomplete")
 def _(arm):
-    """X_i turned round with some of its four changes forgotten (of a, alpha, theta_i, theta_{i+1})."""
+    """X_i turned round with some of its four changes forgotten (of a, alpha, theta_i,
+    theta_{i+1}).
+    """
     for i in range(len(arm) - 1):
         for kept in ((1, 1, 0, 0), (1, 0, 1, 1), (1, 0, 0, 0), (1, 1, 1, 0), (1, 1, 0, 1)):
             yield i + 1, with_rows(arm, flipped_x(arm, i, kept))
 
 
 def flipped_x(arm, i, kept):
-    """The rows with X_{i+1} turned round, as far as ``kept`` says: (a, alpha, theta of the row, theta of the next)."""
+    """The rows with X_{i+1} turned round, as far as ``kept`` says: (a, alpha, theta of the row,
+    theta of the next).
+    """
     rows, k = arm.table.rows, i + (arm.table.convention == "craig")
     for column, keep in zip((A, ALPHA), kept):
         rows[k, column] *= -1 if keep else 1
@@ -317,14 +356,26 @@ def flipped_x(arm, i, kept):
 
 @fault("z-flip-incomplete")
 def _(arm):
-    """Z turned round with some of its changes forgotten (alpha of two rows, theta and d and sense of the joint on that axis)."""
+    """Z turned round with some of its changes forgotten (alpha of two rows, theta and d and sense
+    of the joint on that axis).
+    """
     for i in range(len(arm) - 1):
-        for kept in ((1, 0, 0, 0, 0), (0, 1, 0, 0, 0), (1, 1, 0, 0, 0), (1, 1, 1, 1, 0), (1, 1, 0, 1, 1), (1, 1, 1, 0, 1), (1, 0, 1, 1, 1)):
+        for kept in (
+            (1, 0, 0, 0, 0),
+            (0, 1, 0, 0, 0),
+            (1, 1, 0, 0, 0),
+            (1, 1, 1, 1, 0),
+            (1, 1, 0, 1, 1),
+            (1, 1, 1, 0, 1),
+            (1, 0, 1, 1, 1),
+        ):
             yield i + 1, flipped_z(arm, i, kept)
 
 
 def flipped_z(arm, i, kept):
-    """The arm with Z of frame i+1 turned round, as far as ``kept`` says: (alpha before, alpha after, theta, d, sign)."""
+    """The arm with Z of frame i+1 turned round, as far as ``kept`` says: (alpha before, alpha
+    after, theta, d, sign).
+    """
     rows, sign = arm.table.rows, arm.sign.copy()
     joint = i + 1 if arm.table.convention == "standard" else i
     for row, keep in zip((i, i + 1), kept):
@@ -335,7 +386,7 @@ def flipped_z(arm, i, kept):
     return with_rows(arm, rows, sign=sign)
 
 
-# --- base and tool ------------------------------------------------------------------------------------------------------------
+# --- base and tool ---
 
 
 @fault("tool-missing", "tool")

@@ -1,4 +1,6 @@
-"""Measured poses, how far a model is from them in units of their noise, and small fits of a model's numbers to them."""
+"""Measured poses, how far a model is from them in units of their noise, and small fits of a model's
+numbers to them.
+"""
 
 from dataclasses import dataclass
 
@@ -10,14 +12,27 @@ from ...arm import Arm
 from ...table import DHTable
 from ...transform import inverse
 
-__all__ = ["Measured", "Fit", "misfit", "fit", "with_rows", "with_parts", "place_ends", "carried", "limit", "rotation_vectors"]
+__all__ = [
+    "Measured",
+    "Fit",
+    "misfit",
+    "fit",
+    "with_rows",
+    "with_parts",
+    "place_ends",
+    "carried",
+    "limit",
+    "rotation_vectors",
+]
 
 FALSE_ALARM = 1e-7  # how often right data may look wrong
 
 
 @dataclass(frozen=True)
 class Measured:
-    """What was measured: ``q`` (m, n), positions ``p`` (m, 3) in m, rotations ``R`` (m, 3, 3) or None, the noise per axis (m, rad), what is free."""
+    """What was measured: ``q`` (m, n), positions ``p`` (m, 3) in m, rotations ``R`` (m, 3, 3) or
+    None, the noise per axis (m, rad), what is free.
+    """
 
     q: np.ndarray
     p: np.ndarray
@@ -42,7 +57,9 @@ class Measured:
 
 @dataclass(frozen=True)
 class Fit:
-    """A model fitted to measurements: the Arm, its χ², how many numbers were fitted, their values' standard deviations."""
+    """A model fitted to measurements: the Arm, its χ², how many numbers were fitted, their values'
+    standard deviations.
+    """
 
     arm: Arm
     chi2: float
@@ -60,7 +77,9 @@ def limit(freedom):
 
 
 def _hopeless(data):
-    """A χ² that neither another base or tool nor slow steps of a fit will bring down to the noise; exact data may begin far off."""
+    """A χ² that neither another base or tool nor slow steps of a fit will bring down to the noise;
+    exact data may begin far off.
+    """
     return 100 * limit(data.count) + 1e6
 
 
@@ -72,11 +91,16 @@ def rotation_vectors(R):
 def with_rows(arm, rows, **parts):
     """The arm with other rows (theta, d, a, alpha in rad and m) and perhaps other parts.
 
-    The search makes tens of thousands of arms from checked ones, so the checks of ``DHTable`` and ``Arm`` are not made again.
+    The search makes tens of thousands of arms from checked ones, so the checks of ``DHTable`` and
+    ``Arm`` are not made again.
     """
     table, changed = object.__new__(DHTable), object.__new__(Arm)
     columns = dict(zip(("theta", "d", "a", "alpha"), np.array(rows, dtype=float).T + 0.0))
-    table.__dict__.update(columns, convention=parts.pop("convention", arm.table.convention), joints=parts.pop("joints", arm.table.joints))
+    table.__dict__.update(
+        columns,
+        convention=parts.pop("convention", arm.table.convention),
+        joints=parts.pop("joints", arm.table.joints),
+    )
     changed.__dict__.update(arm.__dict__, table=table, **parts)
     return changed
 
@@ -91,7 +115,8 @@ def with_parts(arm, **parts):
 def misfit(arm, data):
     """The Fit of an arm as it is; base and tool put in place where they are free.
 
-    One end is placed in closed form: to the end where only positions were measured, otherwise near enough to see that a fit is hopeless.
+    One end is placed in closed form: to the end where only positions were measured, otherwise near
+    enough to see that a fit is hopeless.
     """
     placed = place_ends(arm, data)
     chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
@@ -122,11 +147,15 @@ def place_ends(arm, data):
 
 
 def _placed_by_positions(arm, T, data):
-    """The same from positions alone: a tool point is the mean of where the measured ones are in the last frame, a base is carried there."""
+    """The same from positions alone: a tool point is the mean of where the measured ones are in the
+    last frame, a base is carried there.
+    """
     B, E = np.eye(4), np.eye(4)
     for _ in range(10 if data.base_free and data.tool_free else 1):
         if data.tool_free:
-            E[:3, 3] = ((inverse(B @ T)[:, :3, :3] @ (data.p - (B @ T)[:, :3, 3])[..., None])[..., 0]).mean(0)
+            E[:3, 3] = (
+                (inverse(B @ T)[:, :3, :3] @ (data.p - (B @ T)[:, :3, 3])[..., None])[..., 0]
+            ).mean(0)
         if data.base_free:
             B = _kabsch((T @ E)[:, :3, 3], data.p)
     return with_parts(arm, base=_rigid(B @ arm.base), tool=arm.tool @ E)
@@ -143,7 +172,9 @@ def _kabsch(points, targets):
 
 
 def carried(points, targets):
-    """The squares left when each set of points (k, m, 3) is carried to the targets (m, 3) as well as a pose can (Kabsch 1976)."""
+    """The squares left when each set of points (k, m, 3) is carried to the targets (m, 3) as well
+    as a pose can (Kabsch 1976).
+    """
     a, b = points - points.mean(1, keepdims=True), targets - targets.mean(0)
     U, s, Vt = np.linalg.svd(b.T @ a)
     s[:, 2] *= np.sign(np.linalg.det(U) * np.linalg.det(Vt))
@@ -151,7 +182,9 @@ def carried(points, targets):
 
 
 def _aligned(T, U):
-    """The base rotation from relative motions: conjugate rotations have rotation vectors turned by it."""
+    """The base rotation from relative motions: conjugate rotations have rotation vectors turned by
+    it.
+    """
     a = rotation_vectors(T[1:, :3, :3] @ T[0, :3, :3].T)
     b = rotation_vectors(U[1:, :3, :3] @ U[0, :3, :3].T)
     return _kabsch(np.vstack([a, -a]), np.vstack([b, -b]))[:3, :3]
@@ -186,7 +219,8 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     base, tool : bool, optional
         Fit the base (tool) pose as well; as the data say when left out.
     prior : (float, float), optional
-        Hold lengths (m) and angles (rad) to where they start, with this standard deviation; the cost is in the χ².
+        Hold lengths (m) and angles (rad) to where they start, with this standard deviation; the
+        cost is in the χ².
 
     Returns
     -------
@@ -201,17 +235,19 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     start = np.array([arm.table.rows[entry] for entry in free])
     stiff = np.zeros(size)
     if prior:
-        stiff[:len(free)] = [1 / prior[0 if column in (1, 2) else 1] for _, column in free]
+        stiff[: len(free)] = [1 / prior[0 if column in (1, 2) else 1] for _, column in free]
     damping, far = 1e-9, _hopeless(data)
     for _ in range(steps):
         J, r = _jacobian(arm, data, free, base, tool)
         pull = np.zeros(size)
-        pull[:len(free)] = [arm.table.rows[entry] for entry in free] - start
+        pull[: len(free)] = [arm.table.rows[entry] for entry in free] - start
         H, g = J.T @ J + np.diag(stiff**2), J.T @ r + stiff**2 * pull
         step = np.linalg.lstsq(H + damping * np.diag(np.diag(H) + 1e-12), -g, rcond=1e-13)[0]
         trial = _moved(arm, step, free, base, tool)
         moved = np.array([trial.table.rows[entry] for entry in free]) - start
-        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + ((stiff[:len(free)] * moved) ** 2).sum()
+        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + (
+            (stiff[: len(free)] * moved) ** 2
+        ).sum()
         if chi2 < best:
             done = best - chi2 < (1e-2 if chi2 > far else 1e-7) * (1 + chi2)
             arm, best, damping = trial, chi2, damping / 10
@@ -223,18 +259,24 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
                 break
     J, _ = _jacobian(arm, data, free, base, tool)
     sigma = np.sqrt(np.clip(np.diag(np.linalg.pinv(J.T @ J, rcond=1e-10, hermitian=True)), 0, None))
-    return Fit(arm, float(best), np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300)), sigma)
+    return Fit(
+        arm, float(best), np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300)), sigma
+    )
 
 
 def _jacobian(arm, data, free, base, tool):
-    """Residuals' derivatives: each number of a row turns or shifts what is behind it, like a joint of its own."""
+    """Residuals' derivatives: each number of a row turns or shifts what is behind it, like a joint
+    of its own.
+    """
     F = arm.frames(data.q)
     end = F[:, -1] @ arm.tool
     axes, origins, turns = [], [], []
     standard = arm.table.convention == "standard"
     for i, column in free:
         of_z = column < 2
-        frame = F[:, i if of_z == standard else i + 1]  # standard: z of frame i-1, x of frame i; Craig: the other way round
+        frame = F[
+            :, i if of_z == standard else i + 1
+        ]  # standard: z of frame i-1, x of frame i; Craig: the other way round
         axes.append(frame[:, :3, 2 if of_z else 0])
         origins.append(frame[:, :3, 3])
         turns.append(column in (0, 3))
@@ -256,7 +298,7 @@ def _moved(arm, step, free, base, tool):
     rows = arm.table.rows
     for (i, column), value in zip(free, step):
         rows[i, column] += value
-    parts, rest = {}, step[len(free):]
+    parts, rest = {}, step[len(free) :]
     if base:
         parts["base"] = _rigid(_pose(rest[:6]) @ arm.base)
         rest = rest[6:]

@@ -1,4 +1,6 @@
-"""From a picture of motion: one joint moved at a time, the circles it drew against those of the table, and which row they accuse."""
+"""From a picture of motion: one joint moved at a time, the circles it drew against those of the
+table, and which row they accuse.
+"""
 
 from dataclasses import dataclass
 
@@ -16,14 +18,22 @@ from .naming import name_change
 
 __all__ = ["diagnose_motion"]
 
-EXACT = 1e-6               # m; less scatter is rounding
-SURE = 5.0                 # standard deviations: thirty numbers are compared
-TINY = {"axis": np.deg2rad(0.5), "shift": 5e-3, "height": 5e-3, "radius": 5e-3, "phase": np.deg2rad(0.5)}  # a calibration moves a circle so far
+EXACT = 1e-6  # m; less scatter is rounding
+SURE = 5.0  # standard deviations: thirty numbers are compared
+TINY = {
+    "axis": np.deg2rad(0.5),
+    "shift": 5e-3,
+    "height": 5e-3,
+    "radius": 5e-3,
+    "phase": np.deg2rad(0.5),
+}  # a calibration moves a circle so far
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """What one joint's circle (or line) says: whether its axis is where the table has it, whether the rest agrees, the words for it."""
+    """What one joint's circle (or line) says: whether its axis is where the table has it, whether
+    the rest agrees, the words for it.
+    """
 
     joint: int
     axis_right: bool | None  # None: nothing to be seen
@@ -40,16 +50,19 @@ def diagnose_motion(arm, q, points, *, noise=None):
     arm : Arm or DHTable
         The candidate.
     q : array (m, n)
-        Joint values of every measurement, in order: a sweep of one joint (at least four measurements) after the other.
+        Joint values of every measurement, in order: a sweep of one joint (at least four
+        measurements) after the other.
     points : array (m, 3), or poses (m, 4, 4) of which the positions are taken
         The measured tool point, metres, in the base frame.
     noise : float, optional
-        Standard deviation of a coordinate, m; estimated from the scatter about the circles when left out.
+        Standard deviation of a coordinate, m; estimated from the scatter about the circles when
+        left out.
 
     Returns
     -------
     Diagnosis
-        The headline says which rows are accused; the notes say of every joint what its circle shows.
+        The headline says which rows are accused; the notes say of every joint what its circle
+        shows.
 
     Raises
     ------
@@ -58,9 +71,10 @@ def diagnose_motion(arm, q, points, *, noise=None):
 
     Notes
     -----
-    A mistake before joint i moves the axis of joint i; one in row i or behind it changes the circle about it (height, radius, phase); an
-    offset of the joint itself the phase alone. So the mistake lies between the last joint whose axis is right and the first whose axis is
-    wrong. There every number and every joint's sense is tried; what leaves no more than the noise is named.
+    A mistake before joint i moves the axis of joint i; one in row i or behind it changes the circle
+    about it (height, radius, phase); an offset of the joint itself the phase alone. So the mistake
+    lies between the last joint whose axis is right and the first whose axis is wrong. There every
+    number and every joint's sense is tried; what leaves no more than the noise is named.
 
     Examples
     --------
@@ -77,11 +91,18 @@ def diagnose_motion(arm, q, points, *, noise=None):
     """
     arm = Arm(arm) if isinstance(arm, DHTable) else arm
     if not isinstance(arm, Arm):
-        raise ValueError(f"diagnose_motion: expected an Arm or a DHTable, found {type(arm).__name__}")
+        raise ValueError(
+            f"diagnose_motion: expected an Arm or a DHTable, found {type(arm).__name__}"
+        )
     report = fit_circles(q, points, arm, noise=noise)
     q, points = np.asarray(q, dtype=float), np.asarray(points, dtype=float)
-    data = Measured(q, points[:, :3, 3] if points.ndim == 3 else points, None, (noise or _scatter(report), 1.0))
-    sweeps = [_line(arm, data, c) if arm.table.joints[c.joint - 1] == "P" else _sweep(c) for c in report.circles]
+    data = Measured(
+        q, points[:, :3, 3] if points.ndim == 3 else points, None, (noise or _scatter(report), 1.0)
+    )
+    sweeps = [
+        _line(arm, data, c) if arm.table.joints[c.joint - 1] == "P" else _sweep(c)
+        for c in report.circles
+    ]
     return _decide(arm, data, sweeps, _notes(arm, sweeps, report))
 
 
@@ -96,10 +117,23 @@ def _scatter(report):
 def _sweep(circle):
     if circle.fault:
         return Sweep(circle.joint, None, None, True, circle.words)
-    wrong = {name for name, (value, sigma) in circle.differs.items() if abs(value) > max(SURE * sigma, 10 * SMALLEST[name])}
+    wrong = {
+        name
+        for name, (value, sigma) in circle.differs.items()
+        if abs(value) > max(SURE * sigma, 10 * SMALLEST[name])
+    }
     tiny = all(abs(value) < TINY[name] for name, (value, _) in circle.differs.items())
-    words = circle.words if wrong else f"Joint {circle.joint}: its circle agrees with the model's as far as the measurements can tell."
-    return Sweep(circle.joint, not wrong & {"axis", "shift"}, not wrong - {"axis", "shift"}, tiny, words)
+    words = (
+        circle.words
+        if wrong
+        else (
+            f"Joint {circle.joint}: its circle agrees with the model's as far as the measurements"
+            " can tell."
+        )
+    )
+    return Sweep(
+        circle.joint, not wrong & {"axis", "shift"}, not wrong - {"axis", "shift"}, tiny, words
+    )
 
 
 def _line(arm, data, circle):
@@ -113,10 +147,35 @@ def _line(arm, data, circle):
     sigma = data.noise[0] / np.sqrt(q @ q)
     right = angle < max(SURE * sigma, 1e-6)
     long = abs(np.linalg.norm(v) - 1) < max(SURE * sigma, 1e-6)
-    said = "agrees with the model in direction" if right else f"the line runs {number(np.rad2deg(angle), 3)}° off the model's"
-    said += "" if angle < np.pi / 2 else ", so it slides the other way, or an axis before it is turned round"
-    said += " and in length" if long and right else "" if long else f"; a metre of the joint moves the point {number(np.linalg.norm(v), 4)} m, so look at its unit"
-    return Sweep(circle.joint, right, long, angle < TINY["axis"] and long, f"Joint {circle.joint}: it slides, so its points lie on a line: {said}.")
+    said = (
+        "agrees with the model in direction"
+        if right
+        else f"the line runs {number(np.rad2deg(angle), 3)}° off the model's"
+    )
+    said += (
+        ""
+        if angle < np.pi / 2
+        else ", so it slides the other way, or an axis before it is turned round"
+    )
+    said += (
+        " and in length"
+        if long and right
+        else (
+            ""
+            if long
+            else (
+                f"; a metre of the joint moves the point {number(np.linalg.norm(v), 4)} m, so look"
+                " at its unit"
+            )
+        )
+    )
+    return Sweep(
+        circle.joint,
+        right,
+        long,
+        angle < TINY["axis"] and long,
+        f"Joint {circle.joint}: it slides, so its points lie on a line: {said}.",
+    )
 
 
 def _own_rows(q, circle):
@@ -133,9 +192,15 @@ def _notes(arm, sweeps, report):
     yield from (sweep.words for sweep in sweeps)
     missing = [str(i) for i in range(1, len(arm) + 1) if i not in {s.joint for s in sweeps}]
     if missing:
-        yield f"Not moved alone: joint {', '.join(missing)}; a mistake there cannot be told from one in its neighbours."
+        yield (
+            f"Not moved alone: joint {', '.join(missing)}; a mistake there cannot be told from one"
+            " in its neighbours."
+        )
     if report.left_out:
-        yield f"{report.left_out} measurement{'s belong' if report.left_out > 1 else ' belongs'} to no sweep of a single joint."
+        yield (
+            f"{report.left_out} measurement{'s belong' if report.left_out > 1 else ' belongs'} to"
+            " no sweep of a single joint."
+        )
     yield NO_PROOF
 
 
@@ -144,16 +209,42 @@ def _decide(arm, data, sweeps, notes):
     if misfit(arm, data).chi2 <= limit(data.count):
         return Diagnosis(AGREES, "Every circle is where the table has it.", notes=notes, **known)
     if data.noise[0] > 2 * EXACT and all(s.tiny for s in sweeps):
-        return Diagnosis(CALIBRATED, "The circles are a little off those of the table, as on every real arm; no mistake shows.", notes=notes, **known)
+        return Diagnosis(
+            CALIBRATED,
+            "The circles are a little off those of the table, as on every real arm; no mistake"
+            " shows.",
+            notes=notes,
+            **known,
+        )
     first, last, why = _accused(arm, sweeps)
-    repairs = _explaining(arm, data, first, last, ends=True) or _explaining(arm, data, 1, len(arm), ends=False)
+    repairs = _explaining(arm, data, first, last, ends=True) or _explaining(
+        arm, data, 1, len(arm), ends=False
+    )
     if not repairs:
-        return Diagnosis(UNEXPLAINED, "The circles are not those of the table, and no single change explains them.", notes=(why, *notes), **known)
-    findings = [name_change(arm, repaired, data, entries, ends) for repaired, entries, ends in repairs]
+        return Diagnosis(
+            UNEXPLAINED,
+            "The circles are not those of the table, and no single change explains them.",
+            notes=(why, *notes),
+            **known,
+        )
+    findings = [
+        name_change(arm, repaired, data, entries, ends) for repaired, entries, ends in repairs
+    ]
     where = [f.place or f.detail for f in findings]
     alike = tuple(dict.fromkeys(place for place in where[1:] if place != where[0]))[:5]
-    same = (f"A change of {'; or of '.join(alike)} would do the same on these sweeps.",) if alike else ()
-    return Diagnosis(EXPLAINED, f"One mistake explains the circles: {where[0]}.", (findings[0],), after=_size(repairs[0][0], data), notes=(why, *same, *notes), **known)
+    same = (
+        (f"A change of {'; or of '.join(alike)} would do the same on these sweeps.",)
+        if alike
+        else ()
+    )
+    return Diagnosis(
+        EXPLAINED,
+        f"One mistake explains the circles: {where[0]}.",
+        (findings[0],),
+        after=_size(repairs[0][0], data),
+        notes=(why, *same, *notes),
+        **known,
+    )
 
 
 def _accused(arm, sweeps):
@@ -166,20 +257,43 @@ def _accused(arm, sweeps):
     if not seen:
         return 1, len(arm), "No joint drew a circle that can be compared, so no row is accused."
     if wrong is None:
-        return first, last, f"Every axis seen is right, up to joint {good}'s: the mistake is in {rows} or in the tool."
-    axes = f"The axis of joint {good} is right, that of joint {wrong} is not" if good else f"The axis of joint {wrong} is the first one seen, and it is not right"
-    return first, last, f"{axes}: the mistake is in {rows if good else rows + ' or in the base'}, or joint {wrong} counts the other way."
+        return (
+            first,
+            last,
+            (
+                f"Every axis seen is right, up to joint {good}'s: the mistake is in {rows} or in"
+                " the tool."
+            ),
+        )
+    axes = (
+        f"The axis of joint {good} is right, that of joint {wrong} is not"
+        if good
+        else f"The axis of joint {wrong} is the first one seen, and it is not right"
+    )
+    return (
+        first,
+        last,
+        (
+            f"{axes}: the mistake is in {rows if good else rows + ' or in the base'}, or joint"
+            f" {wrong} counts the other way."
+        ),
+    )
 
 
 def _rows_between(arm, first, last):
     if arm.table.convention == "craig":
         behind = min(last + 1, len(arm))
-        return f"theta or d of row {first}{f' to {last}' if last > first else ''} or a or alpha of row {min(first + 1, behind)}{f' to {behind}' if last > first else ''}"
+        return (
+            f"theta or d of row {first}{f' to {last}' if last > first else ''} or a or alpha of row"
+            f" {min(first + 1, behind)}{f' to {behind}' if last > first else ''}"
+        )
     return f"row {first}" if first == last else f"rows {first} to {last}"
 
 
 def _explaining(arm, data, first, last, ends):
-    """(repaired arm, entries, ends) for every change in the accused rows that leaves no more misfit than the noise; the smallest misfit first."""
+    """(repaired arm, entries, ends) for every change in the accused rows that leaves no more misfit
+    than the noise; the smallest misfit first.
+    """
     found = []
     for i in range(first - 1, min(last + 1, len(arm))):
         sense = np.where(np.arange(len(arm)) == i, -1, 1)
@@ -208,7 +322,9 @@ def _entries(arm, first, last):
 
 
 def _starts(arm, entry):
-    """The arm, and for an angle the arm with that angle all round: a fit only sees the nearest valley."""
+    """The arm, and for an angle the arm with that angle all round: a fit only sees the nearest
+    valley.
+    """
     yield arm
     for turn in np.arange(1, 6) * np.pi / 3 if entry[1] in (THETA, ALPHA) else ():
         rows = arm.table.rows
@@ -217,10 +333,12 @@ def _starts(arm, entry):
 
 
 def _rounded(found, entries, data):
-    """The fitted number made as round as fits about as well: a right angle, whole degrees or millimetres, tenths, …"""
+    """The fitted number made as round as fits about as well: a right angle, whole degrees or
+    millimetres, tenths, …
+    """
     if not entries:
         return found.arm
-    entry, = entries
+    (entry,) = entries
     value, is_angle = found.arm.table.rows[entry], entry[1] in (THETA, ALPHA)
     value = (value + np.pi) % (2 * np.pi) - np.pi if is_angle else value
     for step in np.deg2rad([90, 1, 0.1, 0.01]) if is_angle else (1e-3, 1e-4, 1e-5):
@@ -234,4 +352,6 @@ def _rounded(found, entries, data):
 
 def _size(arm, data):
     """Largest distance in mm; no angle is measured."""
-    return float(1e3 * np.linalg.norm(arm.forward(data.q)[:, :3, 3] - data.p, axis=1).max()), float("nan")
+    return float(1e3 * np.linalg.norm(arm.forward(data.q)[:, :3, 3] - data.p, axis=1).max()), float(
+        "nan"
+    )

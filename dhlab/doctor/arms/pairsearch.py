@@ -1,4 +1,6 @@
-"""The search for the two changes that repair an arm: the promising ones fitted, lengths by linear least squares, angles in closed form."""
+"""The search for the two changes that repair an arm: the promising ones fitted, lengths by linear
+least squares, angles in closed form.
+"""
 
 from dataclasses import replace
 from itertools import combinations
@@ -17,14 +19,22 @@ KEEP = 24  # how many of the best starts of two angles are fitted to the end
 
 def pairs(arm, data):
     """Explanations by two changes, the promising ones fitted to the end."""
-    first = [Explanation(f := misfit(repair.arm, data), (arm, f.arm)) for repair in discrete_repairs(arm) if not repair.free]
+    first = [
+        Explanation(f := misfit(repair.arm, data), (arm, f.arm))
+        for repair in discrete_repairs(arm)
+        if not repair.free
+    ]
     yield from _two_entries(arm, data)
     looked_at = _Ends(data)
     for one in first:
         yield from _then_an_entry(one, data)
         for end in ("base", "tool"):
             freed = replace(data, **{f"{end}_free": True})
-            if not getattr(data, f"{end}_free") and _enough(data) and _worth_a_fit(place_ends(one.chain[1], freed), freed):
+            if (
+                not getattr(data, f"{end}_free")
+                and _enough(data)
+                and _worth_a_fit(place_ends(one.chain[1], freed), freed)
+            ):
                 found = misfit(one.chain[1], freed)
                 yield Explanation(found, (*one.chain, found.arm), ends=(end,))
     yield from _entry_and_end(arm, data)
@@ -36,17 +46,23 @@ def pairs(arm, data):
 
 
 def _enough(data):
-    """Whether a base or a tool can be told from a few measurements, besides another mistake: positions alone leave it open longer."""
+    """Whether a base or a tool can be told from a few measurements, besides another mistake:
+    positions alone leave it open longer.
+    """
     return data.R is not None or len(data.q) >= 6
 
 
 def _worth_a_fit(arm, data, times=30):
     """Whether an arm is near enough that a fit can bring it within the noise."""
-    return (data.residual(arm.forward(data.q)) ** 2).sum() < times * limit(data.count) + 1e6 * (data.noise[0] < 1e-5)
+    return (data.residual(arm.forward(data.q)) ** 2).sum() < times * limit(data.count) + 1e6 * (
+        data.noise[0] < 1e-5
+    )
 
 
 class _Ends:
-    """A quick look at an arm's ends, whether they can be the measured ones: two rotations, or a few positions or the distances between them."""
+    """A quick look at an arm's ends, whether they can be the measured ones: two rotations, or a few
+    positions or the distances between them.
+    """
 
     def __init__(self, data):
         self.data = data
@@ -63,7 +79,11 @@ class _Ends:
         ends = arm.frames(data.q[self.few])[:, -1] @ arm.tool
         if data.R is not None:
             return np.abs(ends[:, :3, :3] - data.R[self.few]).max() < 12 * data.noise[1] + 1e-7
-        apart = self._between(ends[:, :3, 3]) - self.sides if data.base_free else ends[:, :3, 3] - data.p[self.few]
+        apart = (
+            self._between(ends[:, :3, 3]) - self.sides
+            if data.base_free
+            else ends[:, :3, 3] - data.p[self.few]
+        )
         return np.abs(apart).max(initial=0) < 12 * data.noise[0] + 1e-7
 
     def _between(self, points):
@@ -72,9 +92,11 @@ class _Ends:
 
 
 def _best_lengths(arm, data, count, enough=None):
-    """The lengths whose change lowers the position misfit most; ``enough`` leaves out those that leave more misfit than that.
+    """The lengths whose change lowers the position misfit most; ``enough`` leaves out those that
+    leave more misfit than that.
 
-    Where the base is free, what a small motion of it does is taken out of the columns and of the misfit first.
+    Where the base is free, what a small motion of it does is taken out of the columns and of the
+    misfit first.
     """
     entries = entries_of(arm, (D, A))
     columns, off = length_columns(arm, data, entries)
@@ -82,13 +104,23 @@ def _best_lengths(arm, data, count, enough=None):
         known = _base_motions(arm, data)
         columns, off = columns - known @ (known.T @ columns), off - known @ (known.T @ off)
     gain = (columns.T @ off) ** 2 / np.maximum((columns**2).sum(0), 1e-12)
-    return [entries[k] for k in np.argsort(-gain)[:count] if enough is None or off @ off - gain[k] < enough]
+    return [
+        entries[k]
+        for k in np.argsort(-gain)[:count]
+        if enough is None or off @ off - gain[k] < enough
+    ]
 
 
 def _base_motions(arm, data):
     """An orthonormal basis (3m, 6) of what small motions of the base do to the positions."""
     p = arm.forward(data.q)[:, :3, 3]
-    moves = np.concatenate([np.broadcast_to(np.eye(3), (len(p), 3, 3)), np.stack([np.cross(axis, p - p.mean(0)) for axis in np.eye(3)], axis=-1)], axis=-1)
+    moves = np.concatenate(
+        [
+            np.broadcast_to(np.eye(3), (len(p), 3, 3)),
+            np.stack([np.cross(axis, p - p.mean(0)) for axis in np.eye(3)], axis=-1),
+        ],
+        axis=-1,
+    )
     return np.linalg.qr(moves.reshape(-1, 6))[0]
 
 
@@ -100,7 +132,9 @@ def _then_an_entry(one, data):
     ends = data.base_free or data.tool_free
     enough = limit(3 * len(data.q)) * (30 if ends else 2)
     for entry, turn, left in turns(arm, data):
-        if left < enough and _worth_a_fit(begun := turned(arm, entry, turn), data, 300 if ends else 30):
+        if left < enough and _worth_a_fit(
+            begun := turned(arm, entry, turn), data, 300 if ends else 30
+        ):
             found = fit(begun, data, (entry,))
             yield Explanation(found, (*one.chain, found.arm), (entry,))
     if data.R is None or (data.residual(arm.forward(data.q))[:, 3:] ** 2).sum() < enough:
@@ -110,11 +144,15 @@ def _then_an_entry(one, data):
 
 
 def _two_entries(arm, data):
-    """Two entries: lengths by linear least squares, angles from closed forms, an angle and then a length."""
+    """Two entries: lengths by linear least squares, angles from closed forms, an angle and then a
+    length.
+    """
     placed = place_ends(arm, data)
     lengths = entries_of(arm, (D, A))
     columns, off = length_columns(placed, data, lengths)
-    scored = sorted((_two_columns(columns[:, pair], off), pair) for pair in combinations(range(len(lengths)), 2))
+    scored = sorted(
+        (_two_columns(columns[:, pair], off), pair) for pair in combinations(range(len(lengths)), 2)
+    )
     for _, (j, k) in scored[:4]:
         yield _in_turn(arm, placed, data, (lengths[j], lengths[k]))
     if data.R is None and data.tool_free:
@@ -128,12 +166,18 @@ def _two_entries(arm, data):
 
 
 def _two_angles(placed, data):
-    """Where to begin with two angles: one all round, the other in closed form; at most two starts a pair."""
+    """Where to begin with two angles: one all round, the other in closed form; at most two starts a
+    pair.
+    """
     starts = []
     for entry in entries_of(placed, (THETA, ALPHA)):
         for start in STARTS:
             begun = turned(placed, entry, start)
-            starts += [(left, begun, entry, other, turn) for other, turn, left in turns(begun, data) if other != entry]
+            starts += [
+                (left, begun, entry, other, turn)
+                for other, turn, left in turns(begun, data)
+                if other != entry
+            ]
     starts.sort(key=lambda item: item[0])
     tried = {}
     for _, begun, entry, other, turn in starts:
@@ -170,8 +214,12 @@ def _entry_and_end(arm, data):
         for entry in entries_of(arm):
             if entry[1] in (THETA, ALPHA):
                 trials = [place_ends(turned(placed, entry, start), freed) for start in STARTS[::2]]
-                begun = min(trials, key=lambda trial: (freed.residual(trial.forward(freed.q)) ** 2).sum())
+                begun = min(
+                    trials, key=lambda trial: (freed.residual(trial.forward(freed.q)) ** 2).sum()
+                )
                 found = fit(begun, freed, (entry,))
             else:
                 found = fit(placed, freed, (entry,), steps=4)
-            yield Explanation(found, (arm, _halfway(arm, found.arm, entry), found.arm), (entry,), (end,))
+            yield Explanation(
+                found, (arm, _halfway(arm, found.arm, entry), found.arm), (entry,), (end,)
+            )

@@ -1,4 +1,6 @@
-"""With a tape measure: the few poses whose end points tell the most mistakes of an arm's table apart, as a sheet to fill in."""
+"""With a tape measure: the few poses whose end points tell the most mistakes of an arm's table
+apart, as a sheet to fill in.
+"""
 
 from dataclasses import dataclass
 
@@ -13,13 +15,13 @@ from .fitting import with_rows
 __all__ = ["protocol", "Protocol"]
 
 CANDIDATES = 120
-STEP = np.deg2rad(5)     # a pendant and an eye like whole numbers
-CLEAR = np.deg2rad(10)   # from zero and right angles, where sines and cosines hide mistakes
+STEP = np.deg2rad(5)  # a pendant and an eye like whole numbers
+CLEAR = np.deg2rad(10)  # from zero and right angles, where sines and cosines hide mistakes
 REACH = np.deg2rad(150)  # no further, whatever the limits: cables
-SLIDE = 0.01             # the same for sliding joints, m
-SEEN = 0.02              # m; a tape measure shows this for certain
+SLIDE = 0.01  # the same for sliding joints, m
+SEEN = 0.02  # m; a tape measure shows this for certain
 LENGTH, ANGLE = 0.03, np.deg2rad(6)  # small changes of each number, beside the catalogue's
-HIDDEN = 1e-3            # m; less than this no pose shows
+HIDDEN = 1e-3  # m; less than this no pose shows
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -32,7 +34,8 @@ class Protocol:
     q : array (m, n)
         Whole 5° (10 mm for a sliding joint), in radians and metres.
     smallest : float
-        Every mistake that moves the point by 20 mm anywhere moves it this far at one of the poses, m.
+        Every mistake that moves the point by 20 mm anywhere moves it this far at one of the poses,
+        m.
     hidden : tuple of str
         The table's numbers that no position shows.
     still : tuple of int
@@ -54,9 +57,17 @@ class Protocol:
         who = self.arm.name or "this arm"
         rows = _written(self.arm, self.q)
         units = ["mm" if letter == "P" else "deg" for letter in self.arm.table.joints]
-        heads = ["pose", *(f"q{i + 1} ({unit})" for i, unit in enumerate(units)), "x (mm)", "y (mm)", "z (mm)"]
+        heads = [
+            "pose",
+            *(f"q{i + 1} ({unit})" for i, unit in enumerate(units)),
+            "x (mm)",
+            "y (mm)",
+            "z (mm)",
+        ]
         grid = grid_text(heads, [[str(k), *row, *["______"] * 3] for k, row in enumerate(rows, 1)])
-        return "\n".join([f"With a tape measure: {len(rows)} poses of {who}", "", grid, "", *_steps(self)])
+        return "\n".join(
+            [f"With a tape measure: {len(rows)} poses of {who}", "", grid, "", *_steps(self)]
+        )
 
     def to_csv(self):
         """The sheet as a poses file in mm and degrees, x, y, z empty.
@@ -68,13 +79,28 @@ class Protocol:
         'q1,q2,q3,q4,q5,q6,x,y,z'
         """
         header = ",".join([*(f"q{i + 1}" for i in range(len(self.arm))), "x", "y", "z"])
-        about = f"# units: mm,deg; {' '.join((self.arm.name or 'an arm').split())}: fill in x, y, z; joint values are in deg, of sliding joints in mm"
-        return "\n".join([about, header, *(",".join(row) + ",,," for row in _written(self.arm, self.q))]) + "\n"
+        about = (
+            f"# units: mm,deg; {' '.join((self.arm.name or 'an arm').split())}: fill in x, y, z;"
+            " joint values are in deg, of sliding joints in mm"
+        )
+        return (
+            "\n".join(
+                [about, header, *(",".join(row) + ",,," for row in _written(self.arm, self.q))]
+            )
+            + "\n"
+        )
 
     def to_dict(self):
         """Plain values for a program."""
-        return {"arm": self.arm.name, "units": {"length": "m", "angle": "rad"}, "q": self.q.tolist(), "smallest_change": self.smallest, "hidden": list(self.hidden),
-                "joints_that_move_nothing": list(self.still), "csv": self.to_csv()}
+        return {
+            "arm": self.arm.name,
+            "units": {"length": "m", "angle": "rad"},
+            "q": self.q.tolist(),
+            "smallest_change": self.smallest,
+            "hidden": list(self.hidden),
+            "joints_that_move_nothing": list(self.still),
+            "csv": self.to_csv(),
+        }
 
     def __str__(self):
         return self.text
@@ -89,20 +115,37 @@ def _written(arm, q):
 
 def _steps(plan):
     """What to do, a line each."""
-    yield "1. Mark the base's origin and its x axis on the table. Drive slowly: the table is what is doubted" + (
-        "." if plan.above else ", and some of these poses reach below the base.")
-    yield "2. At each pose measure the tool point from that origin, in mm: x and y on the table, under a plumb line, z above it. 3 to 5 mm is good enough."
+    yield (
+        "1. Mark the base's origin and its x axis on the table. Drive slowly: the table is what is"
+        " doubted" + ("." if plan.above else ", and some of these poses reach below the base.")
+    )
+    yield (
+        "2. At each pose measure the tool point from that origin, in mm: x and y on the table,"
+        " under a plumb line, z above it. 3 to 5 mm is good enough."
+    )
     yield "   A pose that cannot be reached is left out; six will do."
-    yield "3. Write the numbers into the CSV sheet (--sheet FILE.csv writes it; delete the lines not measured), then:"
+    yield (
+        "3. Write the numbers into the CSV sheet (--sheet FILE.csv writes it; delete the lines not"
+        " measured), then:"
+    )
     yield "   dhlab doctor ARM FILE.csv --units mm,deg --noise 4mm"
-    yield "   If the base frame cannot be reached with a tape, measure from any corner, along any right-angled axes, and add --free-base."
-    yield f"Every mistake of the catalogue that a tape can show on this arm moves the point by {number(1e3 * plan.smallest, 0)} mm or more at one of these poses."
+    yield (
+        "   If the base frame cannot be reached with a tape, measure from any corner, along any"
+        " right-angled axes, and add --free-base."
+    )
+    yield (
+        "Every mistake of the catalogue that a tape can show on this arm moves the point by"
+        f" {number(1e3 * plan.smallest, 0)} mm or more at one of these poses."
+    )
     if plan.hidden:
         joints = [f"joint {i}" for i in plan.still]
         why = f": the tool point lies on the axis of {_listed(joints)}" if joints else ""
         yield f"Positions cannot show {_listed(plan.hidden)}{why}."
     if plan.still:
-        yield "Clamp a pointer that sticks out sideways (100 mm, say) and put its tip into the arm's tool: then they show."
+        yield (
+            "Clamp a pointer that sticks out sideways (100 mm, say) and put its tip into the arm's"
+            " tool: then they show."
+        )
 
 
 def _listed(words):
@@ -110,7 +153,8 @@ def _listed(words):
 
 
 def protocol(arm, count=8):
-    """The poses at which to measure an arm's tool point, so that its table's mistakes show and can be told apart.
+    """The poses at which to measure an arm's tool point, so that its table's mistakes show and can
+    be told apart.
 
     Parameters
     ----------
@@ -130,8 +174,9 @@ def protocol(arm, count=8):
 
     Notes
     -----
-    Of random poses inside the limits, above the base and away from multiples of 90°, one after the other is taken that makes the pairs of
-    mistakes (and each mistake and none) differ most; the price of a pair falls off with the root of its summed squared differences over 20 mm.
+    Of random poses inside the limits, above the base and away from multiples of 90°, one after the
+    other is taken that makes the pairs of mistakes (and each mistake and none) differ most; the
+    price of a pair falls off with the root of its summed squared differences over 20 mm.
 
     Examples
     --------
@@ -144,11 +189,16 @@ def protocol(arm, count=8):
     if not isinstance(arm, Arm):
         raise ValueError(f"protocol: expected an Arm or a DHTable, found {type(arm).__name__}")
     if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or not 3 <= count <= 40:
-        raise ValueError(f"protocol: count: expected a whole number from 3 to 40, found {count!r}; eight suit a tape measure")
+        raise ValueError(
+            f"protocol: count: expected a whole number from 3 to 40, found {count!r}; eight suit a"
+            " tape measure"
+        )
     q, above = _candidates(arm)
     p = arm.forward(q)[:, :3, 3]
     wrong = [f.arm for f in faults(arm)] + [changed for _, changed in _small_changes(arm)]
-    moved = np.stack([np.zeros_like(p), *(a.forward(q)[:, :3, 3] - p for a in wrong)]).astype(np.float32)
+    moved = np.stack([np.zeros_like(p), *(a.forward(q)[:, :3, 3] - p for a in wrong)]).astype(
+        np.float32
+    )
     chosen = _choose(moved, min(count, len(q)))
     return Protocol(arm, q[chosen], _smallest(moved, chosen), _hidden(arm), _still(arm, q), above)
 
@@ -156,7 +206,10 @@ def protocol(arm, count=8):
 def _candidates(arm):
     """Poses to choose from, and whether all keep the arm above its base's plane."""
     rng = np.random.default_rng(12)
-    values = [_values(pair, letter) for pair, letter in zip(arm.limits or [None] * len(arm), arm.table.joints)]
+    values = [
+        _values(pair, letter)
+        for pair, letter in zip(arm.limits or [None] * len(arm), arm.table.joints)
+    ]
     q = np.unique(np.column_stack([rng.choice(v, 40 * CANDIDATES) for v in values]), axis=0)
     q = rng.permutation(q)
     free, upright = _free(arm, q)
@@ -166,31 +219,46 @@ def _candidates(arm):
 
 
 def _values(pair, letter):
-    """What a joint may be driven to: whole steps inside its limits, away from zeros and right angles."""
+    """What a joint may be driven to: whole steps inside its limits, away from zeros and right
+    angles.
+    """
     step, default = (SLIDE, (0.1, 0.4)) if letter == "P" else (STEP, (-REACH, REACH))
     low, high = pair or default
     low, high = (low, high) if letter == "P" else (max(low, -REACH), min(high, REACH))
     values = step * np.arange(np.ceil(low / step + 0.999), np.floor(high / step - 0.999) + 1)
-    away = np.abs(values) > step / 2 if letter == "P" else np.abs((values + np.pi / 4) % (np.pi / 2) - np.pi / 4) >= CLEAR - 1e-9
+    away = (
+        np.abs(values) > step / 2
+        if letter == "P"
+        else np.abs((values + np.pi / 4) % (np.pi / 2) - np.pi / 4) >= CLEAR - 1e-9
+    )
     if not away.any():
         return low + (high - low) * np.array([0.23, 0.41, 0.64, 0.83])
     return values[away]
 
 
 def _free(arm, q):
-    """Which poses keep the tool point off the arm itself, and which keep everything above the base (all, where it does not stand upright)."""
+    """Which poses keep the tool point off the arm itself, and which keep everything above the base
+    (all, where it does not stand upright).
+    """
     F = arm.frames(q)
     end = (F[:, -1] @ arm.tool)[:, :3, 3]
     points = np.concatenate([F[:, :, :3, 3], end[:, None]], axis=1)
     reach = np.linalg.norm(points - points[:, :1], axis=2).max()
-    apart = np.linalg.norm(points[:, :max(len(arm) - 2, 1)] - end[:, None], axis=2).min(axis=1) > 0.2 * reach
+    apart = (
+        np.linalg.norm(points[:, : max(len(arm) - 2, 1)] - end[:, None], axis=2).min(axis=1)
+        > 0.2 * reach
+    )
     if arm.base[2, 2] < 0.999:
         return apart, np.ones(len(q), bool)
-    return apart, (points[:, 1:, 2] > arm.base[2, 3] - 1e-6).all(axis=1) & (end[:, 2] > arm.base[2, 3] + 0.03 * reach)
+    return apart, (points[:, 1:, 2] > arm.base[2, 3] - 1e-6).all(axis=1) & (
+        end[:, 2] > arm.base[2, 3] + 0.03 * reach
+    )
 
 
 def _small_changes(arm):
-    """(name, arm with one number changed a little), for every number that is no joint variable's double."""
+    """(name, arm with one number changed a little), for every number that is no joint variable's
+    double.
+    """
     for i in range(len(arm)):
         for column, change in ((THETA, ANGLE), (D, LENGTH), (A, LENGTH), (ALPHA, ANGLE)):
             rows = arm.table.rows
@@ -199,7 +267,9 @@ def _small_changes(arm):
 
 
 def _choose(moved, count):
-    """Rows of the candidates, taken greedily, then each exchanged once for a better one; moved is (mistakes, candidates, 3)."""
+    """Rows of the candidates, taken greedily, then each exchanged once for a better one; moved is
+    (mistakes, candidates, 3).
+    """
     apart = np.stack([_squares(moved[:, k]) for k in range(moved.shape[1])])
     possible = apart.max(axis=0) > HIDDEN**2
 
@@ -224,7 +294,9 @@ def _squares(d):
 
 
 def _smallest(moved, chosen):
-    """Over all mistakes large enough for a tape at some candidate: how far the chosen pose that shows it best moves."""
+    """Over all mistakes large enough for a tape at some candidate: how far the chosen pose that
+    shows it best moves.
+    """
     sizes = np.linalg.norm(moved, axis=2)
     large = sizes[sizes.max(axis=1) > SEEN]
     return float(large[:, chosen].max(axis=1).min()) if len(large) else 0.0
@@ -234,7 +306,11 @@ def _hidden(arm):
     """The numbers whose change moves no tool point."""
     q = np.random.default_rng(5).uniform(-2, 2, (5, len(arm)))
     p = arm.forward(q)[:, :3, 3]
-    return tuple(name for name, changed in _small_changes(arm) if np.abs(changed.forward(q)[:, :3, 3] - p).max() < 1e-9)
+    return tuple(
+        name
+        for name, changed in _small_changes(arm)
+        if np.abs(changed.forward(q)[:, :3, 3] - p).max() < 1e-9
+    )
 
 
 def _still(arm, q):

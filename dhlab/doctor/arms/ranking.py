@@ -1,4 +1,6 @@
-"""Among explanations that all fit: which is told first, under which name, what it cannot be told from, and which pose would decide."""
+"""Among explanations that all fit: which is told first, under which name, what it cannot be told
+from, and which pose would decide.
+"""
 
 from dataclasses import replace
 
@@ -14,18 +16,37 @@ MOST_TWINS = 4
 
 
 def ranked(arm, explanations, data):
-    """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that nobody would have guessed, then the smaller misfit."""
+    """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that
+    nobody would have guessed, then the smaller misfit.
+    """
     snapped = (_snapped(e, data) for e in explanations)
-    return sorted(snapped, key=lambda e: (e.changes, e.odd + 6 * len(e.ends), len(e.entries) > 2, round(e.fit.chi2, 3), _touched(arm, e.fit.arm), _not_signs(arm, e.fit.arm)))
+    return sorted(
+        snapped,
+        key=lambda e: (
+            e.changes,
+            e.odd + 6 * len(e.ends),
+            len(e.entries) > 2,
+            round(e.fit.chi2, 3),
+            _touched(arm, e.fit.arm),
+            _not_signs(arm, e.fit.arm),
+        ),
+    )
 
 
 def _touched(arm, repaired):
-    """How many numbers and senses a repair changes: of two that make the same arm, the one that changes less is read first."""
-    return int((np.abs(arm.table.rows - repaired.table.rows) > 1e-9).sum() + (arm.sign != repaired.sign).sum())
+    """How many numbers and senses a repair changes: of two that make the same arm, the one that
+    changes less is read first.
+    """
+    return int(
+        (np.abs(arm.table.rows - repaired.table.rows) > 1e-9).sum()
+        + (arm.sign != repaired.sign).sum()
+    )
 
 
 def _not_signs(arm, repaired):
-    """How many of the changed numbers are not the old number's negative: of two repairs of the same size, the wrong sign is read first."""
+    """How many of the changed numbers are not the old number's negative: of two repairs of the same
+    size, the wrong sign is read first.
+    """
     return int((np.abs(np.abs(arm.table.rows) - np.abs(repaired.table.rows)) > 1e-9).sum())
 
 
@@ -37,7 +58,11 @@ def named(explanation, data):
     entries = list(explanation.entries)
     for step, (wrong, right) in enumerate(zip(chain, chain[1:])):
         last = step == len(chain) - 2
-        own = tuple(e for e in entries if abs(wrong.table.rows[e] - right.table.rows[e]) > 1e-12) if len(chain) > 2 else tuple(entries)
+        own = (
+            tuple(e for e in entries if abs(wrong.table.rows[e] - right.table.rows[e]) > 1e-12)
+            if len(chain) > 2
+            else tuple(entries)
+        )
         ends = explanation.ends if last and not own else ()
         found = name_change(wrong, right, data, own, ends)
         findings.append(replace(found, repair=chain[-1]))
@@ -45,20 +70,32 @@ def named(explanation, data):
 
 
 def with_twins(finding, best, others, data):
-    """The finding with the names of the other repairs that make the same arm, and a note on those of a single number."""
+    """The finding with the names of the other repairs that make the same arm, and a note on those
+    of a single number.
+    """
     tables, names, notes = [best.fit.arm.table.rows], [*finding.look_alikes], []
     for other in others:
-        if len(tables) > MOST_TWINS or other.changes > best.changes or other.data_fault is not None or len(other.entries) > 1 or other.ends:
+        if (
+            len(tables) > MOST_TWINS
+            or other.changes > best.changes
+            or other.data_fault is not None
+            or len(other.entries) > 1
+            or other.ends
+        ):
             continue
         wrong, repaired = other.chain[0], other.fit.arm
-        if any(np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables) or _differs(best.fit.arm, repaired, data):
+        if any(
+            np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables
+        ) or _differs(best.fit.arm, repaired, data):
             continue
         twin = name_change(wrong, repaired, data, other.entries)
         tables.append(repaired.table.rows)
         names += [twin.mistake, *twin.look_alikes]
         if _touched(wrong, repaired) == 1:
             notes.append(f"The same arm comes of this: {difference_text(wrong, repaired)}.")
-    return replace(finding, look_alikes=tuple(name for name in dict.fromkeys(names) if name != finding.mistake)), tuple(notes)
+    return replace(
+        finding, look_alikes=tuple(name for name in dict.fromkeys(names) if name != finding.mistake)
+    ), tuple(notes)
 
 
 def _snapped(explanation, data):
@@ -70,15 +107,28 @@ def _snapped(explanation, data):
     for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
         rows[entry] = _round(rows[entry], start.table.rows, entry, max(4 * sigma, 1e-8))
     snapped = with_rows(arm, rows)
-    found = fit(snapped, data, ()) if data.base_free or data.tool_free or explanation.ends else misfit(snapped, data)
+    found = (
+        fit(snapped, data, ())
+        if data.base_free or data.tool_free or explanation.ends
+        else misfit(snapped, data)
+    )
     if explanation.ends:
-        found = Fit(snapped, float((data.residual(snapped.forward(data.q)) ** 2).sum()), explanation.fit.fitted)
+        found = Fit(
+            snapped,
+            float((data.residual(snapped.forward(data.q)) ** 2).sum()),
+            explanation.fit.fitted,
+        )
     if found.chi2 > max(limit(data.count), explanation.fit.chi2 * 1.5 + 20):
         return replace(explanation, odd=len(explanation.entries))
     odd = sum(rows[entry] == arm.table.rows[entry] for entry in explanation.entries)
     found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
-    middle = [with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows)) for link in explanation.chain[1:-1]]
-    return replace(explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm), odd=odd)
+    middle = [
+        with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows))
+        for link in explanation.chain[1:-1]
+    ]
+    return replace(
+        explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm), odd=odd
+    )
 
 
 def _take(link_rows, rows, entries, fitted):
@@ -90,7 +140,9 @@ def _take(link_rows, rows, entries, fitted):
 
 
 def _round(value, rows, entry, slack):
-    """The first number within the slack that a person would have meant: a quarter turn, the old number's negative, its neighbour's, its double …"""
+    """The first number within the slack that a person would have meant: a quarter turn, the old
+    number's negative, its neighbour's, its double …
+    """
     i, column = entry
     old = rows[i, column]
     if column in (D, A):
@@ -98,9 +150,24 @@ def _round(value, rows, entry, slack):
     else:
         turn = 2 * np.pi * np.round((value - old) / (2 * np.pi))
         quarter = np.pi / 2 * np.round(value / (np.pi / 2))
-        near = [quarter, -old + turn, -old, old + np.pi, old - np.pi, old + np.pi / 2, old - np.pi / 2, 2 * old, old / 2, old * np.pi / 180]
+        near = [
+            quarter,
+            -old + turn,
+            -old,
+            old + np.pi,
+            old - np.pi,
+            old + np.pi / 2,
+            old - np.pi / 2,
+            2 * old,
+            old / 2,
+            old * np.pi / 180,
+        ]
     value = next((v for v in near if v != old and abs(v - value) <= slack), value)
-    return value if column in (D, A) or abs(value) <= np.pi + 1e-9 else (value + np.pi) % (2 * np.pi) - np.pi
+    return (
+        value
+        if column in (D, A) or abs(value) <= np.pi + 1e-9
+        else (value + np.pi) % (2 * np.pi) - np.pi
+    )
 
 
 def rivals_of(best, others, data):
@@ -109,7 +176,10 @@ def rivals_of(best, others, data):
     for other in others:
         if other.changes > best.changes or other.data_fault is not None or len(rivals) == 3:
             continue
-        if all(_differs(other.fit.arm, arm, data) for arm in [best.fit.arm, *(r.fit.arm for r in rivals)]):
+        if all(
+            _differs(other.fit.arm, arm, data)
+            for arm in [best.fit.arm, *(r.fit.arm for r in rivals)]
+        ):
             rivals.append(other)
     return rivals
 
@@ -117,7 +187,9 @@ def rivals_of(best, others, data):
 def _differs(a, b, data):
     q = np.random.default_rng(3).uniform(-2.5, 2.5, (6, len(a)))
     T, U = a.forward(q), b.forward(q)
-    sample = Measured(q, U[:, :3, 3], None if data.R is None else U[:, :3, :3], tuple(5 * s for s in data.noise))
+    sample = Measured(
+        q, U[:, :3, 3], None if data.R is None else U[:, :3, :3], tuple(5 * s for s in data.noise)
+    )
     return (sample.residual(T) ** 2).max() > 1
 
 
@@ -127,5 +199,8 @@ def telling_pose(best, others, data):
     bounds = [(-2.5, 2.5) if pair is None else pair for pair in best.limits or [None] * len(best)]
     low, high = np.array(bounds).T
     q = rng.uniform(low, high, (200, len(best)))
-    apart = [np.linalg.norm(best.forward(q)[:, :3, 3] - other.forward(q)[:, :3, 3], axis=1) for other in others]
+    apart = [
+        np.linalg.norm(best.forward(q)[:, :3, 3] - other.forward(q)[:, :3, 3], axis=1)
+        for other in others
+    ]
     return q[np.argmax(np.min(apart, axis=0))]

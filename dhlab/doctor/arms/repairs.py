@@ -1,4 +1,6 @@
-"""Ways to change a candidate arm that might make it right: whole-arm and row repairs without numbers to fit, each with what it undoes."""
+"""Ways to change a candidate arm that might make it right: whole-arm and row repairs without
+numbers to fit, each with what it undoes.
+"""
 
 from dataclasses import dataclass
 from itertools import product
@@ -18,7 +20,9 @@ SMALLEST_DEGREES = 2  # a number below this was not written down as degrees of a
 
 @dataclass(frozen=True)
 class Repair:
-    """A changed candidate; ``free`` are (row, column) whose values the change leaves to be fitted."""
+    """A changed candidate; ``free`` are (row, column) whose values the change leaves to be
+    fitted.
+    """
 
     arm: Arm
     free: tuple = ()
@@ -35,7 +39,14 @@ def discrete_repairs(arm):
 
 
 def _key(arm):
-    return arm.table.convention, arm.table.joints, arm.table.rows.tobytes(), arm.sign.tobytes(), arm.base.tobytes(), arm.tool.tobytes()
+    return (
+        arm.table.convention,
+        arm.table.joints,
+        arm.table.rows.tobytes(),
+        arm.sign.tobytes(),
+        arm.base.tobytes(),
+        arm.tool.tobytes(),
+    )
 
 
 def _all(arm):
@@ -65,7 +76,14 @@ def _shift_of(T):
 
 def _whole_tables(rows):
     """Columns in another order, all signs, all units, rounded angles made whole."""
-    for order in ([3, 2, 1, 0], [2, 3, 1, 0], [3, 2, 0, 1], [2, 1, 3, 0], [0, 2, 1, 3], [3, 1, 2, 0]):
+    for order in (
+        [3, 2, 1, 0],
+        [2, 3, 1, 0],
+        [3, 2, 0, 1],
+        [2, 1, 3, 0],
+        [0, 2, 1, 3],
+        [3, 1, 2, 0],
+    ):
         yield rows[:, order]
     for factors in product((1, -1), (1,), (1,), (1, -1)):
         yield rows * factors
@@ -104,7 +122,9 @@ def _of_row(arm, i):
     changed[i, THETA] *= -1
     yield Repair(with_rows(arm, changed, sign=arm.sign * one))
     letter = "P" if arm.table.joints[i] == "R" else "R"
-    yield Repair(with_rows(arm, rows, joints=arm.table.joints[:i] + letter + arm.table.joints[i + 1:]))
+    yield Repair(
+        with_rows(arm, rows, joints=arm.table.joints[:i] + letter + arm.table.joints[i + 1 :])
+    )
     for k in (i - 1, i + 1):
         if 0 <= k < len(arm) and rows[i, THETA]:
             changed = rows.copy()
@@ -118,7 +138,9 @@ def _of_row(arm, i):
 
 
 def _of_frame(arm, i):
-    """What is left to do when an axis was turned round by half: every part of the two flips (a part and its rest do the same)."""
+    """What is left to do when an axis was turned round by half: every part of the two flips (a part
+    and its rest do the same).
+    """
     for kept in product((0, 1), repeat=4):
         if 0 < sum(kept) <= 2:
             yield Repair(with_rows(arm, flipped_x(arm, i, kept)))

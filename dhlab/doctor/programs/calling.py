@@ -1,4 +1,6 @@
-"""Calling a learner's function: on copies, quietly, twice, and with what goes wrong put into words."""
+"""Calling a learner's function: on copies, quietly, twice, and with what goes wrong put into
+words.
+"""
 
 import contextlib
 import copy
@@ -15,7 +17,9 @@ __all__ = ["is_stub", "record", "call_all", "Called", "CallFault"]
 
 
 class CallFault(Exception):
-    """What kept the answers from being compared: ``headline``, ``place``, ``next`` and perhaps the id of a ``mistake``."""
+    """What kept the answers from being compared: ``headline``, ``place``, ``next`` and perhaps the
+    id of a ``mistake``.
+    """
 
     def __init__(self, headline, place="", next="", mistake=None):
         super().__init__(headline)
@@ -24,7 +28,8 @@ class CallFault(Exception):
 
 @dataclass(frozen=True)
 class Called:
-    """What a function gave when it was called: the answer to every case and, again, to the first; or the fault that stopped it.
+    """What a function gave when it was called: the answer to every case and, again, to the first;
+    or the fault that stopped it.
 
     ``unwritten``: it raises NotImplementedError.
     """
@@ -36,7 +41,8 @@ class Called:
 
 
 def is_stub(f):
-    """Whether a function's body is still the one that was handed out: nothing but ``...``, ``pass`` or a docstring.
+    """Whether a function's body is still the one that was handed out: nothing but ``...``, ``pass``
+    or a docstring.
 
     Examples
     --------
@@ -48,7 +54,11 @@ def is_stub(f):
     code = getattr(f, "__code__", None)
     if code is None:
         return False
-    steps = [step for step in dis.get_instructions(code) if step.opname not in ("RESUME", "NOP", "CACHE", "COPY_FREE_VARS")]
+    steps = [
+        step
+        for step in dis.get_instructions(code)
+        if step.opname not in ("RESUME", "NOP", "CACHE", "COPY_FREE_VARS")
+    ]
     names = [step.opname for step in steps]
     if names not in (["LOAD_CONST", "RETURN_VALUE"], ["RETURN_CONST"]):
         return False
@@ -56,7 +66,8 @@ def is_stub(f):
 
 
 def record(f, cases, names):
-    """Call a function on every case, and on the first once more; what goes wrong is noted, not raised.
+    """Call a function on every case, and on the first once more; what goes wrong is noted, not
+    raised.
 
     Parameters
     ----------
@@ -77,7 +88,11 @@ def record(f, cases, names):
     """
     try:
         _fits(f, names)
-        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
+        with (
+            contextlib.redirect_stdout(io.StringIO()),
+            warnings.catch_warnings(),
+            np.errstate(all="ignore"),
+        ):
             warnings.simplefilter("ignore")
             return Called(tuple(_call(f, case, names) for case in cases), _call(f, cases[0], names))
     except CallFault as fault:
@@ -106,22 +121,32 @@ def call_all(f, cases, shape, names):
     Raises
     ------
     CallFault
-        The function stops, returns nothing or something of another shape, changes its inputs, or answers differently the second time.
+        The function stops, returns nothing or something of another shape, changes its inputs, or
+        answers differently the second time.
     """
     called = f if isinstance(f, Called) else record(f, cases, names)
     if called.unwritten:
         raise NotImplementedError
     if called.fault:
         raise called.fault
-    arrays = [_as_array(answer, shape, case, names) for answer, case in zip(called.answers, cases, strict=True)]
+    arrays = [
+        _as_array(answer, shape, case, names)
+        for answer, case in zip(called.answers, cases, strict=True)
+    ]
     if not np.array_equal(arrays[0], _as_array(called.again, shape, cases[0], names)):
-        raise CallFault("the second call with the same numbers gives another answer", _shown(cases[0], names),
-                        "Start from np.eye(4) inside the function, and change nothing that lives outside it.", "state-between-calls")
+        raise CallFault(
+            "the second call with the same numbers gives another answer",
+            _shown(cases[0], names),
+            "Start from np.eye(4) inside the function, and change nothing that lives outside it.",
+            "state-between-calls",
+        )
     return arrays
 
 
 def _fits(f, names):
-    """Whether the function takes as many arguments as it will be given; said before Python says it less plainly."""
+    """Whether the function takes as many arguments as it will be given; said before Python says it
+    less plainly.
+    """
     try:
         signature = inspect.signature(f)
     except (ValueError, TypeError):  # no signature to be had
@@ -130,8 +155,12 @@ def _fits(f, names):
         signature.bind(*names)
     except TypeError:
         takes = ", ".join(signature.parameters) or "nothing"
-        raise CallFault(f"TypeError: the function cannot be called with {len(names)} arguments ({', '.join(names)})", f"it takes {takes}",
-                        f"Give it the arguments {', '.join(names)}, in this order.") from None
+        raise CallFault(
+            f"TypeError: the function cannot be called with {len(names)} arguments"
+            f" ({', '.join(names)})",
+            f"it takes {takes}",
+            f"Give it the arguments {', '.join(names)}, in this order.",
+        ) from None
 
 
 def _call(f, case, names):
@@ -142,11 +171,18 @@ def _call(f, case, names):
         raise
     except (Exception, SystemExit) as error:
         place = "; ".join(filter(None, (_line_of(error, f), _shown(case, names))))
-        raise CallFault(f"the function stops with {type(error).__name__}: {str(error)[:200]}", place,
-                        f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.") from None
+        raise CallFault(
+            f"the function stops with {type(error).__name__}: {str(error)[:200]}",
+            place,
+            f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
+        ) from None
     if not all(np.array_equal(before, after) for before, after in zip(case, given)):
-        raise CallFault("the function changes the numbers it was given", _shown(case, names),
-                        "Work on a copy, or write x = x + … in place of x += …", "inputs-changed")
+        raise CallFault(
+            "the function changes the numbers it was given",
+            _shown(case, names),
+            "Work on a copy, or write x = x + … in place of x += …",
+            "inputs-changed",
+        )
     return answer
 
 
@@ -160,14 +196,28 @@ def _call_text(f, case):
 
 def _line_of(error, f):
     """The line inside the learner's function where it stopped."""
-    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == getattr(f, "__code__", f).co_filename] \
-        if hasattr(f, "__code__") else []
-    return f"line {frames[-1].lineno - f.__code__.co_firstlineno + 1} of {f.__name__}: {frames[-1].line}" if frames and frames[-1].line else ""
+    frames = (
+        [
+            frame
+            for frame in traceback.extract_tb(error.__traceback__)
+            if frame.filename == getattr(f, "__code__", f).co_filename
+        ]
+        if hasattr(f, "__code__")
+        else []
+    )
+    return (
+        f"line {frames[-1].lineno - f.__code__.co_firstlineno + 1} of {f.__name__}:"
+        f" {frames[-1].line}"
+        if frames and frames[-1].line
+        else ""
+    )
 
 
 def _as_array(answer, shape, case, names):
     if answer is None or answer is Ellipsis:
-        raise CallFault("the function returns nothing", _shown(case, names), "Is the return missing?")
+        raise CallFault(
+            "the function returns nothing", _shown(case, names), "Is the return missing?"
+        )
     try:
         array = np.asarray(answer)
     except ValueError:
@@ -179,23 +229,48 @@ def _as_array(answer, shape, case, names):
             array = np.asarray("")
     if array.dtype.kind not in "iufb":
         if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
-            raise CallFault("there are still three dots in what the function returns", "", "Put a number or a formula in place of every ...")
+            raise CallFault(
+                "there are still three dots in what the function returns",
+                "",
+                "Put a number or a formula in place of every ...",
+            )
         wanted = "×".join(map(str, shape))
-        raise CallFault(f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers", _shown(case, names))
+        raise CallFault(
+            f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
+            _shown(case, names),
+        )
     if array.shape != shape:
         found = "×".join(map(str, array.shape)) or "a single number"
         mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
-        turned = "Rows and columns have changed places: return the transpose." if array.shape == shape[::-1] else "Print the shape of what you return."
-        raise CallFault(f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}", _shown(case, names),
-                        "A pose needs its fourth row, 0 0 0 1." if mistake else turned, mistake)
+        turned = (
+            "Rows and columns have changed places: return the transpose."
+            if array.shape == shape[::-1]
+            else "Print the shape of what you return."
+        )
+        raise CallFault(
+            f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
+            _shown(case, names),
+            "A pose needs its fourth row, 0 0 0 1." if mistake else turned,
+            mistake,
+        )
     if not np.isfinite(array).all():
-        raise CallFault("the answer holds NaN or infinity", _shown(case, names), "Look for a division by zero or a square root of a negative number.")
+        raise CallFault(
+            "the answer holds NaN or infinity",
+            _shown(case, names),
+            "Look for a division by zero or a square root of a negative number.",
+        )
     return array
 
 
 def _shown(case, names):
     """The call, for a reader who wants to repeat it."""
+
     def text(value):
         array = np.asarray(value)
-        return f"{float(array):.3g}" if array.ndim == 0 else f"{'×'.join(map(str, array.shape))} numbers"
+        return (
+            f"{float(array):.3g}"
+            if array.ndim == 0
+            else f"{'×'.join(map(str, array.shape))} numbers"
+        )
+
     return "seen at " + ", ".join(f"{name} = {text(value)}" for name, value in zip(names, case))

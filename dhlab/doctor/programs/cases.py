@@ -1,7 +1,8 @@
-"""The numbers that programs for one link and for a chain are called with: general ones in every quadrant, and the special ones where an if hides.
+"""The numbers that programs for one link and for a chain are called with: general ones in every
+quadrant, and the special ones where an if hides.
 
-General angles keep away from 0 and ±180°, where wrong programs agree, and reach past ±90°: a program that loses the sign of a cosine is right
-between -90° and 90°.
+General angles keep away from 0 and ±180°, where wrong programs agree, and reach past ±90°: a
+program that loses the sign of a cosine is right between -90° and 90°.
 """
 
 import numpy as np
@@ -10,8 +11,20 @@ __all__ = ["general_row", "general_chain", "SPECIAL"]
 
 HALF = np.pi / 2
 _ROWS = np.array([[0, 0.1, 0, HALF], [HALF, 0, 0.4, 0], [0, 0, -0.35, -HALF]])
-SPECIAL = {"dh_transform": ((0.0, 0.0, 0.0, 0.0), (HALF, 0.1, 0.2, -HALF), (np.pi, 0.0, 0.3, HALF), (-HALF, -0.2, 0.0, 0.0), (0.0, 0.15, 0.0, np.pi)),
-           "forward_kinematics": ((_ROWS, np.zeros(3)), (_ROWS, np.array([HALF, 0, -HALF])), (_ROWS[:2], np.array([np.pi, -HALF])))}
+SPECIAL = {
+    "dh_transform": (
+        (0.0, 0.0, 0.0, 0.0),
+        (HALF, 0.1, 0.2, -HALF),
+        (np.pi, 0.0, 0.3, HALF),
+        (-HALF, -0.2, 0.0, 0.0),
+        (0.0, 0.15, 0.0, np.pi),
+    ),
+    "forward_kinematics": (
+        (_ROWS, np.zeros(3)),
+        (_ROWS, np.array([HALF, 0, -HALF])),
+        (_ROWS[:2], np.array([np.pi, -HALF])),
+    ),
+}
 
 
 def general_row(rng):
@@ -42,7 +55,9 @@ def general_chain(rng, n=None):
 
 def _angle(rng):
     size = rng.uniform(0.2, 2.55)
-    return _signed(rng, size if size < 1.4 else size + 0.35)  # not between 1.4 and 1.75, where cosines are small
+    return _signed(
+        rng, size if size < 1.4 else size + 0.35
+    )  # not between 1.4 and 1.75, where cosines are small
 
 
 def _length(rng):

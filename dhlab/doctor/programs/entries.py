@@ -1,4 +1,6 @@
-"""The entries of the closed form of the link matrix, and what people type in their place: monomials in cos, sin, a and d."""
+"""The entries of the closed form of the link matrix, and what people type in their place: monomials
+in cos, sin, a and d.
+"""
 
 from dataclasses import dataclass
 from functools import cache
@@ -12,7 +14,8 @@ FACTORS = (("", "cos θ", "sin θ"), ("", "cos α", "sin α"), ("", "a", "d"))
 
 
 def closed_form(theta, d, a, alpha):
-    """The standard link matrix Rz(theta) Tz(d) Tx(a) Rx(alpha) in closed form, for arrays of one shape; returns (..., 4, 4).
+    """The standard link matrix Rz(theta) Tz(d) Tx(a) Rx(alpha) in closed form, for arrays of one
+    shape; returns (..., 4, 4).
 
     Siciliano et al., Robotics, eq. 2.52.
     """
@@ -26,15 +29,27 @@ def closed_form(theta, d, a, alpha):
 
 @dataclass(frozen=True)
 class Monomial:
-    """sign · (1, cos θ or sin θ) · (1, cos α or sin α) · (1, a or d); ``parts`` holds a choice 0, 1, 2 for each."""
+    """sign · (1, cos θ or sin θ) · (1, cos α or sin α) · (1, a or d); ``parts`` holds a choice 0,
+    1, 2 for each.
+    """
 
     sign: int
     parts: tuple = (0, 0, 0)
 
     def __call__(self, theta, d, a, alpha):
-        values = (1.0, np.cos(theta), np.sin(theta)), (1.0, np.cos(alpha), np.sin(alpha)), (1.0, a, d)
+        values = (
+            (1.0, np.cos(theta), np.sin(theta)),
+            (1.0, np.cos(alpha), np.sin(alpha)),
+            (1.0, a, d),
+        )
         one = np.ones(np.shape(theta))
-        return self.sign * one * values[0][self.parts[0]] * values[1][self.parts[1]] * values[2][self.parts[2]]
+        return (
+            self.sign
+            * one
+            * values[0][self.parts[0]]
+            * values[1][self.parts[1]]
+            * values[2][self.parts[2]]
+        )
 
     @property
     def names(self):
@@ -42,16 +57,29 @@ class Monomial:
         return {FACTORS[k][choice] for k, choice in enumerate(self.parts) if choice}
 
 
-MONOMIALS = (Monomial(0), *(Monomial(sign, parts) for sign in (1, -1) for parts in product(range(3), repeat=3)))
+MONOMIALS = (
+    Monomial(0),
+    *(Monomial(sign, parts) for sign in (1, -1) for parts in product(range(3), repeat=3)),
+)
 RIGHT_ENTRIES = {
-    (0, 0): Monomial(1, (1, 0, 0)), (0, 1): Monomial(-1, (2, 1, 0)), (0, 2): Monomial(1, (2, 2, 0)), (0, 3): Monomial(1, (1, 0, 1)),
-    (1, 0): Monomial(1, (2, 0, 0)), (1, 1): Monomial(1, (1, 1, 0)), (1, 2): Monomial(-1, (1, 2, 0)), (1, 3): Monomial(1, (2, 0, 1)),
-    (2, 0): Monomial(0), (2, 1): Monomial(1, (0, 2, 0)), (2, 2): Monomial(1, (0, 1, 0)), (2, 3): Monomial(1, (0, 0, 2)),
+    (0, 0): Monomial(1, (1, 0, 0)),
+    (0, 1): Monomial(-1, (2, 1, 0)),
+    (0, 2): Monomial(1, (2, 2, 0)),
+    (0, 3): Monomial(1, (1, 0, 1)),
+    (1, 0): Monomial(1, (2, 0, 0)),
+    (1, 1): Monomial(1, (1, 1, 0)),
+    (1, 2): Monomial(-1, (1, 2, 0)),
+    (1, 3): Monomial(1, (2, 0, 1)),
+    (2, 0): Monomial(0),
+    (2, 1): Monomial(1, (0, 2, 0)),
+    (2, 2): Monomial(1, (0, 1, 0)),
+    (2, 3): Monomial(1, (0, 0, 2)),
 }
 
 
 def typed(entry, found):
-    """In words, what is wrong with an entry (row, column) in which the Monomial ``found`` stands; "" when it is right.
+    """In words, what is wrong with an entry (row, column) in which the Monomial ``found`` stands;
+    "" when it is right.
 
     Examples
     --------
@@ -78,16 +106,24 @@ def _difference(right, found):
     if not extra:
         return f"a factor is missing{sign}"
     words = " and ".join(sorted(extra))
-    return f"{words} stands where another factor belongs{sign}" if missing else f"the factor {words} is too many{sign}"
+    return (
+        f"{words} stands where another factor belongs{sign}"
+        if missing
+        else f"the factor {words} is too many{sign}"
+    )
 
 
 @cache
 def slips_of_the_pen():
-    """The likeliest wrong Monomials of each entry: its sign, a factor lost, cos for sin, a for d; as ((row, column), Monomial)."""
+    """The likeliest wrong Monomials of each entry: its sign, a factor lost, cos for sin, a for d;
+    as ((row, column), Monomial).
+    """
     found = []
     for entry, right in RIGHT_ENTRIES.items():
         for other in MONOMIALS:
             changed = sum(p != r for p, r in zip(other.parts, right.parts))
-            if other != right and (changed <= 1 and other.sign == right.sign or changed == 0 or other.sign == 0):
+            if other != right and (
+                changed <= 1 and other.sign == right.sign or changed == 0 or other.sign == 0
+            ):
                 found.append((entry, other))
     return tuple(found)

@@ -1,4 +1,6 @@
-"""What is wrong with a program whose answers are known: one slip or two that give the same answers, then what can be said in general."""
+"""What is wrong with a program whose answers are known: one slip or two that give the same answers,
+then what can be said in general.
+"""
 
 from dataclasses import replace
 
@@ -17,12 +19,24 @@ from .wrong.solvers import WRONG_SOLVERS
 
 __all__ = ["explain_function", "explain_all", "WRONG_VERSIONS"]
 
-WRONG_VERSIONS = {"dh_transform": WRONG_LINKS, "forward_kinematics": WRONG_PRODUCTS, "rot_x": WRONG_ROT_X, "compose": WRONG_COMPOSE,
-                  "craig_transform": WRONG_CRAIG}
-NUMBERS = {"jacobian": WRONG_JACOBIANS, "pose_error": WRONG_ERRORS, "inverse_kinematics": WRONG_SOLVERS, "branches": WRONG_BRANCHES}  # of no poses
+WRONG_VERSIONS = {
+    "dh_transform": WRONG_LINKS,
+    "forward_kinematics": WRONG_PRODUCTS,
+    "rot_x": WRONG_ROT_X,
+    "compose": WRONG_COMPOSE,
+    "craig_transform": WRONG_CRAIG,
+}
+NUMBERS = {
+    "jacobian": WRONG_JACOBIANS,
+    "pose_error": WRONG_ERRORS,
+    "inverse_kinematics": WRONG_SOLVERS,
+    "branches": WRONG_BRANCHES,
+}  # of no poses
 WRONG_VERSIONS |= NUMBERS
 PARAMETERS = ("theta", "d", "a", "alpha", "q")
-ROUNDED = 0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
+ROUNDED = (
+    0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
+)
 
 
 def explain_function(answers, expected, cases, kind):
@@ -42,7 +56,8 @@ def explain_function(answers, expected, cases, kind):
     Returns
     -------
     Finding or None
-        The best one; ``detail`` names a second mistake where it takes two. None when nothing known explains the answers.
+        The best one; ``detail`` names a second mistake where it takes two. None when nothing known
+        explains the answers.
 
     Examples
     --------
@@ -65,12 +80,18 @@ def _named(finding):
 
 
 def explain_all(answers, expected, cases, kind, tolerance=1e-9):
-    """All the mistakes that together explain the answers, a tuple of Findings; parameters as :func:`explain_function`."""
+    """All the mistakes that together explain the answers, a tuple of Findings; parameters as
+    :func:`explain_function`.
+    """
     if kind in NUMBERS:
         found = _wrong_version(answers, cases, kind)
         return (found,) if found else ()
     if any(np.shape(answer) != (4, 4) for answer in answers):
-        return (find("last-row-missing"),) if all(np.shape(answer) == (3, 4) for answer in answers) else ()
+        return (
+            (find("last-row-missing"),)
+            if all(np.shape(answer) == (3, 4) for answer in answers)
+            else ()
+        )
     answers, expected = np.array(answers), np.array(expected, dtype=float)
     if answers.dtype.kind in "iub":
         return (find("integer-arrays"),)
@@ -82,7 +103,12 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9):
     topped = _with_right_last_row(answers, expected, tolerance)
     if topped is not None and (slips := _searched(topped, cases, kind, tolerance)[0]):
         return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))
-    found = _wrong_version(answers, cases, kind) or _relation(answers, expected, tolerance) or _entries(answers, expected) or _not_a_pose(answers)
+    found = (
+        _wrong_version(answers, cases, kind)
+        or _relation(answers, expected, tolerance)
+        or _entries(answers, expected)
+        or _not_a_pose(answers)
+    )
     return (found,) if found else ()
 
 
@@ -90,11 +116,17 @@ def _with_right_last_row(answers, expected, tolerance):
     """The answers with 0 0 0 1 below, None where they have it, or where nothing else is wrong."""
     topped = answers.astype(float)
     topped[..., 3, :] = [0, 0, 0, 1]
-    return None if _same(topped, answers, tolerance) or _same(topped, expected, tolerance) else topped
+    return (
+        None if _same(topped, answers, tolerance) or _same(topped, expected, tolerance) else topped
+    )
 
 
 def _searched(answers, cases, kind, tolerance):
-    return search(answers, cases, kind, tolerance) if kind in ("dh_transform", "forward_kinematics") else ((), ())
+    return (
+        search(answers, cases, kind, tolerance)
+        if kind in ("dh_transform", "forward_kinematics")
+        else ((), ())
+    )
 
 
 def _finding(slip, look_alikes):
@@ -122,8 +154,13 @@ def _relation(answers, expected, tolerance):
     scaled = expected * np.where(np.arange(4) == 3, np.array([1000, 1000, 1000, 1])[:, None], 1)
     turned = expected.copy()
     turned[..., :3, :3] = transposed[..., :3, :3]
-    for mistake, other in (("pose-inverted", inverse(expected)), ("matrix-transposed", transposed),
-                           ("rotation-transposed", turned), ("length-unit", scaled), ("integer-arrays", np.trunc(expected))):
+    for mistake, other in (
+        ("pose-inverted", inverse(expected)),
+        ("matrix-transposed", transposed),
+        ("rotation-transposed", turned),
+        ("length-unit", scaled),
+        ("integer-arrays", np.trunc(expected)),
+    ):
         if _same(answers, other, tolerance):
             return find(mistake)
     if np.abs(answers - expected).max() < ROUNDED:
@@ -137,7 +174,9 @@ def _entries(answers, expected):
     """One or two wrong entries in an otherwise right matrix."""
     wrong = np.argwhere((np.abs(answers - expected) > 1e-9 * (1 + np.abs(expected))).any(axis=0))
     if 0 < len(wrong) <= 2:
-        return find("matrix-entry-mistyped", " and ".join(f"row {i + 1}, column {j + 1}" for i, j in wrong))
+        return find(
+            "matrix-entry-mistyped", " and ".join(f"row {i + 1}, column {j + 1}" for i, j in wrong)
+        )
     return None
 
 

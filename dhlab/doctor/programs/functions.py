@@ -1,4 +1,6 @@
-"""``diagnose_function``: a learner's function called on seeded numbers, compared with the right one, and what is wrong with it in words."""
+"""``diagnose_function``: a learner's function called on seeded numbers, compared with the right
+one, and what is wrong with it in words.
+"""
 
 from functools import cache
 
@@ -21,32 +23,54 @@ RIGHT = {"dh_transform": standard, "forward_kinematics": product}
 SEED = 4
 CALLS = 16
 SEEN_ONLY = ("not-rigid",)  # says what is seen, not what made it
-LINKS = (2, 3, 4, 5, 6, 3, 7, 4, 2, 5, 3, 6)  # rows of the chains, so that no program can be right for one length alone
-EXACT, SINGLE = 1e-6, 1e-5  # largest deviation of an agreeing answer, absolute and relative; the second where it comes in single precision
+LINKS = (
+    2,
+    3,
+    4,
+    5,
+    6,
+    3,
+    7,
+    4,
+    2,
+    5,
+    3,
+    6,
+)  # rows of the chains, so that no program can be right for one length alone
+EXACT, SINGLE = (
+    1e-6,
+    1e-5,
+    # largest deviation of an agreeing answer, absolute and relative; the second where it comes in
+    # single precision
+)
 
 
 def diagnose_function(f, kind):
     """What is wrong with a program for forward kinematics, found by calling it.
 
-    The function is called in this process, on seeded general numbers and on a few special ones (zeros, right angles), on copies, and
-    twice with the same. Right answers agree in any dress: lists, tuples, ``np.matrix``, within 1e-6 (1e-5 where they are ``float32``).
+    The function is called in this process, on seeded general numbers and on a few special ones
+    (zeros, right angles), on copies, and twice with the same. Right answers agree in any dress:
+    lists, tuples, ``np.matrix``, within 1e-6 (1e-5 where they are ``float32``).
 
     Parameters
     ----------
     f : callable
-        ``dh_transform(theta, d, a, alpha)`` or ``forward_kinematics(rows, q)``: radians and metres, standard convention; ``rows`` (n, 4)
-        holds theta offset, d, a, alpha, ``q`` (n,) the joint values; the answer is a pose (4, 4).
+        ``dh_transform(theta, d, a, alpha)`` or ``forward_kinematics(rows, q)``: radians and metres,
+        standard convention; ``rows`` (n, 4) holds theta offset, d, a, alpha, ``q`` (n,) the joint
+        values; the answer is a pose (4, 4).
     kind : "dh_transform" or "forward_kinematics"
 
     Returns
     -------
     Diagnosis
-        ``verdict`` is "agrees", "explained" (one finding, or two mistakes that explain the answers together) or "unexplained".
+        ``verdict`` is "agrees", "explained" (one finding, or two mistakes that explain the answers
+        together) or "unexplained".
 
     Raises
     ------
     ValueError
-        ``f`` is no function, or the kind is unknown. What ``f`` itself raises is caught and put into words.
+        ``f`` is no function, or the kind is unknown. What ``f`` itself raises is caught and put
+        into words.
 
     Examples
     --------
@@ -57,9 +81,15 @@ def diagnose_function(f, kind):
     True
     """
     if kind not in NAMES:
-        raise ValueError(f'diagnose_function: expected the kind "dh_transform" or "forward_kinematics", found {kind!r}; say what f computes')
+        raise ValueError(
+            'diagnose_function: expected the kind "dh_transform" or "forward_kinematics", found'
+            f" {kind!r}; say what f computes"
+        )
     if not callable(f):
-        raise ValueError(f"diagnose_function: expected a function, found {type(f).__name__}; hand in its name without brackets")
+        raise ValueError(
+            f"diagnose_function: expected a function, found {type(f).__name__}; hand in its name"
+            " without brackets"
+        )
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
     cases, special = _cases(kind)
@@ -67,11 +97,19 @@ def diagnose_function(f, kind):
         answers = call_all(f, cases, (4, 4), NAMES[kind])
         answers_there = call_all(f, special, (4, 4), NAMES[kind])
     except NotImplementedError:
-        return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet: it raises NotImplementedError.")
+        return Diagnosis(
+            UNEXPLAINED, "Nothing is written in this function yet: it raises NotImplementedError."
+        )
     except CallFault as fault:
         return _stopped(fault)
-    steps = (_compared(answers, cases, kind), _special(answers_there, special, kind), _agrees(answers, cases, kind))
-    return next(diagnosis for diagnosis in steps if diagnosis is not None)  # not "or": a diagnosis of something wrong is false
+    steps = (
+        _compared(answers, cases, kind),
+        _special(answers_there, special, kind),
+        _agrees(answers, cases, kind),
+    )
+    return next(
+        diagnosis for diagnosis in steps if diagnosis is not None
+    )  # not "or": a diagnosis of something wrong is false
 
 
 @cache
@@ -88,8 +126,14 @@ def _stopped(fault):
     """The diagnosis of a function that gave nothing to compare."""
     notes = tuple(text for text in (fault.place, fault.next) if text)
     if fault.mistake is None:
-        return Diagnosis(UNEXPLAINED, f"The program cannot be compared: {fault.headline}.", notes=notes)
-    return Diagnosis(EXPLAINED, f"One mistake explains what this program does: {fault.headline}.", (find(fault.mistake, fault.place),))
+        return Diagnosis(
+            UNEXPLAINED, f"The program cannot be compared: {fault.headline}.", notes=notes
+        )
+    return Diagnosis(
+        EXPLAINED,
+        f"One mistake explains what this program does: {fault.headline}.",
+        (find(fault.mistake, fault.place),),
+    )
 
 
 def _tolerance(answers):
@@ -97,7 +141,10 @@ def _tolerance(answers):
 
 
 def _off(answers, right, tolerance):
-    return [not np.allclose(answer, pose, rtol=tolerance, atol=tolerance) for answer, pose in zip(answers, right)]
+    return [
+        not np.allclose(answer, pose, rtol=tolerance, atol=tolerance)
+        for answer, pose in zip(answers, right)
+    ]
 
 
 def _compared(answers, cases, kind):
@@ -108,19 +155,34 @@ def _compared(answers, cases, kind):
         return None
     before = _residual(np.array(answers, dtype=float), right)
     if _remembered(answers, cases, off):
-        headline = "One mistake explains what this program does: it gives an earlier call's answer again."
+        headline = (
+            "One mistake explains what this program does: it gives an earlier call's answer again."
+        )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    findings = explain_all(answers, right, cases, kind, _tolerance(answers) if answers[0].dtype == np.float32 else 1e-9)
+    findings = explain_all(
+        answers, right, cases, kind, _tolerance(answers) if answers[0].dtype == np.float32 else 1e-9
+    )
     if findings and findings[0].mistake not in SEEN_ONLY:
         return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
-    return Diagnosis(UNEXPLAINED, _unexplained(answers, right, off), findings, before=before, notes=_hints(answers, right, cases, off, kind))
+    return Diagnosis(
+        UNEXPLAINED,
+        _unexplained(answers, right, off),
+        findings,
+        before=before,
+        notes=_hints(answers, right, cases, off, kind),
+    )
 
 
 def _remembered(answers, cases, off):
-    """A right answer that comes back, exactly, for other numbers: something is kept between the calls."""
+    """A right answer that comes back, exactly, for other numbers: something is kept between the
+    calls.
+    """
     sizes = [np.shape(case[-1]) for case in cases]
-    return any(not off[i] and off[k] and sizes[i] == sizes[k] and np.array_equal(answers[i], answers[k])
-               for i in range(len(answers)) for k in range(i + 1, len(answers)))
+    return any(
+        not off[i] and off[k] and sizes[i] == sizes[k] and np.array_equal(answers[i], answers[k])
+        for i in range(len(answers))
+        for k in range(i + 1, len(answers))
+    )
 
 
 def _headline(findings):
@@ -128,7 +190,10 @@ def _headline(findings):
     if len(titles) == 1:
         return f"One mistake explains what this program answers: {titles[0]}."
     if len(set(titles)) == 1:
-        return f"{len(titles)} mistakes of one kind together explain what this program answers: {titles[0]}."
+        return (
+            f"{len(titles)} mistakes of one kind together explain what this program answers:"
+            f" {titles[0]}."
+        )
     return f"Mistakes that together explain what this program answers: {'; '.join(titles)}."
 
 
@@ -137,7 +202,12 @@ def _unexplained(answers, right, off):
         return "The answer is the same whatever goes in, and no known mistake explains it."
     difference = np.abs(np.array(answers) - right).max(axis=0)
     rotation, position = difference[:3, :3].max() > EXACT, difference[:3, 3].max() > EXACT
-    words = {(True, True): "rotation and position are", (True, False): "the rotation is", (False, True): "the position is", (False, False): "the last row is"}
+    words = {
+        (True, True): "rotation and position are",
+        (True, False): "the rotation is",
+        (False, True): "the position is",
+        (False, False): "the last row is",
+    }
     what = words[bool(rotation), bool(position)]
     return f"No known mistake explains the answers: {what} wrong in {sum(off)} of {len(off)} calls."
 
@@ -148,9 +218,16 @@ def _hints(answers, right, cases, off, kind):
     notes = [f"Not every answer is a pose: {fault}."] if fault else []
     if 0 < sum(off) < len(off):
         k = off.index(True)
-        numbers = ", ".join(f"{name} = {value:.3g}" for name, value in zip(NAMES[kind], cases[k])) if kind == "dh_transform" else ""
+        numbers = (
+            ", ".join(f"{name} = {value:.3g}" for name, value in zip(NAMES[kind], cases[k]))
+            if kind == "dh_transform"
+            else ""
+        )
         shown = numbers or f"{len(cases[k][1])} rows"
-        notes.append(f"Right in {len(off) - sum(off)} calls; wrong at {shown}. Look for an if, or for a sign that abs or sqrt took away.")
+        notes.append(
+            f"Right in {len(off) - sum(off)} calls; wrong at {shown}. Look for an if, or for a sign"
+            " that abs or sqrt took away."
+        )
     return tuple(notes)
 
 
@@ -169,13 +246,25 @@ def _special(answers, cases, kind):
     off = _off(answers, right, _tolerance(answers))
     if not any(off):
         return None
-    return Diagnosis(UNEXPLAINED, "Right at general numbers, wrong where angles are 0 or 90° or there is one row only.",
-                     before=_residual(np.array(answers, dtype=float), right),
-                     notes=("Look for a special case in the program: an if, a division, or a rounding of small numbers to 0.",))
+    return Diagnosis(
+        UNEXPLAINED,
+        "Right at general numbers, wrong where angles are 0 or 90° or there is one row only.",
+        before=_residual(np.array(answers, dtype=float), right),
+        notes=(
+            (
+                "Look for a special case in the program: an if, a division, or a rounding of small"
+                " numbers to 0."
+            ),
+        ),
+    )
 
 
 def _agrees(answers, cases, kind):
     right = np.array([RIGHT[kind](*case) for case in cases])
     worst = float(np.abs(np.array(answers, dtype=float) - right).max())
-    notes = (f"Right to {worst:.0e}: the program computes in single precision.",) if worst > 1e-9 else ()
+    notes = (
+        (f"Right to {worst:.0e}: the program computes in single precision.",)
+        if worst > 1e-9
+        else ()
+    )
     return Diagnosis(AGREES, "This program gives the right pose in every call.", notes=notes)

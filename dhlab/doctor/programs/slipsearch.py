@@ -1,7 +1,8 @@
 """The search for the one or two slips that turn the right program into the one at hand.
 
-Every wrong program is computed on the first case, whole stages at a time, and what fits there is tried on all other cases. One slip is
-preferred to two; of two explanations of one length the one that stands first in :mod:`dhlab.doctor.programs.stages`.
+Every wrong program is computed on the first case, whole stages at a time, and what fits there is
+tried on all other cases. One slip is preferred to two; of two explanations of one length the one
+that stands first in :mod:`dhlab.doctor.programs.stages`.
 """
 
 import numpy as np
@@ -40,14 +41,17 @@ def search(answers, cases, kind, tolerance=1e-9):
     Returns
     -------
     (tuple of Slip, tuple of str)
-        One or two slips, empty when nothing fits; and the ids of other single mistakes that give the same answers.
+        One or two slips, empty when nothing fits; and the ids of other single mistakes that give
+        the same answers.
     """
     order = _first_cases(cases, kind)
     trial = _Trial([answers[k] for k in order], [cases[k] for k in order], kind, tolerance)
     with np.errstate(all="ignore"):
         singles = list(trial.fitting(_singles(trial)))
         if singles:
-            return singles[0], tuple(dict.fromkeys(s.mistake for (s,) in singles if s.mistake != singles[0][0].mistake))
+            return singles[0], tuple(
+                dict.fromkeys(s.mistake for (s,) in singles if s.mistake != singles[0][0].mistake)
+            )
         if kind == "dh_transform":
             several = wrong_entries(answers, cases, tolerance)
             if several:
@@ -56,7 +60,9 @@ def search(answers, cases, kind, tolerance=1e-9):
 
 
 def _first_cases(cases, kind):
-    """Cases in the order of trial: a short chain first, though not one so short that shifted and reversed look alike."""
+    """Cases in the order of trial: a short chain first, though not one so short that shifted and
+    reversed look alike.
+    """
     if kind == "dh_transform":
         return range(len(cases))
     return sorted(range(len(cases)), key=lambda k: (len(cases[k][1]) < 3, len(cases[k][1])))
@@ -79,11 +85,16 @@ class _Trial:
         self.table = np.stack([_read(slips, rows, q) for slips in self.early])
 
     def fitting(self, blocks):
-        """The slips, tuples, of every candidate that fits all cases; blocks are (slips of candidate k, poses of all candidates)."""
+        """The slips, tuples, of every candidate that fits all cases; blocks are (slips of candidate
+        k, poses of all candidates).
+        """
         for name, poses in blocks:
             for k in np.flatnonzero(self._close(poses, self.answers[0]).all(axis=(-1, -2))):
                 slips = name(k)
-                if all(self._close(self._run(slips, case), answer).all() for case, answer in zip(self.cases[1:], self.answers[1:])):
+                if all(
+                    self._close(self._run(slips, case), answer).all()
+                    for case, answer in zip(self.cases[1:], self.answers[1:])
+                ):
                     yield slips
 
     def _run(self, slips, case):
@@ -111,10 +122,12 @@ def _columns(table):
 
 def mistyped(entry, monomial):
     """The slip that puts a Monomial into an entry (row, column) of the link matrix."""
+
     def change(T, *row):
         T = T.copy()
         T[(..., *entry)] = monomial(*row)
         return T
+
     return Slip("entry", "matrix-entry-mistyped", typed(entry, monomial), change)
 
 
@@ -129,11 +142,18 @@ def _with_entries(table, candidates):
 
 
 def _all_entries():
-    return [(entry, monomial) for entry, right in RIGHT_ENTRIES.items() for monomial in MONOMIALS if monomial != right]
+    return [
+        (entry, monomial)
+        for entry, right in RIGHT_ENTRIES.items()
+        for monomial in MONOMIALS
+        if monomial != right
+    ]
 
 
 def _grid(firsts, seconds):
-    """Names of the candidates of a block in which every first meets every second, the second index running fastest."""
+    """Names of the candidates of a block in which every first meets every second, the second index
+    running fastest.
+    """
     return lambda k: (*firsts[k // len(seconds)], *seconds[k % len(seconds)])
 
 
@@ -149,19 +169,33 @@ def _singles(trial):
     yield lambda k: trial.early[1 + k], chain_product(closed_form(*_columns(trial.table[1:])))
     right = trial.table[0]
     yield from _late(trial, [()], closed_form(*_columns(right))[None])
-    yield _tuples(LINK).__getitem__, np.stack([chain_product(slip.change(*_columns(right))) for slip in LINK])
+    yield (
+        _tuples(LINK).__getitem__,
+        np.stack([chain_product(slip.change(*_columns(right))) for slip in LINK]),
+    )
     candidates = _all_entries()
     yield lambda k: (mistyped(*candidates[k]),), chain_product(_with_entries(right, candidates))
 
 
 def _late(trial, names, links):
-    """One slip after the links are made: each link finished wrongly, multiplied wrongly, or the result finished wrongly."""
+    """One slip after the links are made: each link finished wrongly, multiplied wrongly, or the
+    result finished wrongly.
+    """
     if trial.product:
-        yield _grid(names, _tuples(trial.product)), _flat(np.stack([slip.change(links) for slip in trial.product], axis=1))
+        yield (
+            _grid(names, _tuples(trial.product)),
+            _flat(np.stack([slip.change(links) for slip in trial.product], axis=1)),
+        )
     poses = chain_product(links)
-    yield _grid(names, _tuples(RESULT)), _flat(np.stack([slip.change(poses) for slip in RESULT], axis=1))
+    yield (
+        _grid(names, _tuples(RESULT)),
+        _flat(np.stack([slip.change(poses) for slip in RESULT], axis=1)),
+    )
     if trial.each:
-        yield _grid(names, _tuples(trial.each)), _flat(np.stack([chain_product(slip.change(links)) for slip in trial.each], axis=1))
+        yield (
+            _grid(names, _tuples(trial.each)),
+            _flat(np.stack([chain_product(slip.change(links)) for slip in trial.each], axis=1)),
+        )
 
 
 def _pairs(trial):
@@ -172,7 +206,10 @@ def _pairs(trial):
     pen = list(slips_of_the_pen())
     pen_names = [(mistyped(*candidate),) for candidate in pen]
     yield from _late(trial, pen_names, _with_entries(right, pen))
-    yield _grid(_tuples(LINK), early), _flat(chain_product(np.stack([slip.change(*_columns(trial.table[1:])) for slip in LINK])))
+    yield (
+        _grid(_tuples(LINK), early),
+        _flat(chain_product(np.stack([slip.change(*_columns(trial.table[1:])) for slip in LINK]))),
+    )
     yield _grid(pen_names, early), _flat(chain_product(_with_entries(trial.table[1:], pen)))
     yield from _two_early(trial)
     yield from _two_entries(right, pen, pen_names)
@@ -182,39 +219,55 @@ def _pairs(trial):
 def _two_early(trial):
     """A second slip of reading or of arguments on top of each first one."""
     if trial.is_chain:
-        rows, q = (np.stack(parts) for parts in zip(*(slip.change(trial.rows, trial.q) for slip in READING)))
+        rows, q = (
+            np.stack(parts)
+            for parts in zip(*(slip.change(trial.rows, trial.q) for slip in READING))
+        )
         for second in READING + ARGUMENTS:
             table = _read((second,), rows, q)
             yield _grid(_tuples(READING), [(second,)]), chain_product(closed_form(*_columns(table)))
-    firsts = trial.table[-len(ARGUMENTS):]
+    firsts = trial.table[-len(ARGUMENTS) :]
     for second in ARGUMENTS:
-        yield _grid(_tuples(ARGUMENTS), [(second,)]), chain_product(closed_form(*second.change(*_columns(firsts))))
+        yield (
+            _grid(_tuples(ARGUMENTS), [(second,)]),
+            chain_product(closed_form(*second.change(*_columns(firsts)))),
+        )
 
 
 def _two_entries(right, pen, pen_names):
     links = _with_entries(right, pen)
     row = _columns(right)
     for k, (entry, monomial) in enumerate(pen):
-        second = links[k + 1:].copy()
+        second = links[k + 1 :].copy()
         second[(..., *entry)] = monomial(*row)
         later = [j for j in range(k + 1, len(pen)) if pen[j][0] != entry]
         if later:
             keep = np.array(later) - k - 1
-            yield (lambda i, k=k, later=later: (*pen_names[k], *pen_names[later[i]])), chain_product(second[keep])
+            yield (
+                (lambda i, k=k, later=later: (*pen_names[k], *pen_names[later[i]])),
+                chain_product(second[keep]),
+            )
 
 
 def _two_late(trial, links):
     """Two slips after the links are made."""
-    makers = [*((slip, chain_product(slip.change(links))) for slip in trial.each), *((slip, slip.change(links)) for slip in trial.product),
-              *((slip, slip.change(chain_product(links))) for slip in RESULT)]
+    makers = [
+        *((slip, chain_product(slip.change(links))) for slip in trial.each),
+        *((slip, slip.change(links)) for slip in trial.product),
+        *((slip, slip.change(chain_product(links))) for slip in RESULT),
+    ]
     for first, poses in makers:
         yield _grid([(first,)], _tuples(RESULT)), np.stack([slip.change(poses) for slip in RESULT])
     for first in trial.each:
-        yield _grid([(first,)], _tuples(trial.product)), np.stack([slip.change(first.change(links)) for slip in trial.product])
+        yield (
+            _grid([(first,)], _tuples(trial.product)),
+            np.stack([slip.change(first.change(links)) for slip in trial.product]),
+        )
 
 
 def wrong_entries(answers, cases, tolerance=1e-9):
-    """Up to three mistyped entries of a link matrix, each told by itself; empty when an entry is no single product of the usual factors.
+    """Up to three mistyped entries of a link matrix, each told by itself; empty when an entry is no
+    single product of the usual factors.
 
     Parameters
     ----------
@@ -236,12 +289,28 @@ def wrong_entries(answers, cases, tolerance=1e-9):
     """
     row = np.array(cases, dtype=float).T
     right = closed_form(*row)
-    wrong = [tuple(map(int, entry)) for entry in np.argwhere((np.abs(answers - right) > tolerance * (1 + np.abs(right))).any(axis=0))]
+    wrong = [
+        tuple(map(int, entry))
+        for entry in np.argwhere(
+            (np.abs(answers - right) > tolerance * (1 + np.abs(right))).any(axis=0)
+        )
+    ]
     if not 0 < len(wrong) <= MOST_ENTRIES or any(entry not in RIGHT_ENTRIES for entry in wrong):
         return ()
     found = [_monomial(answers[(slice(None), *entry)], row, tolerance) for entry in wrong]
-    return () if None in found else tuple(mistyped(entry, monomial) for entry, monomial in zip(wrong, found))
+    return (
+        ()
+        if None in found
+        else tuple(mistyped(entry, monomial) for entry, monomial in zip(wrong, found))
+    )
 
 
 def _monomial(values, row, tolerance):
-    return next((m for m in MONOMIALS if np.all(np.abs(m(*row) - values) <= tolerance * (1 + np.abs(values)))), None)
+    return next(
+        (
+            m
+            for m in MONOMIALS
+            if np.all(np.abs(m(*row) - values) <= tolerance * (1 + np.abs(values)))
+        ),
+        None,
+    )

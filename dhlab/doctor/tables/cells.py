@@ -1,6 +1,8 @@
-"""One cell of a pasted table: a number, π/2, 90°, a joint variable with an offset. Parsed with a small grammar, never evaluated.
+"""One cell of a pasted table: a number, π/2, 90°, a joint variable with an offset. Parsed with a
+small grammar, never evaluated.
 
-A cell is a sum of terms; a term is a product or quotient of numbers, π and at most one joint variable; ° marks degrees.
+A cell is a sum of terms; a term is a product or quotient of numbers, π and at most one joint
+variable; ° marks degrees.
 """
 
 import math
@@ -10,18 +12,49 @@ from dataclasses import dataclass
 __all__ = ["Cell", "read_cell", "plain"]
 
 LONGEST = 40
-TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)|(?P<pi>pi)|(?P<deg>°|degrees|deg)|(?P<unit>mm|cm|m|rad)(?![a-z0-9])"
-                   r"|(?P<name>(?:theta|th|q|t|d|var|variable)_?\d*(?![a-z]))|(?P<op>[-+*/()]))")
-SAME = str.maketrans({"−": "-", "–": "-", "—": "-", "₋": "-", "×": "*", "·": "*", "∗": "*", "⁎": "*", "│": "|", "┃": "|",
-                      "π": "pi", "θ": "theta", "ϑ": "theta", "Θ": "theta", "α": "alpha", "⍺": "alpha", "ⱼ": "_i", "ᵢ": "_i",
-                      "º": "°", "˚": "°", "\u00a0": " ", "\u2009": " ", "{": "", "}": "", "$": "", "\\": "",
-                      **{chr(0x2080 + k): str(k) for k in range(10)}})
+TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)|(?P<pi>pi)|(?P<deg>°|degrees|deg)|(?P<unit>mm|cm|m|rad)(?![a-z0-9])"
+    r"|(?P<name>(?:theta|th|q|t|d|var|variable)_?\d*(?![a-z]))|(?P<op>[-+*/()]))"
+)
+SAME = str.maketrans(
+    {
+        "−": "-",
+        "–": "-",
+        "—": "-",
+        "₋": "-",
+        "×": "*",
+        "·": "*",
+        "∗": "*",
+        "⁎": "*",
+        "│": "|",
+        "┃": "|",
+        "π": "pi",
+        "θ": "theta",
+        "ϑ": "theta",
+        "Θ": "theta",
+        "α": "alpha",
+        "⍺": "alpha",
+        "ⱼ": "_i",
+        "ᵢ": "_i",
+        "º": "°",
+        "˚": "°",
+        "\u00a0": " ",
+        "\u2009": " ",
+        "{": "",
+        "}": "",
+        "$": "",
+        "\\": "",
+        **{chr(0x2080 + k): str(k) for k in range(10)},
+    }
+)
 LENGTH_UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell says: ``value`` (the constant part), the joint variable in it ("theta", "d", "q" or "") and how it counts, the unit it names."""
+    """What a cell says: ``value`` (the constant part), the joint variable in it ("theta", "d", "q"
+    or "") and how it counts, the unit it names.
+    """
 
     value: float
     variable: str = ""
@@ -59,7 +92,10 @@ def read_cell(text):
     (-1.5707963267948966, 'deg', -90.0, -1)
     """
     if len(text) > LONGEST:
-        raise ValueError(f"expected a number or a joint variable, found a text of {len(text)} characters; a cell holds one value")
+        raise ValueError(
+            f"expected a number or a joint variable, found a text of {len(text)} characters; a cell"
+            " holds one value"
+        )
     try:
         return _Parser(_tokens(plain(text))).cell()
     except (_NoCell, ZeroDivisionError, OverflowError):
@@ -99,7 +135,12 @@ class _Parser:
             raise _NoCell
         unit = next(iter(self.units), "")
         name = self.names[0] if self.names and variable else ""
-        return Cell(constant, "theta" if name[:1] == "t" else "q" if name[:1] in ("q", "v") else name[:1], int(variable) or 1, unit)
+        return Cell(
+            constant,
+            "theta" if name[:1] == "t" else "q" if name[:1] in ("q", "v") else name[:1],
+            int(variable) or 1,
+            unit,
+        )
 
     def peek(self):
         return self.tokens[self.at] if self.at < len(self.tokens) else (None, None)
@@ -123,7 +164,11 @@ class _Parser:
             kind, text = self.peek()
             if (kind, text) in (("op", "*"), ("op", "/")):
                 self.take()
-                if text == "*" and variable and self.peek() in ((None, None), ("op", "+"), ("op", "-"), ("op", ")")):
+                if (
+                    text == "*"
+                    and variable
+                    and self.peek() in ((None, None), ("op", "+"), ("op", "-"), ("op", ")"))
+                ):
                     continue  # q1* marks the joint variable
                 other = self.factor()
                 if other[1] and (text == "/" or variable):
@@ -131,7 +176,10 @@ class _Parser:
                 if text == "/":
                     constant, variable = constant / other[0], variable / other[0]
                 else:
-                    constant, variable = constant * other[0], variable * other[0] + constant * other[1]
+                    constant, variable = (
+                        constant * other[0],
+                        variable * other[0] + constant * other[1],
+                    )
             elif kind == "pi":  # 2pi
                 self.take()
                 self.units.add("rad")

@@ -1,4 +1,6 @@
-"""What a column of a pasted table can be: angles or lengths, degrees or radians, metres or millimetres."""
+"""What a column of a pasted table can be: angles or lengths, degrees or radians, metres or
+millimetres.
+"""
 
 from itertools import permutations
 
@@ -8,14 +10,21 @@ __all__ = ["orders", "angle_units", "length_units", "misplaced", "snapped"]
 
 # who writes his columns so, the most common first
 DIALECTS = {
-    ("theta", "d", "a", "alpha"): "as here and in the Robotics Toolbox", ("a", "alpha", "d", "theta"): "as in MATLAB and Spong's book",
-    ("alpha", "a", "theta", "d"): "as in some lecture notes", ("alpha", "a", "d", "theta"): "as in Craig's book",
-    ("theta", "a", "d", "alpha"): "as Universal Robots prints it", ("a", "d", "alpha", "theta"): "as Franka prints it",
-    ("d", "theta", "a", "alpha"): "as in many papers", ("a", "alpha", "theta", "d"): "", ("theta", "alpha", "a", "d"): "",
-    ("alpha", "theta", "a", "d"): "", ("theta", "alpha", "d", "a"): ""}
+    ("theta", "d", "a", "alpha"): "as here and in the Robotics Toolbox",
+    ("a", "alpha", "d", "theta"): "as in MATLAB and Spong's book",
+    ("alpha", "a", "theta", "d"): "as in some lecture notes",
+    ("alpha", "a", "d", "theta"): "as in Craig's book",
+    ("theta", "a", "d", "alpha"): "as Universal Robots prints it",
+    ("a", "d", "alpha", "theta"): "as Franka prints it",
+    ("d", "theta", "a", "alpha"): "as in many papers",
+    ("a", "alpha", "theta", "d"): "",
+    ("theta", "alpha", "a", "d"): "",
+    ("alpha", "theta", "a", "d"): "",
+    ("theta", "alpha", "d", "a"): "",
+}
 ROLES = ("theta", "d", "a", "alpha")
 LONGEST_ARM = 3.0  # metres; a length beyond it is taken for millimetres or asked about
-STEP = 15          # degrees; angles in tables are multiples of it
+STEP = 15  # degrees; angles in tables are multiples of it
 
 
 def orders(table, given):
@@ -25,11 +34,17 @@ def orders(table, given):
     if table.roles is not None:
         missing = [role for role in ROLES if role not in table.roles]
         if missing:
-            raise ValueError(f"recognise_table: the header has no column {' and '.join(missing)}; expected theta, d, a and alpha")
+            raise ValueError(
+                f"recognise_table: the header has no column {' and '.join(missing)}; expected"
+                " theta, d, a and alpha"
+            )
         return [(table.roles, "as the header says")]
     columns = list(zip(*table.rows))
     strict = [_kind(column) for column in columns]
-    lenient = ["any" if kind == "length" and _might_be_degrees(column) else kind for kind, column in zip(strict, columns)]
+    lenient = [
+        "any" if kind == "length" and _might_be_degrees(column) else kind
+        for kind, column in zip(strict, columns)
+    ]
     for kinds in (strict, lenient):
         for known in (DIALECTS, permutations(ROLES)):
             fitting = [roles for roles in known if _fits(roles, columns, kinds)]
@@ -39,13 +54,16 @@ def orders(table, given):
 
 
 def _might_be_degrees(column):
-    """Large numbers that are no multiples of 15: millimetres most often, but an odd zero offset may look so."""
+    """Large numbers that are no multiples of 15: millimetres most often, but an odd zero offset may
+    look so.
+    """
     values = [abs(cell.value) for cell in column if cell.value]
     return not any(cell.unit in ("mm", "cm", "m") for cell in column) and 10 < max(values) <= 360
 
 
 def misplaced(columns):
-    """The roles whose columns hold the other kind of number: multiples of π/2 as lengths, odd values below 1 as angles.
+    """The roles whose columns hold the other kind of number: multiples of π/2 as lengths, odd
+    values below 1 as angles.
 
     Parameters
     ----------
@@ -55,7 +73,13 @@ def misplaced(columns):
     for role, column in columns.items():
         values = [abs(cell.value) for cell in column if cell.value]
         kind = _kind(column) if values and role in ROLES else "any"
-        if role in ("d", "a") and kind == "angle" or role in ("theta", "alpha") and kind == "length" and max(values) < 1:
+        if (
+            role in ("d", "a")
+            and kind == "angle"
+            or role in ("theta", "alpha")
+            and kind == "length"
+            and max(values) < 1
+        ):
             found.append(role)
     return found
 
@@ -66,7 +90,14 @@ def _fits(roles, columns, kinds):
         variables = {cell.variable for cell in column} - {""}
         if kind not in ("any", "angle" if role in ("theta", "alpha") else "length"):
             return False
-        if "theta" in variables and role != "theta" or "d" in variables and role != "d" or variables and role not in ("theta", "d"):
+        if (
+            "theta" in variables
+            and role != "theta"
+            or "d" in variables
+            and role != "d"
+            or variables
+            and role not in ("theta", "d")
+        ):
             return False
         if "q" in variables and moving == 1 and role != "theta":
             return False  # an arm of sliding joints only is not what "q" in one column means
@@ -74,7 +105,7 @@ def _fits(roles, columns, kinds):
 
 
 def _kind(column):
-    """"angle", "length" or "any", by units, by multiples of 15° and by size."""
+    """ "angle", "length" or "any", by units, by multiples of 15° and by size."""
     if any(cell.unit in ("deg", "rad") or cell.variable == "theta" for cell in column):
         return "angle"
     if any(cell.unit in ("mm", "cm", "m") or cell.variable == "d" for cell in column):
@@ -82,15 +113,22 @@ def _kind(column):
     values = np.array([cell.value for cell in column if cell.value])
     if not len(values):
         return "any"
-    right_angles = np.abs(values / 90 - np.round(values / 90)).max() < 1e-9 and np.abs(values).max() <= 360
+    right_angles = (
+        np.abs(values / 90 - np.round(values / 90)).max() < 1e-9 and np.abs(values).max() <= 360
+    )
     quarters = np.abs(values - np.round(values / (np.pi / 2)) * np.pi / 2).max() < 2e-3
     if quarters:
         return "angle"
     if right_angles:
         return "any" if np.abs(values).max() >= LONGEST_ARM else "length"
-    fine = np.abs(values - np.round(values / STEP) * STEP).max() < 1e-9 and np.abs(values).max() <= 360
+    fine = (
+        np.abs(values - np.round(values / STEP) * STEP).max() < 1e-9 and np.abs(values).max() <= 360
+    )
     turns = np.abs(values - np.round(values / (np.pi / 12)) * np.pi / 12).max() < 2e-3
-    mixed = all(min(abs(v - round(v / 90) * 90), abs(v - round(v / (np.pi / 2)) * np.pi / 2)) < 2e-3 for v in values)
+    mixed = all(
+        min(abs(v - round(v / 90) * 90), abs(v - round(v / (np.pi / 2)) * np.pi / 2)) < 2e-3
+        for v in values
+    )
     return "any" if fine or turns else "angle" if mixed else "length"
 
 
@@ -99,12 +137,24 @@ def angle_units(table, columns, given):
     said = {table.units.get(role) for role in ("theta", "alpha")} & {"deg", "rad"}
     if given or said:
         return [given or said.pop()]
-    cells = [cell for role in ("theta", "alpha", "offset") for cell in columns.get(role, ()) if cell.value]
+    cells = [
+        cell
+        for role in ("theta", "alpha", "offset")
+        for cell in columns.get(role, ())
+        if cell.value
+    ]
     if not cells or all(cell.unit == "deg" for cell in cells):
         return ["deg"]
     bare = [cell for cell in cells if cell.unit not in ("deg", "rad")]
     beyond = [cell for cell in bare if abs(cell.value) > 2 * np.pi]
-    small = [cell for cell in cells if cell not in beyond and cell.unit != "deg" and snapped(cell.value)[1] or cell.unit == "rad"]
+    small = [
+        cell
+        for cell in cells
+        if cell not in beyond
+        and cell.unit != "deg"
+        and snapped(cell.value)[1]
+        or cell.unit == "rad"
+    ]
     if beyond and small:
         return ["mixed"]
     if beyond:
@@ -119,7 +169,12 @@ def length_units(table, columns, given):
     said = {table.units.get(role) for role in ("d", "a")} & {"m", "mm"}
     if given or said:
         return [given or said.pop()]
-    sizes = [abs(cell.value) for role in ("d", "a") for cell in columns[role] if cell.value and cell.unit not in ("mm", "cm", "m")]
+    sizes = [
+        abs(cell.value)
+        for role in ("d", "a")
+        for cell in columns[role]
+        if cell.value and cell.unit not in ("mm", "cm", "m")
+    ]
     if not sizes or max(sizes) <= LONGEST_ARM:
         return ["m"]
     return ["mm"] if max(sizes) > 10 else ["m", "mm"]

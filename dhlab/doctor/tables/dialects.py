@@ -1,4 +1,6 @@
-"""A table pasted in somebody else's dialect, read into an ``Arm``: column order, convention, units, extra rows; where two readings fit, both."""
+"""A table pasted in somebody else's dialect, read into an ``Arm``: column order, convention, units,
+extra rows; where two readings fit, both.
+"""
 
 from dataclasses import dataclass
 from itertools import combinations, product
@@ -16,15 +18,24 @@ from .pasted import take_apart
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
 MOST_READINGS = 24
-QUESTIONS = {"order": "In which order do the columns stand", "convention": "For which matrix are the rows, the standard or Craig's (modified) one?",
-             "angle": "Are the angles degrees or radians?", "length": "Are the lengths metres or millimetres?",
-             "row": "Does a row without a joint (base or flange) stand among these, or does each row have a motor?"}
+QUESTIONS = {
+    "order": "In which order do the columns stand",
+    "convention": "For which matrix are the rows, the standard or Craig's (modified) one?",
+    "angle": "Are the angles degrees or radians?",
+    "length": "Are the lengths metres or millimetres?",
+    "row": (
+        "Does a row without a joint (base or flange) stand among these, or does each row have a"
+        " motor?"
+    ),
+}
 TRIES = 60  # random configurations among which the one that tells the readings apart best is taken
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read a table: the arm, the way in words, what had to be assumed, and which answer to each question leads here."""
+    """One way to read a table: the arm, the way in words, what had to be assumed, and which answer
+    to each question leads here.
+    """
 
     arm: Arm
     words: str
@@ -46,7 +57,8 @@ class Recognised:
     questions : tuple of str
         What a person has to say to leave one reading.
     tell_apart : array (n,) or None
-        A configuration, radians and metres, at which the readings' end points differ most; None with one reading.
+        A configuration, radians and metres, at which the readings' end points differ most; None
+        with one reading.
     poses : array (readings, 4, 4) or None
         The end poses there.
     notes : tuple of str
@@ -68,14 +80,29 @@ class Recognised:
         return self.readings[0].arm
 
     def __str__(self):
-        lines = [f"Read as {self.readings[0].words}." if len(self.readings) == 1 else f"{len(self.readings)} readings fit:"]
+        lines = [
+            (
+                f"Read as {self.readings[0].words}."
+                if len(self.readings) == 1
+                else f"{len(self.readings)} readings fit:"
+            )
+        ]
         if len(self.readings) > 1:
             lines += [f"  {k}. {reading.words}" for k, reading in enumerate(self.readings, 1)]
-        lines += [f"  Assumed: {text}" for text in self.readings[0].assumptions] + [f"  Note: {text}" for text in self.notes]
+        lines += [f"  Assumed: {text}" for text in self.readings[0].assumptions] + [
+            f"  Note: {text}" for text in self.notes
+        ]
         lines += [f"  Question: {text}" for text in self.questions]
         if self.tell_apart is not None:
-            lines.append("  Telling: measure at q = " + ", ".join(number(v, 4) for v in self.tell_apart) + " (rad, m): " + "; ".join(
-                f"{k}. ({', '.join(number(v, 3) for v in pose[:3, 3])}) m" for k, pose in enumerate(self.poses, 1)))
+            lines.append(
+                "  Telling: measure at q = "
+                + ", ".join(number(v, 4) for v in self.tell_apart)
+                + " (rad, m): "
+                + "; ".join(
+                    f"{k}. ({', '.join(number(v, 3) for v in pose[:3, 3])}) m"
+                    for k, pose in enumerate(self.poses, 1)
+                )
+            )
         return "\n".join(lines)
 
     __repr__ = __str__
@@ -87,12 +114,14 @@ def recognise_table(given, right=None, *, order=None, convention=None, angle=Non
     Parameters
     ----------
     given : str or rows
-        Text with tabs, spaces, commas, semicolons or pipes between the cells, with or without a header and an index column; or rows of
-        numbers and texts. Cells such as ``pi/2``, ``-π/2``, ``90°``, ``q1``, ``θ2* - 90`` are understood; nothing is evaluated.
+        Text with tabs, spaces, commas, semicolons or pipes between the cells, with or without a
+        header and an index column; or rows of numbers and texts. Cells such as ``pi/2``, ``-π/2``,
+        ``90°``, ``q1``, ``θ2* - 90`` are understood; nothing is evaluated.
     right : Arm, optional
         The arm the table should be; readings that are not equivalent to it are left out, if one is.
     order, convention, angle, length : optional
-        Answers to the questions: ``"theta d a alpha"`` (any order), ``"standard"`` or ``"craig"``, ``"deg"`` or ``"rad"``, ``"m"`` or ``"mm"``.
+        Answers to the questions: ``"theta d a alpha"`` (any order), ``"standard"`` or ``"craig"``,
+        ``"deg"`` or ``"rad"``, ``"m"`` or ``"mm"``.
 
     Returns
     -------
@@ -118,8 +147,10 @@ def recognise_table(given, right=None, *, order=None, convention=None, angle=Non
     _check_answers(order, convention, angle, length)
     found = list(_readings(table, order, convention or table.convention, angle, length, right))
     if not found:
-        raise ValueError('recognise_table: expected two columns of angles and two of lengths, found no order in which the columns are that; '
-                         'say the order, as in order="theta d a alpha"')
+        raise ValueError(
+            "recognise_table: expected two columns of angles and two of lengths, found no order in"
+            ' which the columns are that; say the order, as in order="theta d a alpha"'
+        )
     readings = _different(found)[:MOST_READINGS]
     if right is None:
         return _answer(readings, _notes(table, readings), None)
@@ -129,20 +160,41 @@ def recognise_table(given, right=None, *, order=None, convention=None, angle=Non
 
 
 def _equivalent(right, readings):
-    """The first reading that is the right arm, as given or up to a constant tool or base; and a note that says so."""
-    for free, words in (((), ""), (("tool",), "its tool"), (("base",), "its base"), (("base", "tool"), "its base and tool")):
+    """The first reading that is the right arm, as given or up to a constant tool or base; and a
+    note that says so.
+    """
+    for free, words in (
+        ((), ""),
+        (("tool",), "its tool"),
+        (("base",), "its base"),
+        (("base", "tool"), "its base and tool"),
+    ):
         for reading in readings:
             if equivalent(right, reading.arm, **{end: "free" for end in free}):
-                return [reading], (f"this reading is the right arm but for {words}",) if words else ()
+                return [reading], (
+                    (f"this reading is the right arm but for {words}",) if words else ()
+                )
     return [], ("no reading is the right arm: an entry differs",)
 
 
 def _check_answers(order, convention, angle, length):
-    for name, value, known in (("convention", convention, ("standard", "craig")), ("angle", angle, ("deg", "rad")), ("length", length, ("m", "mm"))):
+    for name, value, known in (
+        ("convention", convention, ("standard", "craig")),
+        ("angle", angle, ("deg", "rad")),
+        ("length", length, ("m", "mm")),
+    ):
         if value is not None and value not in known:
-            raise ValueError(f"recognise_table: {name}: expected {' or '.join(known)}, found {value!r}; leave it out when you do not know")
-    if order is not None and (not isinstance(order, str) or sorted(order.split()) != ["a", "alpha", "d", "theta"]):
-        raise ValueError(f'recognise_table: order: expected the names theta, d, a, alpha in some order, found {order!r}; as in "a alpha d theta"')
+            raise ValueError(
+                f"recognise_table: {name}: expected {' or '.join(known)}, found {value!r}; leave it"
+                " out when you do not know"
+            )
+    if order is not None and (
+        not isinstance(order, str) or sorted(order.split()) != ["a", "alpha", "d", "theta"]
+    ):
+        raise ValueError(
+            "recognise_table: order: expected the names theta, d, a, alpha in some order, found"
+            f' {order!r}; as in "a alpha d theta"'
+        )
 
 
 def _readings(table, order, convention, angle, length, right):
@@ -152,7 +204,12 @@ def _readings(table, order, convention, angle, length, right):
         conventions = [convention] if convention else ["standard", "craig"]
         if not convention and _looks_like_craig(columns):
             conventions.reverse()
-        choices = product(conventions, angle_units(table, columns, angle), length_units(table, columns, length), _extra_rows(table, columns, right))
+        choices = product(
+            conventions,
+            angle_units(table, columns, angle),
+            length_units(table, columns, length),
+            _extra_rows(table, columns, right),
+        )
         for name, unit, metre, extra in choices:
             yield _reading(table, columns, roles, why, name, unit, metre, extra)
 
@@ -164,12 +221,20 @@ def _looks_like_craig(columns):
 
 
 def _extra_rows(table, columns, right):
-    """Which rows have no joint: ("", "base" or "tool") by labels, by the missing variable, or by the number of joints asked for."""
+    """Which rows have no joint: ("", "base" or "tool") by labels, by the missing variable, or by
+    the number of joints asked for.
+    """
     n = len(table.rows)
     named = "base" if table.labels[0] in ("base", "0 (base)") else ""
-    named = named or ("tool" if any(word in table.labels[-1] for word in ("flange", "tool", "hand", "ee", "end")) else "")
+    named = named or (
+        "tool"
+        if any(word in table.labels[-1] for word in ("flange", "tool", "hand", "ee", "end"))
+        else ""
+    )
     moves = [any(not columns[role][i].is_constant for role in columns) for i in range(n)]
-    fixed = [not moved for moved in moves] if any(moves) else [kind == "fixed" for kind in table.kinds]
+    fixed = (
+        [not moved for moved in moves] if any(moves) else [kind == "fixed" for kind in table.kinds]
+    )
     if n < 2:
         return [""]
     if named or sum(fixed) == 1 and (fixed[0] or fixed[-1]):
@@ -183,24 +248,57 @@ def _extra_rows(table, columns, right):
 
 def _reading(table, columns, roles, why, convention, unit, metre, extra):
     assumed = []
-    numbers = {role: np.array([_scaled(cell, role, unit, metre, assumed) for cell in column]) for role, column in columns.items() if role != "sigma"}
+    numbers = {
+        role: np.array([_scaled(cell, role, unit, metre, assumed) for cell in column])
+        for role, column in columns.items()
+        if role != "sigma"
+    }
     numbers["theta"] = numbers["theta"] + numbers.pop("offset", 0)
     joints = [_joint(table, columns, i) for i in range(len(table.rows))]
-    signs = [next((columns[role][i].sign for role in ("theta", "d") if not columns[role][i].is_constant), 1) for i in range(len(table.rows))]
+    signs = [
+        next(
+            (columns[role][i].sign for role in ("theta", "d") if not columns[role][i].is_constant),
+            1,
+        )
+        for i in range(len(table.rows))
+    ]
     rows = np.column_stack([numbers[role] for role in ("theta", "d", "a", "alpha")])
     arm = _arm(convention, rows, joints, signs, extra)
     order = f"columns {', '.join(role for role in roles if role in numbers)}, {why}"
-    row = {"base": "; the first row has no joint and is the base", "tool": "; the last row has no joint and is the flange"}.get(extra, "")
-    units = {"deg": "degrees", "rad": "radians", "mixed": "radians, with numbers beyond 2π as degrees"}[unit]
+    row = {
+        "base": "; the first row has no joint and is the base",
+        "tool": "; the last row has no joint and is the flange",
+    }.get(extra, "")
+    units = {
+        "deg": "degrees",
+        "rad": "radians",
+        "mixed": "radians, with numbers beyond 2π as degrees",
+    }[unit]
     book = "Craig (modified)" if convention == "craig" else "standard"
-    words = f"{order}; {book} convention; {units}; {'millimetres' if metre == 'mm' else 'metres'}{row}"
-    return Reading(arm, words, tuple(dict.fromkeys(assumed)), tuple(zip(QUESTIONS, (roles, convention, unit, metre, extra))))
+    words = (
+        f"{order}; {book} convention; {units}; {'millimetres' if metre == 'mm' else 'metres'}{row}"
+    )
+    return Reading(
+        arm,
+        words,
+        tuple(dict.fromkeys(assumed)),
+        tuple(zip(QUESTIONS, (roles, convention, unit, metre, extra))),
+    )
 
 
 def _scaled(cell, role, unit, metre, assumed):
     if role in ("d", "a"):
-        return cell.value * {"mm": 1e-3, "cm": 1e-2, "m": 1.0}[cell.unit if cell.unit in ("mm", "cm", "m") else metre]
-    in_degrees = cell.unit == "deg" or cell.unit != "rad" and (unit == "deg" or unit == "mixed" and abs(cell.value) > 2 * np.pi)
+        return (
+            cell.value
+            * {"mm": 1e-3, "cm": 1e-2, "m": 1.0}[
+                cell.unit if cell.unit in ("mm", "cm", "m") else metre
+            ]
+        )
+    in_degrees = (
+        cell.unit == "deg"
+        or cell.unit != "rad"
+        and (unit == "deg" or unit == "mixed" and abs(cell.value) > 2 * np.pi)
+    )
     if in_degrees:
         return np.deg2rad(cell.value)
     value, said = snapped(cell.value) if cell.unit != "rad" else (cell.value, "")
@@ -217,7 +315,9 @@ def _joint(table, columns, i):
 
 
 def _arm(convention, rows, joints, signs, extra):
-    kept = slice(1, None) if extra == "base" else slice(None, -1) if extra == "tool" else slice(None)
+    kept = (
+        slice(1, None) if extra == "base" else slice(None, -1) if extra == "tool" else slice(None)
+    )
     fixed = {"base": rows[0], "tool": rows[-1]}.get(extra)
     ends = {} if fixed is None else {extra: link_matrices(convention, *fixed)}
     table = DHTable(convention, *rows[kept].T, "".join(joints[kept]))
@@ -225,7 +325,9 @@ def _arm(convention, rows, joints, signs, extra):
 
 
 def _different(readings):
-    """The readings without those that are an earlier one's arm: what makes no difference needs no question."""
+    """The readings without those that are an earlier one's arm: what makes no difference needs no
+    question.
+    """
     kept = []
     for reading in readings:
         if not any(_same_arm(reading.arm, other.arm) for other in kept):
@@ -241,7 +343,11 @@ def _same_arm(a, b):
 
 
 def _answer(readings, notes, matches):
-    questions = tuple(_question(name, readings) for name in QUESTIONS if len({dict(reading.choices)[name] for reading in readings}) > 1)
+    questions = tuple(
+        _question(name, readings)
+        for name in QUESTIONS
+        if len({dict(reading.choices)[name] for reading in readings}) > 1
+    )
     q = _telling(readings)
     poses = None if q is None else np.array([reading.arm.forward(q) for reading in readings])
     return Recognised(tuple(readings), questions, q, poses, notes, matches)
@@ -255,7 +361,9 @@ def _question(name, readings):
 
 
 def _telling(readings):
-    """The configuration at which the two readings that are nearest to each other differ most; None when one cannot tell."""
+    """The configuration at which the two readings that are nearest to each other differ most; None
+    when one cannot tell.
+    """
     arms = [reading.arm for reading in readings]
     if len(arms) < 2 or len({(len(arm), arm.table.joints) for arm in arms}) > 1:
         return None
@@ -271,14 +379,27 @@ def _notes(table, readings):
     choices = dict(readings[0].choices)
     rows = readings[0].arm.table.rows
     if choices["angle"] == "mixed":
-        notes.append("some angles are beyond 2π while others are multiples of π/2: degrees in a radian column?")
-    odd = misplaced({role: [row[k] for row in table.rows] for k, role in enumerate(choices["order"])})
+        notes.append(
+            "some angles are beyond 2π while others are multiples of π/2: degrees in a radian"
+            " column?"
+        )
+    odd = misplaced(
+        {role: [row[k] for row in table.rows] for k, role in enumerate(choices["order"])}
+    )
     if odd:
-        notes.append(f"{' and '.join(odd)}: multiples of π/2 stand among lengths, or lengths among angles; have columns changed places?")
+        notes.append(
+            f"{' and '.join(odd)}: multiples of π/2 stand among lengths, or lengths among angles;"
+            " have columns changed places?"
+        )
     lengths = rows[:, 1:3][rows[:, 1:3] != 0]
     if len(lengths) >= 4 and (lengths > 0).all() and readings[0].arm.table.convention == "standard":
-        notes.append("no length is negative; d and a are coordinates along an axis, so look whether the source lost a minus")
+        notes.append(
+            "no length is negative; d and a are coordinates along an axis, so look whether the"
+            " source lost a minus"
+        )
     sizes = np.abs(lengths)
     if len(sizes) > 1 and sizes.max() > 100 * np.median(sizes) and sizes.max() > 3:
-        notes.append("one length is more than 100 times the usual one here: millimetres among metres?")
+        notes.append(
+            "one length is more than 100 times the usual one here: millimetres among metres?"
+        )
     return tuple(notes)

@@ -1,4 +1,6 @@
-"""What is wrong with a table that was written down: the changes to the right table that give the same arm."""
+"""What is wrong with a table that was written down: the changes to the right table that give the
+same arm.
+"""
 
 from dataclasses import replace
 
@@ -19,7 +21,8 @@ def explain_rows(given, right, q):
         The answer; its poses differ from the right ones.
     right : Arm
     q : array (m, n)
-        Configurations at which the poses are compared, general ones (no zeros, no multiples of 90°).
+        Configurations at which the poses are compared, general ones (no zeros, no multiples of
+        90°).
 
     Returns
     -------
@@ -38,11 +41,21 @@ def explain_rows(given, right, q):
     if len(given) != len(right):
         return None
     poses = given.forward(q)
-    fitting = [(mistake, place, table) for mistake, place, table in wrong_tables(right.table)
-               if np.allclose(replace(right, table=table).forward(q), poses, rtol=0, atol=1e-8)]
+    fitting = [
+        (mistake, place, table)
+        for mistake, place, table in wrong_tables(right.table)
+        if np.allclose(replace(right, table=table).forward(q), poses, rtol=0, atol=1e-8)
+    ]
     if not fitting:
         return None
-    mistake, place, _ = min(fitting, key=lambda found: (not _written_alike(found[2], given.table), _changed(found[2], right.table), found[1] == "all rows"))
+    mistake, place, _ = min(
+        fitting,
+        key=lambda found: (
+            not _written_alike(found[2], given.table),
+            _changed(found[2], right.table),
+            found[1] == "all rows",
+        ),
+    )
     return find(mistake, place)
 
 
@@ -51,7 +64,9 @@ def _written_alike(a, b):
 
 
 def _changed(a, b):
-    """How many numbers a mistake changes: of several that make the same arm, the smallest is told."""
+    """How many numbers a mistake changes: of several that make the same arm, the smallest is
+    told.
+    """
     return int((np.abs(a.rows - b.rows) > 1e-9).sum()) if a.convention == b.convention else 1
 
 
@@ -67,9 +82,17 @@ def wrong_tables(table):
 def _whole_table(table):
     rows = table.rows
     other = "craig" if table.convention == "standard" else "standard"
-    yield "standard-rows-in-craig-matrix" if other == "craig" else "craig-rows-in-standard-matrix", "", replace(table, convention=other)
-    for mistake, place, order in (("a-d-exchanged", "all rows", [0, 2, 1, 3]), ("theta-alpha-exchanged", "all rows", [3, 1, 2, 0]),
-                                  ("columns-misread", "", [3, 2, 1, 0]), ("columns-misread", "", [2, 3, 1, 0])):
+    yield (
+        "standard-rows-in-craig-matrix" if other == "craig" else "craig-rows-in-standard-matrix",
+        "",
+        replace(table, convention=other),
+    )
+    for mistake, place, order in (
+        ("a-d-exchanged", "all rows", [0, 2, 1, 3]),
+        ("theta-alpha-exchanged", "all rows", [3, 1, 2, 0]),
+        ("columns-misread", "", [3, 2, 1, 0]),
+        ("columns-misread", "", [2, 3, 1, 0]),
+    ):
         yield mistake, place, _with_rows(table, rows[:, order])
     yield "length-unit", "all lengths", replace(table, d=table.d * 1000, a=table.a * 1000)
     yield "alpha-sign", "all rows", replace(table, alpha=-table.alpha)
@@ -100,17 +123,27 @@ def _one_row(table, i):
             moved = table.rows
             moved[k, 0] += theta
             moved[i, 0] = 0
-            yield "offset-on-wrong-joint", f"it belongs to row {i + 1}, you have it in row {k + 1}", _with_rows(table, moved)
+            yield (
+                "offset-on-wrong-joint",
+                f"it belongs to row {i + 1}, you have it in row {k + 1}",
+                _with_rows(table, moved),
+            )
 
 
 def _frames(table, i):
-    """Slips made while placing frames, which change a row in more than one entry or by half a turn."""
+    """Slips made while placing frames, which change a row in more than one entry or by half a
+    turn.
+    """
     place = f"row {i + 1}"
     theta, d, a, alpha = table.rows[i]
     half_turn = abs(abs(alpha) - np.pi) < 1e-9
     yield "x-flip-incomplete", f"x{i + 1}", _with_row(table, i, [theta, d, -a, -alpha])
     yield "x-flip-incomplete", f"x{i + 1}", _with_row(table, i, [theta + np.pi, d, -a, -alpha])
-    name, where = ("antiparallel-taken-for-parallel", place) if half_turn else ("z-flip-incomplete", f"z{i + 1}")
+    name, where = (
+        ("antiparallel-taken-for-parallel", place)
+        if half_turn
+        else ("z-flip-incomplete", f"z{i + 1}")
+    )
     yield name, where, _with_row(table, i, [theta, d, a, alpha + np.pi])
     yield "offset-counted-twice", place, _with_row(table, i, [2 * theta, d, a, alpha])
     if i + 1 < len(table) and alpha == 0:
@@ -120,7 +153,13 @@ def _frames(table, i):
     if table.joints[i] == "P":
         yield "prismatic-constant-lost", place, _with_row(table, i, [0, 0, a, alpha])
         yield "prismatic-constant-lost", f"{place}, d", _with_row(table, i, [theta, 0, a, alpha])
-    yield "prismatic-variable-in-theta", place, replace(table, joints=table.joints[:i] + "RP"[table.joints[i] == "R"] + table.joints[i + 1:])
+    yield (
+        "prismatic-variable-in-theta",
+        place,
+        replace(
+            table, joints=table.joints[:i] + "RP"[table.joints[i] == "R"] + table.joints[i + 1 :]
+        ),
+    )
 
 
 def _with_row(table, i, row):

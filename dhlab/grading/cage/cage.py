@@ -1,10 +1,13 @@
-"""The cage: a warm parent behind bars, from which each submission is forked; what comes out is lines of JSON, and a word on how it ended.
+"""The cage: a warm parent behind bars, from which each submission is forked; what comes out is
+lines of JSON, and a word on how it ended.
 
 Three levels, the best that the machine has unless one is named:
 
 - **bubblewrap**: its own file system, network, processes and user, with seccomp and limits on top;
-- **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls by seccomp, with limits;
-- **rlimits**: limits of memory, time and files only. A submission could read what the teacher can read. Said in every report.
+- **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls
+  by seccomp, with limits;
+- **rlimits**: limits of memory, time and files only. A submission could read what the teacher can
+  read. Said in every report.
 """
 
 import contextlib
@@ -31,10 +34,18 @@ except ImportError:  # Windows, where best_level says what to do
 __all__ = ["Cage", "Run", "best_level", "RISKS"]
 
 RISKS = {
-    "bubblewrap": "bubblewrap: submissions see no network, no files but Python's, no processes but their own",
-    "landlock": "Landlock with seccomp: submissions read no files but Python's and the system's, reach no network, start no program",
-    "rlimits": "limits only, since neither bubblewrap nor Landlock works here: a hostile submission could read the teacher's files and use the network; "
-               "grade only people you trust, or install bubblewrap",
+    "bubblewrap": (
+        "bubblewrap: submissions see no network, no files but Python's, no processes but their own"
+    ),
+    "landlock": (
+        "Landlock with seccomp: submissions read no files but Python's and the system's, reach no"
+        " network, start no program"
+    ),
+    "rlimits": (
+        "limits only, since neither bubblewrap nor Landlock works here: a hostile submission could"
+        " read the teacher's files and use the network; grade only people you trust, or install"
+        " bubblewrap"
+    ),
 }
 ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
 MOST = 8_000_000  # bytes that one submission may answer
@@ -45,7 +56,9 @@ GRACE = 1.5  # seconds after a cell's own limit until it is stopped from outside
 
 @dataclass
 class Run:
-    """One run of a notebook: the lines it sent; how it ended ("done", "crashed", "timed out", "too much"); the cell it was in; seconds; MB at most."""
+    """One run of a notebook: the lines it sent; how it ended ("done", "crashed", "timed out", "too
+    much"); the cell it was in; seconds; MB at most.
+    """
 
     lines: list = field(default_factory=list)
     ended: str = "crashed"
@@ -131,12 +144,17 @@ class Cage:
         if "proc" in problem and self.level == "bubblewrap":
             problem = self._try(proc=False)
         if problem:
-            raise ValueError(f"grade: expected the cage {self.level!r} to work here, found that it does not ({problem}); choose another, or leave it out for the best there is")
+            raise ValueError(
+                f"grade: expected the cage {self.level!r} to work here, found that it does not"
+                f" ({problem}); choose another, or leave it out for the best there is"
+            )
 
     def _try(self, proc):
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = tempfile.mkdtemp(prefix=PREFIX)
-        self._lock = open(os.path.join(self._folder, "lock"), "wb")  # held as long as this process lives
+        self._lock = open(
+            os.path.join(self._folder, "lock"), "wb"
+        )  # held as long as this process lives
         fcntl.flock(self._lock, fcntl.LOCK_EX)
         staged, work = os.path.join(self._folder, "staged"), os.path.join(self._folder, "work")
         for folder in (staged, work):
@@ -146,8 +164,16 @@ class Cage:
         self._control, theirs = socket.socketpair()
         with theirs, open(os.path.join(self._folder, "errors"), "wb") as errors:
             command, environment = self._command(staged, work, theirs.fileno(), proc)
-            self._process = subprocess.Popen(command, pass_fds=[theirs.fileno()], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                             stderr=errors, start_new_session=True, cwd="/")
+            self._process = subprocess.Popen(
+                command,
+                pass_fds=[theirs.fileno()],
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=errors,
+                start_new_session=True,
+                cwd="/",
+            )
         problem = self._greeting()
         if problem:
             self.close()
@@ -156,14 +182,31 @@ class Cage:
     def _command(self, staged, work, control, proc):
         bubblewrap = self.level == "bubblewrap"
         root = os.geteuid() == 0
-        user = (2_000_000_000 + os.getpid() % 1_000_000) if root and (bubblewrap or _readable_by_others()) else None
+        user = (
+            (2_000_000_000 + os.getpid() % 1_000_000)
+            if root and (bubblewrap or _readable_by_others())
+            else None
+        )
         own_user = user is not None or bubblewrap
         covered = stage.hidden()
-        config = {"control": control, "level": self.level, "work": "/tmp" if bubblewrap else work, "user": user, "own_processes": bubblewrap, "warm": [*ALWAYS_WARM, *self.warm],
-                  "limits": asdict(self.limits) | {"own_user": own_user}, "readable": [*stage.readable_without(covered), staged] if self.level == "landlock" else []}
+        config = {
+            "control": control,
+            "level": self.level,
+            "work": "/tmp" if bubblewrap else work,
+            "user": user,
+            "own_processes": bubblewrap,
+            "warm": [*ALWAYS_WARM, *self.warm],
+            "limits": asdict(self.limits) | {"own_user": own_user},
+            "readable": (
+                [*stage.readable_without(covered), staged] if self.level == "landlock" else []
+            ),
+        }
         command = stage.python_command(stage.INSIDE if bubblewrap else staged, json.dumps(config))
         if bubblewrap:
-            return stage.bubblewrap_command(shutil.which("bwrap"), staged, command, self.limits, proc), {}
+            return (
+                stage.bubblewrap_command(shutil.which("bwrap"), staged, command, self.limits, proc),
+                {},
+            )
         return command, stage.environment(work)
 
     def _greeting(self):
@@ -176,7 +219,9 @@ class Cage:
         if answer.get("ready"):
             return ""
         with open(os.path.join(self._folder, "errors"), encoding="utf-8", errors="replace") as file:
-            return answer.get("problem") or " ".join(file.read().split())[-200:] or "it does not start"
+            return (
+                answer.get("problem") or " ".join(file.read().split())[-200:] or "it does not start"
+            )
 
     def close(self):
         """Kill everything in the cage and remove its folder."""
@@ -202,7 +247,9 @@ def _sweep():
 
 
 class _Listener:
-    """Reads lines until the submission is done, dies, says too much, or is too late in a cell or in all."""
+    """Reads lines until the submission is done, dies, says too much, or is too late in a cell or in
+    all.
+    """
 
     def __init__(self, pipe, cell_seconds, deadline):
         self.pipe, self.cell_seconds, self.deadline = pipe, cell_seconds, deadline
@@ -222,7 +269,12 @@ class _Listener:
                 self.run.lines.append(line)
                 if "done" in line or "unreadable" in line:
                     return self._over("done")
-                if "cell" in line and "ids" in line and "ended" not in line and isinstance(line["cell"], int):
+                if (
+                    "cell" in line
+                    and "ids" in line
+                    and "ended" not in line
+                    and isinstance(line["cell"], int)
+                ):
                     self.run.cell = line["cell"]
                     cell_deadline = time.monotonic() + self.cell_seconds
 
@@ -240,16 +292,31 @@ class _Listener:
 
 
 def _readable_by_others():
-    """Whether another user could read Python and its packages; not where they stand in root's own folders."""
-    paths = [os.path.realpath(path) for path in (sys.base_prefix, sys.prefix, *stage.packages(), tempfile.gettempdir())]
-    folders = {path[:i] or "/" for path in paths for i in range(len(path) + 1) if i == len(path) or path[i] == "/"}
-    return all(os.stat(folder).st_mode & 0o005 == 0o005 for folder in folders if os.path.isdir(folder))
+    """Whether another user could read Python and its packages; not where they stand in root's own
+    folders.
+    """
+    paths = [
+        os.path.realpath(path)
+        for path in (sys.base_prefix, sys.prefix, *stage.packages(), tempfile.gettempdir())
+    ]
+    folders = {
+        path[:i] or "/"
+        for path in paths
+        for i in range(len(path) + 1)
+        if i == len(path) or path[i] == "/"
+    }
+    return all(
+        os.stat(folder).st_mode & 0o005 == 0o005 for folder in folders if os.path.isdir(folder)
+    )
 
 
 def _known(level):
     """The level itself; ValueError where no level can work."""
     if fcntl is None:
-        raise ValueError("grade: expected Linux or macOS, found a system that cannot run submissions apart; on Windows use the Windows Subsystem for Linux")
+        raise ValueError(
+            "grade: expected Linux or macOS, found a system that cannot run submissions apart; on"
+            " Windows use the Windows Subsystem for Linux"
+        )
     return level
 
 
@@ -257,8 +324,16 @@ def best_level():
     """The strongest level that works here, found by trying; ValueError where there is none."""
     _known(None)
     for level in LEVELS:
-        if level == "bubblewrap" and not shutil.which("bwrap") or level == "landlock" and not sys.platform.startswith("linux"):
+        if (
+            level == "bubblewrap"
+            and not shutil.which("bwrap")
+            or level == "landlock"
+            and not sys.platform.startswith("linux")
+        ):
             continue
         with contextlib.suppress(ValueError), Cage(level):
             return level
-    raise ValueError("grade: expected a way to run submissions with limits, found none that works on this machine; is it Linux or macOS?")
+    raise ValueError(
+        "grade: expected a way to run submissions with limits, found none that works on this"
+        " machine; is it Linux or macOS?"
+    )

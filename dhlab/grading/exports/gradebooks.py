@@ -1,4 +1,6 @@
-"""The grades as learning platforms take them in: Canvas's and Moodle's CSV. A status that is no mark stays an empty cell, never a silent 0."""
+"""The grades as learning platforms take them in: Canvas's and Moodle's CSV. A status that is no
+mark stays an empty cell, never a silent 0.
+"""
 
 import json
 from pathlib import Path
@@ -32,7 +34,10 @@ def read_marks(folder):
     """
     paths = sorted((Path(folder) / "marks").glob("*.json"))
     if not paths:
-        raise ValueError(f"{folder}: expected a folder that dhlab grade has written, found no marks in it; give its --out")
+        raise ValueError(
+            f"{folder}: expected a folder that dhlab grade has written, found no marks in it; give"
+            " its --out"
+        )
     return {graded.student: graded for graded in map(_read, paths)}
 
 
@@ -40,11 +45,15 @@ def _read(path):
     try:
         return Graded.from_dict(json.loads(read_text(path, "a student's marks")))
     except (KeyError, TypeError, json.JSONDecodeError):
-        raise ValueError(f"{path}: expected marks that dhlab grade wrote, found something else; delete it and grade again") from None
+        raise ValueError(
+            f"{path}: expected marks that dhlab grade wrote, found something else; delete it and"
+            " grade again"
+        ) from None
 
 
 def canvas_csv(marks, roster=()):
-    """Canvas's gradebook import: its five columns of names and ids, a row of possible points, one column of points after lateness.
+    """Canvas's gradebook import: its five columns of names and ids, a row of possible points, one
+    column of points after lateness.
 
     Canvas finds a student by the SIS id or the login; the roster's ``student`` is given as both.
 
@@ -57,14 +66,27 @@ def canvas_csv(marks, roster=()):
     ada,,ada,ada,,1
     """
     title, of = _column(marks)
-    rows = [["Student", "ID", "SIS User ID", "SIS Login ID", "Section", title], ["Points Possible", "", "", "", "", of]]
-    rows += [[student.name or student.student, "", student.student, student.student, "", _points(marks.get(student.student))]
-             for student in _students(marks, roster)]
+    rows = [
+        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", title],
+        ["Points Possible", "", "", "", "", of],
+    ]
+    rows += [
+        [
+            student.name or student.student,
+            "",
+            student.student,
+            student.student,
+            "",
+            _points(marks.get(student.student)),
+        ]
+        for student in _students(marks, roster)
+    ]
     return csv_text(rows)
 
 
 def moodle_csv(marks, roster=()):
-    """Moodle's grade import: id number, e-mail, name, points after lateness; the teacher maps the columns on Moodle's own page.
+    """Moodle's grade import: id number, e-mail, name, points after lateness; the teacher maps the
+    columns on Moodle's own page.
 
     Examples
     --------
@@ -75,19 +97,28 @@ def moodle_csv(marks, roster=()):
     """
     title, _ = _column(marks)
     rows = [["ID number", "Email address", "Full name", title]]
-    rows += [[student.student, student.email, student.name, _points(marks.get(student.student))] for student in _students(marks, roster)]
+    rows += [
+        [student.student, student.email, student.name, _points(marks.get(student.student))]
+        for student in _students(marks, roster)
+    ]
     return csv_text(rows)
 
 
 def _students(marks, roster):
-    """The roster, since a platform may refuse a whole file for one person it does not know; without one, everybody who was graded."""
+    """The roster, since a platform may refuse a whole file for one person it does not know; without
+    one, everybody who was graded.
+    """
     return roster or [Student(student) for student in marks]
 
 
 def _column(marks):
     """What the column is called, after the lessons in it, and the possible points."""
-    lessons = sorted({mark.exercise.partition(".")[0] for graded in marks.values() for mark in graded.marks})
-    return f"dhlab {' '.join(lessons)}", _number(max((graded.of for graded in marks.values()), default=0))
+    lessons = sorted(
+        {mark.exercise.partition(".")[0] for graded in marks.values() for mark in graded.marks}
+    )
+    return f"dhlab {' '.join(lessons)}", _number(
+        max((graded.of for graded in marks.values()), default=0)
+    )
 
 
 def _points(graded):

@@ -1,6 +1,8 @@
-"""An autograder for Gradescope: a zip with ``setup.sh`` and ``run_autograder`` at its root, and the library beside them.
+"""An autograder for Gradescope: a zip with ``setup.sh`` and ``run_autograder`` at its root, and the
+library beside them.
 
-Gradescope's documents: gradescope-autograders.readthedocs.io, "Autograder Specifications" and "Submission Metadata".
+Gradescope's documents: gradescope-autograders.readthedocs.io, "Autograder Specifications" and
+"Submission Metadata".
 """
 
 import io
@@ -63,28 +65,55 @@ def export_gradescope(out, roster=(), key=None, course=""):
     """
     nameless = [student.student for student in roster if not student.email]
     if key and nameless:
-        raise ValueError(f"export gradescope: expected an e-mail address for everybody, found none for {', '.join(nameless[:5])}; add the column email to the roster")
+        raise ValueError(
+            "export gradescope: expected an e-mail address for everybody, found none for"
+            f" {', '.join(nameless[:5])}; add the column email to the roster"
+        )
     numbers = variants(key, [student.student for student in roster])
-    files = {"setup.sh": SETUP, "run_autograder": RUN, "requirements.txt": "\n".join(_requirements()) + "\n",
-             "variants.json": json.dumps({student.email.casefold(): numbers[student.student] for student in roster}, indent=1) + "\n"}
+    files = {
+        "setup.sh": SETUP,
+        "run_autograder": RUN,
+        "requirements.txt": "\n".join(_requirements()) + "\n",
+        "variants.json": (
+            json.dumps(
+                {student.email.casefold(): numbers[student.student] for student in roster}, indent=1
+            )
+            + "\n"
+        ),
+    }
     if course:
         read_settings(course)
         files["course.yaml"] = read_text(course, "a course's settings")
-    files |= {f"dhlab/{name}": path for name, path in _package().items()} | {f"dhlab/lessons/{path.name}": path for path in sorted(handed_out().glob("*.ipynb"))}
+    files |= {f"dhlab/{name}": path for name, path in _package().items()} | {
+        f"dhlab/lessons/{path.name}": path for path in sorted(handed_out().glob("*.ipynb"))
+    }
     write_bytes(out, _zipped(files))
     return len(files)
 
 
 def _package():
     """The library's files, by their names in it."""
-    found = (path for path in sorted(PACKAGE.rglob("*")) if path.is_file() and path.suffix in (".py", ".yaml", ".html", ".js", ".csv", ".urdf", ".json"))
+    found = (
+        path
+        for path in sorted(PACKAGE.rglob("*"))
+        if path.is_file()
+        and path.suffix in (".py", ".yaml", ".html", ".js", ".csv", ".urdf", ".json")
+    )
     named = {path.relative_to(PACKAGE).as_posix(): path for path in found}
-    return {name: path for name, path in named.items() if not set(Path(name).parts[:-1]) & {"__pycache__", "lessons", "teacher", "node_modules"}}
+    return {
+        name: path
+        for name, path in named.items()
+        if not set(Path(name).parts[:-1]) & {"__pycache__", "lessons", "teacher", "node_modules"}
+    }
 
 
 def _requirements():
     """What the library and its lessons need, in the versions that are installed here."""
-    wanted = [line for line in requires("dhlab-kinematics") or [] if "extra ==" not in line or re.search(r"""extra == ["'](symbolic|urdf)["']""", line)]
+    wanted = [
+        line
+        for line in requires("dhlab-kinematics") or []
+        if "extra ==" not in line or re.search(r"""extra == ["'](symbolic|urdf)["']""", line)
+    ]
     names = {re.match(r"[\w.-]+", line)[0] for line in wanted} | {"ipython", "nbformat"}
     return sorted(f"{name}=={version(name)}" for name in names)
 

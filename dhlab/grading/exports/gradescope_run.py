@@ -1,4 +1,6 @@
-"""Run by ``run_autograder`` on Gradescope: one submission through the cage, and ``results/results.json`` as Gradescope wants it."""
+"""Run by ``run_autograder`` on Gradescope: one submission through the cage, and
+``results/results.json`` as Gradescope wants it.
+"""
 
 import json
 import sys
@@ -34,15 +36,31 @@ def results(root):
         ``results.json``: an output, and a test for each exercise.
     """
     source = root / "source"
-    settings = read_settings(source / "course.yaml") if (source / "course.yaml").exists() else Settings()
-    lessons = tuple(settings.lessons) or tuple(sorted(path.name[:2] for path in handed_out().glob("[0-9][0-9]-*.ipynb")))
+    settings = (
+        read_settings(source / "course.yaml") if (source / "course.yaml").exists() else Settings()
+    )
+    lessons = tuple(settings.lessons) or tuple(
+        sorted(path.name[:2] for path in handed_out().glob("[0-9][0-9]-*.ipynb"))
+    )
     student, variant = _student(root)
     handed_in = submissions(root / "submission").values()
     found = [notebook for one in handed_in for notebook in one.notebooks]
     notes = tuple(note for one in handed_in for note in one.notes)
-    task = Task(student, tuple(Handed(name, read(), when) for name, read, when, _ in found), notes, refused=bool(notes))
-    strange = [handed.name for handed in task.notebooks if (given := numbers_of(handed.raw)) and given != {variant}]
-    return _shown(work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})), strange)
+    task = Task(
+        student,
+        tuple(Handed(name, read(), when) for name, read, when, _ in found),
+        notes,
+        refused=bool(notes),
+    )
+    strange = [
+        handed.name
+        for handed in task.notebooks
+        if (given := numbers_of(handed.raw)) and given != {variant}
+    ]
+    return _shown(
+        work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})),
+        strange,
+    )
 
 
 def _student(root):
@@ -57,21 +75,46 @@ def _student(root):
 def _shown(graded, strange=()):
     said = words("en")
     ran = f"Run in: {graded.cage}." if graded.cage else ""
-    told = f"{', '.join(strange)}: these are not the numbers you were marked by; tell your teacher." if strange else ""
-    return {"output": " ".join(filter(None, (said[f"status {graded.status}"], told, ran))), "stdout_visibility": "hidden", "execution_time": round(graded.seconds),
-            "tests": [_test(mark, said) for mark in graded.marks]}
+    told = (
+        f"{', '.join(strange)}: these are not the numbers you were marked by; tell your teacher."
+        if strange
+        else ""
+    )
+    return {
+        "output": " ".join(filter(None, (said[f"status {graded.status}"], told, ran))),
+        "stdout_visibility": "hidden",
+        "execution_time": round(graded.seconds),
+        "tests": [_test(mark, said) for mark in graded.marks],
+    }
 
 
 def _test(mark, said):
-    lines = [headline(mark), *(f"{said[label]}: {text}" for label, text in (("why", mark.why), ("next", mark.next)) if text)]
-    return {"number": mark.exercise, "name": exercises()[mark.exercise].title, "score": mark.points, "max_score": mark.of,
-            "status": "passed" if mark.status == RIGHT else "failed", "output": "\n".join([said[mark.status], *filter(None, lines)])}
+    lines = [
+        headline(mark),
+        *(
+            f"{said[label]}: {text}"
+            for label, text in (("why", mark.why), ("next", mark.next))
+            if text
+        ),
+    ]
+    return {
+        "number": mark.exercise,
+        "name": exercises()[mark.exercise].title,
+        "score": mark.points,
+        "max_score": mark.of,
+        "status": "passed" if mark.status == RIGHT else "failed",
+        "output": "\n".join([said[mark.status], *filter(None, lines)]),
+    }
 
 
 def main():
     """Write the results of the submission under the folder that is given."""
     root = Path(sys.argv[1])
-    write_text(root / "results" / "results.json", json.dumps(results(root), ensure_ascii=False, indent=1) + "\n", overwrite=True)
+    write_text(
+        root / "results" / "results.json",
+        json.dumps(results(root), ensure_ascii=False, indent=1) + "\n",
+        overwrite=True,
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""A course that nbgrader generates, grades and exports: sources with hidden tests, settings, students, due dates."""
+"""A course that nbgrader generates, grades and exports: sources with hidden tests, settings,
+students, due dates.
+"""
 
 import re
 from pathlib import Path
@@ -50,20 +52,49 @@ def export_nbgrader(out, roster=(), settings=None):
     Raises
     ------
     ValueError
-        The lessons' sources are not there (they are in the repository, not in an installed package), or a file exists.
+        The lessons' sources are not there (they are in the repository, not in an installed
+        package), or a file exists.
     """
     out, settings = Path(out), settings or Settings()
-    chosen = {path.stem: path for path in sources() if not settings.lessons or path.name[:2] in settings.lessons}
+    chosen = {
+        path.stem: path
+        for path in sources()
+        if not settings.lessons or path.name[:2] in settings.lessons
+    }
     if not chosen:
-        raise ValueError("export nbgrader: expected the lessons' sources in solutions/, found none; run it in a clone of the repository")
+        raise ValueError(
+            "export nbgrader: expected the lessons' sources in solutions/, found none; run it in a"
+            " clone of the repository"
+        )
     late = {name: getattr(settings, name) for name in ("percent_per_day", "floor", "grace_hours")}
-    texts = {"nbgrader_config.py": CONFIG.format(stub=STUB, timeout=round(settings.limits.cell_seconds), **late),
-             "students.csv": csv_text([("id", "first_name", "last_name", "email"), *(_person(student) for student in roster)]),
-             "assignments.csv": csv_text([("name", "duedate"), *((name, lesson.due.isoformat()) for name in chosen if (lesson := settings.lessons.get(name[:2])) and lesson.due)])}
-    texts |= {f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n" for name, path in chosen.items()}
+    texts = {
+        "nbgrader_config.py": CONFIG.format(
+            stub=STUB, timeout=round(settings.limits.cell_seconds), **late
+        ),
+        "students.csv": csv_text(
+            [("id", "first_name", "last_name", "email"), *(_person(student) for student in roster)]
+        ),
+        "assignments.csv": csv_text(
+            [
+                ("name", "duedate"),
+                *(
+                    (name, lesson.due.isoformat())
+                    for name in chosen
+                    if (lesson := settings.lessons.get(name[:2])) and lesson.due
+                ),
+            ]
+        ),
+    }
+    texts |= {
+        f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n"
+        for name, path in chosen.items()
+    }
     there = [name for name in texts if (out / name).exists()]
     if there:
-        raise ValueError(f"{out}: expected a new course folder, found one that exists with {there[0]} in it; choose another --out")
+        raise ValueError(
+            f"{out}: expected a new course folder, found one that exists with {there[0]} in it;"
+            " choose another --out"
+        )
     for name, text in texts.items():
         make_folder((out / name).parent)
         write_text(out / name, text)
@@ -71,8 +102,13 @@ def export_nbgrader(out, roster=(), settings=None):
 
 
 def source_notebook(path, settings):
-    """A lesson as nbgrader's instructor version: every answer a solution cell, every check a graded one that hands back points."""
-    notebook, marked = read_source(path), {exercise.id: exercise for exercise in scored((path.name[:2],))}
+    """A lesson as nbgrader's instructor version: every answer a solution cell, every check a graded
+    one that hands back points.
+    """
+    notebook, marked = (
+        read_source(path),
+        {exercise.id: exercise for exercise in scored((path.name[:2],))},
+    )
     for cell in notebook.cells:
         if cell.cell_type != "code":
             continue
@@ -85,20 +121,41 @@ def source_notebook(path, settings):
             exercise = marked[checked[1]]
             points = settings.points(exercise)
             cell.source = _graded(cell.source, points, settings)
-            cell.metadata["nbgrader"] = _role(f"check-{exercise.id.replace('.', '-')}", points=points)
+            cell.metadata["nbgrader"] = _role(
+                f"check-{exercise.id.replace('.', '-')}", points=points
+            )
     return notebook
 
 
 def _role(grade_id, *, solution=False, points=None):
     graded = {} if points is None else {"points": points}
-    return {"grade": points is not None, "grade_id": grade_id, "locked": not solution, "schema_version": 3, "solution": solution, "task": False} | graded
+    return {
+        "grade": points is not None,
+        "grade_id": grade_id,
+        "locked": not solution,
+        "schema_version": 3,
+        "solution": solution,
+        "task": False,
+    } | graded
 
 
 def _graded(source, points, settings):
-    """The learner's line stays as it is; what is hidden before it puts another ``check`` in the place of the course's own."""
-    shares = f"points={points!r}, partial={settings.partial!r}, own_kinematics={settings.own_kinematics!r}"
-    return "\n".join(["### BEGIN HIDDEN TESTS", "from dhlab.grading.exports.nbgrader_cell import graded_check", f"check = graded_check({shares})",
-                      "### END HIDDEN TESTS", source])
+    """The learner's line stays as it is; what is hidden before it puts another ``check`` in the
+    place of the course's own.
+    """
+    shares = (
+        f"points={points!r}, partial={settings.partial!r},"
+        f" own_kinematics={settings.own_kinematics!r}"
+    )
+    return "\n".join(
+        [
+            "### BEGIN HIDDEN TESTS",
+            "from dhlab.grading.exports.nbgrader_cell import graded_check",
+            f"check = graded_check({shares})",
+            "### END HIDDEN TESTS",
+            source,
+        ]
+    )
 
 
 def _person(student):

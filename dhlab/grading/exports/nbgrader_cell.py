@@ -1,4 +1,6 @@
-"""``check`` in a graded cell of an nbgrader course: it says what the course says, and its value is the points."""
+"""``check`` in a graded cell of an nbgrader course: it says what the course says, and its value is
+the points.
+"""
 
 import contextlib
 import functools
@@ -18,8 +20,8 @@ __all__ = ["graded_check"]
 def graded_check(points, partial=0.0, own_kinematics=0.0):
     """A ``check`` worth ``points``, by the rules of ``dhlab grade``.
 
-    nbgrader takes the cell's value for the points, and gives none where anything was written to the error stream: warnings and prints of the
-    answer are kept out of the cell.
+    nbgrader takes the cell's value for the points, and gives none where anything was written to the
+    error stream: warnings and prints of the answer are kept out of the cell.
 
     Parameters
     ----------
@@ -36,9 +38,14 @@ def graded_check(points, partial=0.0, own_kinematics=0.0):
     ✓ 05.2  Right: Turn and shift about one axis commute, and so do two shifts: five of the 24 orders are right.
     3.0
     """
+
     def check(exercise_id, answer):
         exercise, used = exercises()[exercise_id], set()
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()), warnings.catch_warnings():
+        with (
+            contextlib.redirect_stdout(io.StringIO()),
+            contextlib.redirect_stderr(io.StringIO()),
+            warnings.catch_warnings(),
+        ):
             warnings.simplefilter("ignore")
             verdict = exercise.judge(_watched(exercise, answer, used), fresh(0, exercise))
         print(verdict)
@@ -46,9 +53,13 @@ def graded_check(points, partial=0.0, own_kinematics=0.0):
         if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table)):
             share = partial
         if used and verdict.status != NOT_ATTEMPTED:
-            print(f"  But the function calls dhlab's own programs ({', '.join(sorted(used))}); here the task is to write that yourself.")
+            print(
+                f"  But the function calls dhlab's own programs ({', '.join(sorted(used))}); here"
+                " the task is to write that yourself."
+            )
             share *= own_kinematics
         return float(round(points * share, 4))
+
     return check
 
 
@@ -64,4 +75,5 @@ def _watched(exercise, answer, used):
                 return answer(*arguments)
             finally:
                 used.update(found)
+
     return call

@@ -13,7 +13,9 @@ DUE = datetime(2000, 1, 1, tzinfo=timezone.utc)  # any: only the time since then
 
 
 class Lateness(LateSubmissionPlugin):
-    """Takes a share of the points off for every day after the due date; set in ``nbgrader_config.py``."""
+    """Takes a share of the points off for every day after the due date; set in
+    ``nbgrader_config.py``.
+    """
 
     percent_per_day = Float(0).tag(config=True)
     floor = Float(0).tag(config=True)
@@ -21,6 +23,11 @@ class Lateness(LateSubmissionPlugin):
 
     def late_submission_penalty(self, student_id, score, total_seconds_late):
         """The points to take off."""
-        course = Settings({"": Lesson(DUE)}, percent_per_day=self.percent_per_day, floor=self.floor, grace_hours=self.grace_hours)
+        course = Settings(
+            {"": Lesson(DUE)},
+            percent_per_day=self.percent_per_day,
+            floor=self.floor,
+            grace_hours=self.grace_hours,
+        )
         _, share = course.lateness("", DUE + timedelta(seconds=total_seconds_late))
         return round(score * share, 6)

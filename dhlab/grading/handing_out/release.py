@@ -1,4 +1,6 @@
-"""Handing out: a folder of lessons for each student, each with the student's own numbers; or one folder for all."""
+"""Handing out: a folder of lessons for each student, each with the student's own numbers; or one
+folder for all.
+"""
 
 import json
 from hashlib import sha256
@@ -18,7 +20,8 @@ PAGES = ("glossary.md", "LICENSE.md")
 
 
 def release(out, roster=(), key=None, lessons=(), new_key_at=None):
-    """Write the lessons into ``out``: into a folder per student, or into ``out`` itself when there is no roster.
+    """Write the lessons into ``out``: into a folder per student, or into ``out`` itself when there
+    is no roster.
 
     Nothing that exists is overwritten: a second run adds the students who have joined since.
 
@@ -32,7 +35,8 @@ def release(out, roster=(), key=None, lessons=(), new_key_at=None):
     lessons : sequence of str
         Such as ``["05", "06"]``; all when empty.
     new_key_at : str or path or None
-        Where the key is to be written, when it is new: once nothing stands against handing out, and before anything is handed out.
+        Where the key is to be written, when it is new: once nothing stands against handing out, and
+        before anything is handed out.
 
     Returns
     -------
@@ -42,13 +46,21 @@ def release(out, roster=(), key=None, lessons=(), new_key_at=None):
     Raises
     ------
     ValueError
-        There is no such lesson, a folder cannot be made, or what is there was handed out with another key.
+        There is no such lesson, a folder cannot be made, or what is there was handed out with
+        another key.
     """
     out = Path(out)
     files = _files(lessons)
     numbers = variants(key, [student.student for student in roster]) or {"": 0}
-    wanted = [(out / student / name, text if number == 0 or not name.endswith(".ipynb") else with_variant(text, number), number)
-              for student, number in numbers.items() for name, text in files.items()]
+    wanted = [
+        (
+            out / student / name,
+            text if number == 0 or not name.endswith(".ipynb") else with_variant(text, number),
+            number,
+        )
+        for student, number in numbers.items()
+        for name, text in files.items()
+    ]
     missing = [(path, text) for path, text, number in wanted if not _there(path, number)]
     if new_key_at:
         write_key(new_key_at, key)
@@ -60,7 +72,8 @@ def release(out, roster=(), key=None, lessons=(), new_key_at=None):
 
 
 def key_of(path, out):
-    """The teacher's key: read where there is one, drawn where there is none (and written by :func:`release`); refused inside what is handed out.
+    """The teacher's key: read where there is one, drawn where there is none (and written by
+    :func:`release`); refused inside what is handed out.
 
     Returns
     -------
@@ -70,7 +83,10 @@ def key_of(path, out):
     """
     path, out = Path(path), Path(out)
     if path.resolve().is_relative_to(out.resolve()):
-        raise ValueError(f"{path}: expected the key outside the folder that is handed out, found it inside {out}; give another place with --key")
+        raise ValueError(
+            f"{path}: expected the key outside the folder that is handed out, found it inside"
+            f" {out}; give another place with --key"
+        )
     if path.exists():
         return read_key(path), False
     return new_key(), True
@@ -91,8 +107,11 @@ def with_variant(text, number):
     """
     notebook = nbformat.reads(text, as_version=4)
     first = next(i for i, cell in enumerate(notebook.cells) if cell.cell_type == "code")
-    cell = nbformat.v4.new_code_cell(f"from dhlab.course import set_variant\nset_variant({number})  # your own numbers: leave this cell as it is",
-                                     metadata={"deletable": False, "editable": False, "tags": ["variant"]})
+    cell = nbformat.v4.new_code_cell(
+        f"from dhlab.course import set_variant\nset_variant({number})  # your own numbers: leave"
+        " this cell as it is",
+        metadata={"deletable": False, "editable": False, "tags": ["variant"]},
+    )
     cell["id"] = f"{notebook.metadata.dhlab.lesson}-variant"
     notebook.cells.insert(first, cell)
     notebook.metadata.dhlab["variant"] = number
@@ -102,27 +121,48 @@ def with_variant(text, number):
 def _files(lessons):
     """Name and text of what is handed out."""
     folder = handed_out()
-    found = {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.glob("[0-9][0-9]-*.ipynb"))}
+    found = {
+        path.name: path.read_text(encoding="utf-8")
+        for path in sorted(folder.glob("[0-9][0-9]-*.ipynb"))
+    }
     unknown = sorted(set(lessons) - {name[:2] for name in found})
     if unknown:
-        raise ValueError(f"release: expected lessons from {', '.join(name[:2] for name in found)}, found {', '.join(unknown)}; write two digits, such as 05")
+        raise ValueError(
+            f"release: expected lessons from {', '.join(name[:2] for name in found)}, found"
+            f" {', '.join(unknown)}; write two digits, such as 05"
+        )
     chosen = {name: text for name, text in found.items() if not lessons or name[:2] in lessons}
-    chosen |= {name: (folder / name).read_text(encoding="utf-8") for name in PAGES if (folder / name).exists()}
-    given = {name: sha256(text.encode()).hexdigest() for name, text in chosen.items()}  # so that dhlab lab lays no second copy beside these
+    chosen |= {
+        name: (folder / name).read_text(encoding="utf-8")
+        for name in PAGES
+        if (folder / name).exists()
+    }
+    given = {
+        name: sha256(text.encode()).hexdigest() for name, text in chosen.items()
+    }  # so that dhlab lab lays no second copy beside these
     return chosen | {f"{MARKER}/lessons.json": json.dumps(given, indent=1) + "\n"}
 
 
 def _there(path, number):
-    """Whether a file is there already; one with other numbers is an error, and nothing has been written yet."""
+    """Whether a file is there already; one with other numbers is an error, and nothing has been
+    written yet.
+    """
     if not path.exists():
         return False
     if path.suffix == ".ipynb":
         try:
-            found = nbformat.reads(read_text(path, "a lesson"), as_version=4).metadata.get("dhlab", {}).get("variant", 0)
+            found = (
+                nbformat.reads(read_text(path, "a lesson"), as_version=4)
+                .metadata.get("dhlab", {})
+                .get("variant", 0)
+            )
         except (ValueError, AttributeError, KeyError):
             found = None
         if found != number:
-            raise ValueError(f"{path}: expected a new file or the lesson of this roster and key, found another; nothing was written: choose another --out, or give its --key")
+            raise ValueError(
+                f"{path}: expected a new file or the lesson of this roster and key, found another;"
+                " nothing was written: choose another --out, or give its --key"
+            )
     return True
 
 
@@ -131,4 +171,7 @@ def make_folder(folder):
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ValueError(f"{folder}: expected to make a folder here, found that it cannot be done ({error.strerror}); choose another --out") from None
+        raise ValueError(
+            f"{folder}: expected to make a folder here, found that it cannot be done"
+            f" ({error.strerror}); choose another --out"
+        ) from None

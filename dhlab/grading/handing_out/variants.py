@@ -1,4 +1,6 @@
-"""Each student's own numbers: a variant is drawn from the teacher's key and the student's id; the key stays with the teacher."""
+"""Each student's own numbers: a variant is drawn from the teacher's key and the student's id; the
+key stays with the teacher.
+"""
 
 import hmac
 import secrets
@@ -16,7 +18,8 @@ HIGHEST = 2**31 - 1  # 0 is left for "the same for all"
 def variant(key, student):
     """The number that draws a student's exercises.
 
-    HMAC-SHA256 (RFC 2104) of the id under the key: from a student's own number nobody can tell another's.
+    HMAC-SHA256 (RFC 2104) of the id under the key: from a student's own number nobody can tell
+    another's.
 
     Parameters
     ----------
@@ -63,7 +66,9 @@ def new_key():
 
 
 def write_key(path, key):
-    """Write a key into a new file that only its owner may read; an existing file is never touched."""
+    """Write a key into a new file that only its owner may read; an existing file is never
+    touched.
+    """
     write_text(path, key.hex() + "\n", private=True)
 
 
@@ -94,6 +99,9 @@ def read_key(path):
     except ValueError:
         key = b""
     if len(key) != KEY_BYTES:
-        raise ValueError(f"{Path(path)}: expected the teacher's key, {2 * KEY_BYTES} hexadecimal digits, found {len(text)} other characters; "
-                         "give the file that dhlab release wrote, since another key gives other numbers")
+        raise ValueError(
+            f"{Path(path)}: expected the teacher's key, {2 * KEY_BYTES} hexadecimal digits, found"
+            f" {len(text)} other characters; give the file that dhlab release wrote, since another"
+            " key gives other numbers"
+        )
     return key

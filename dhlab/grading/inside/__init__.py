@@ -1,1 +1,3 @@
-"""What runs inside the cage. Nothing here, and nothing these modules import, knows a right answer."""
+"""What runs inside the cage. Nothing here, and nothing these modules import, knows a right
+answer.
+"""

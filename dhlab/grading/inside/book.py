@@ -1,4 +1,6 @@
-"""Notes answers: numbers as they are, functions by what they give for the numbers that the grader drew. It judges nothing."""
+"""Notes answers: numbers as they are, functions by what they give for the numbers that the grader
+drew. It judges nothing.
+"""
 
 from contextlib import contextmanager
 
@@ -25,12 +27,21 @@ class Book:
 
     def note(self, key, answer):
         """Send one answer out."""
-        if not isinstance(key, str) or self.noted.get(key, 0) >= MOST or self.only and key not in self.only:
+        if (
+            not isinstance(key, str)
+            or self.noted.get(key, 0) >= MOST
+            or self.only
+            and key not in self.only
+        ):
             return
         self.noted[key] = self.noted.get(key, 0) + 1
         self._where.add((key, self.cell))
         with self._on_time(key):
-            line = self._called(key, answer) if key in self.functions and callable(answer) else {"value": encode(answer)}
+            line = (
+                self._called(key, answer)
+                if key in self.functions and callable(answer)
+                else {"value": encode(answer)}
+            )
             self.send({"check": key, "cell": self.cell, **line})
 
     @contextmanager
@@ -52,5 +63,15 @@ class Book:
             return {"value": {"...": 1}}
         if called.fault:
             fault = called.fault
-            return {"fault": [str(text)[:300] for text in (fault.headline, fault.place, fault.next, fault.mistake or "")], "used": sorted(used)}
-        return {"calls": [encode(answer) for answer in called.answers], "again": encode(called.again), "used": sorted(used)}
+            return {
+                "fault": [
+                    str(text)[:300]
+                    for text in (fault.headline, fault.place, fault.next, fault.mistake or "")
+                ],
+                "used": sorted(used),
+            }
+        return {
+            "calls": [encode(answer) for answer in called.answers],
+            "again": encode(called.again),
+            "used": sorted(used),
+        }

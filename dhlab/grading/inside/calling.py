@@ -1,4 +1,6 @@
-"""The doctor's way of calling a learner's function. In the cage the file itself stands here, so that the rest of the doctor need not be loaded."""
+"""The doctor's way of calling a learner's function. In the cage the file itself stands here, so
+that the rest of the doctor need not be loaded.
+"""
 
 from ...doctor.programs.calling import is_stub, record
 

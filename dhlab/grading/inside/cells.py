@@ -1,4 +1,6 @@
-"""Runs one cell the way Jupyter would, without Jupyter: magics, top-level await, and libraries that this machine does not have."""
+"""Runs one cell the way Jupyter would, without Jupyter: magics, top-level await, and libraries that
+this machine does not have.
+"""
 
 import ast
 import asyncio
@@ -13,7 +15,9 @@ LINE_RUNS = ("time", "prun")
 
 
 class TimeLimit(BaseException):
-    """A cell took too long; not an Exception, so that a learner's ``except Exception`` lets it through."""
+    """A cell took too long; not an Exception, so that a learner's ``except Exception`` lets it
+    through.
+    """
 
 
 class Absent:
@@ -38,7 +42,9 @@ class Absent:
 
 
 class Shell:
-    """What ``get_ipython()`` gives: magics do nothing, but for those that time or capture Python, which is run."""
+    """What ``get_ipython()`` gives: magics do nothing, but for those that time or capture Python,
+    which is run.
+    """
 
     def __init__(self, name, space):
         self.name, self.space = name, space
@@ -73,10 +79,18 @@ def run_cell(source, name, space):
 
 def _plain(source):
     """Magics turned into calls, as IPython does it."""
-    if not any(line.lstrip().startswith(("%", "!", "?")) or line.rstrip().endswith("?") or "= %" in line or "=%" in line or "= !" in line or "=!" in line
-               for line in source.splitlines()):
+    if not any(
+        line.lstrip().startswith(("%", "!", "?"))
+        or line.rstrip().endswith("?")
+        or "= %" in line
+        or "=%" in line
+        or "= !" in line
+        or "=!" in line
+        for line in source.splitlines()
+    ):
         return source
     from IPython.core.inputtransformer2 import TransformerManager
+
     return TransformerManager().transform_cell(source)
 
 
@@ -102,6 +116,24 @@ def _import_what_is_there(statement, space):
                 module = builtins.__import__(alias.name, space)
                 space[own] = module if not alias.asname else __import__("sys").modules[alias.name]
             else:
-                exec(compile(ast.Module([ast.ImportFrom(statement.module, [alias], statement.level, lineno=1, col_offset=0)], []), "<import>", "exec"), space)
+                exec(
+                    compile(
+                        ast.Module(
+                            [
+                                ast.ImportFrom(
+                                    statement.module,
+                                    [alias],
+                                    statement.level,
+                                    lineno=1,
+                                    col_offset=0,
+                                )
+                            ],
+                            [],
+                        ),
+                        "<import>",
+                        "exec",
+                    ),
+                    space,
+                )
         except ImportError:
             space[own] = Absent()

@@ -1,6 +1,8 @@
-"""What a submission may not do: limits of the process, Landlock, seccomp. Linux's own calls; where one is missing the caller is told.
+"""What a submission may not do: limits of the process, Landlock, seccomp. Linux's own calls; where
+one is missing the caller is told.
 
-Landlock: kernel documentation, userspace-api/landlock. seccomp through libseccomp, which knows the numbers of every machine.
+Landlock: kernel documentation, userspace-api/landlock. seccomp through libseccomp, which knows the
+numbers of every machine.
 """
 
 import contextlib
@@ -11,7 +13,16 @@ import signal
 import sys
 from ctypes import c_int, c_long, c_uint32, c_uint64
 
-__all__ = ["libseccomp", "landlock_version", "restrict_files", "restrict_calls", "restrict_resources", "no_new_privileges", "drop_to", "drop_capabilities"]
+__all__ = [
+    "libseccomp",
+    "landlock_version",
+    "restrict_files",
+    "restrict_calls",
+    "restrict_resources",
+    "no_new_privileges",
+    "drop_to",
+    "drop_capabilities",
+]
 
 LINUX = sys.platform == "linux"
 libc = ctypes.CDLL(None, use_errno=True) if LINUX else None
@@ -19,7 +30,9 @@ libc = ctypes.CDLL(None, use_errno=True) if LINUX else None
 CREATE, ADD_RULE, RESTRICT = 444, 445, 446  # Landlock's calls, the same numbers on every machine
 READ = 1 << 2 | 1 << 3  # read a file, list a folder
 EXECUTE = 1 << 0
-WRITE = 1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14  # write, remove folder and file, make folder and file, truncate
+WRITE = (
+    1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
+)  # write, remove folder and file, make folder and file, truncate
 RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}  # how many rights each version knows; 16 from the fifth on
 
 DENIED = """socket fork vfork execve execveat kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open pidfd_send_signal pidfd_getfd
@@ -50,7 +63,8 @@ def libseccomp():
 
 
 def restrict_calls(library):
-    """From here on: no new process, no program, no socket, no signal to others, no trick of the kernel. Threads stay possible.
+    """From here on: no new process, no program, no socket, no signal to others, no trick of the
+    kernel. Threads stay possible.
 
     Raises OSError where it cannot be done.
     """
@@ -60,7 +74,9 @@ def restrict_calls(library):
         raise OSError("seccomp_init failed")
     for name in DENIED:
         _rule(library, filter_, EPERM, name)
-    _rule(library, filter_, ENOSYS, "clone3")  # the C library then takes clone, whose flags can be looked at
+    _rule(
+        library, filter_, ENOSYS, "clone3"
+    )  # the C library then takes clone, whose flags can be looked at
     _rule(library, filter_, EPERM, "clone", Compare(0, MASKED, CLONE_THREAD, 0))
     _rule(library, filter_, EPERM, "tgkill", Compare(0, NOT_EQUAL, os.getpid(), 0))
     _rule(library, filter_, EPERM, "prlimit64", Compare(0, NOT_EQUAL, 0, 0))
@@ -74,7 +90,13 @@ def _rule(library, filter_, action, name, *comparisons):
     number = library.seccomp_syscall_resolve_name(name.encode())
     if number < 0:
         return  # a call that this machine does not have needs no rule
-    if library.seccomp_rule_add_array(filter_, c_uint32(action), c_int(number), ctypes.c_uint(len(comparisons)), (Compare * max(1, len(comparisons)))(*comparisons)):
+    if library.seccomp_rule_add_array(
+        filter_,
+        c_uint32(action),
+        c_int(number),
+        ctypes.c_uint(len(comparisons)),
+        (Compare * max(1, len(comparisons)))(*comparisons),
+    ):
         raise OSError(f"seccomp takes no rule for {name}")
 
 
@@ -84,10 +106,14 @@ def landlock_version():
 
 
 def restrict_files(readable, writable):
-    """From here on only these files and folders can be read, and only those written to. Raises OSError where it cannot be done."""
+    """From here on only these files and folders can be read, and only those written to. Raises
+    OSError where it cannot be done.
+    """
     version = landlock_version()
     handled = (1 << RIGHTS.get(version, 16)) - 1
-    attributes = (c_uint64 * 3)(handled, 3 if version >= 4 else 0, 3 if version >= 6 else 0)  # files; TCP; abstract sockets and signals
+    attributes = (c_uint64 * 3)(
+        handled, 3 if version >= 4 else 0, 3 if version >= 6 else 0
+    )  # files; TCP; abstract sockets and signals
     size = 8 if version < 4 else 16 if version < 6 else 24
     rules = libc.syscall(c_long(CREATE), attributes, c_long(size), c_long(0))
     if rules < 0:
@@ -121,7 +147,9 @@ def _allow(rules, path, rights):
 
 
 def no_new_privileges():
-    """No program started from here can gain rights; nor can another process of the same user look into this one; it dies with its parent."""
+    """No program started from here can gain rights; nor can another process of the same user look
+    into this one; it dies with its parent.
+    """
     if LINUX:
         libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
         libc.prctl(4, 0, 0, 0, 0)  # PR_SET_DUMPABLE
@@ -144,10 +172,18 @@ def drop_capabilities():
 
 
 def restrict_resources(limits):
-    """Memory above what is in use now, processor time, size of a file, open files, and, where the user is the cage's own, threads."""
+    """Memory above what is in use now, processor time, size of a file, open files, and, where the
+    user is the cage's own, threads.
+    """
     megabyte = 1 << 20
-    wanted = {"RLIMIT_AS": _memory_in_use() + limits["memory_mb"] * megabyte, "RLIMIT_CPU": int(limits["seconds"]) + 5,
-              "RLIMIT_FSIZE": limits["files_mb"] * megabyte, "RLIMIT_NOFILE": 128, "RLIMIT_CORE": 0, "RLIMIT_MSGQUEUE": 0}
+    wanted = {
+        "RLIMIT_AS": _memory_in_use() + limits["memory_mb"] * megabyte,
+        "RLIMIT_CPU": int(limits["seconds"]) + 5,
+        "RLIMIT_FSIZE": limits["files_mb"] * megabyte,
+        "RLIMIT_NOFILE": 128,
+        "RLIMIT_CORE": 0,
+        "RLIMIT_MSGQUEUE": 0,
+    }
     if limits.get("own_user"):
         wanted["RLIMIT_NPROC"] = limits["threads"]
     for name, value in wanted.items():

@@ -13,7 +13,9 @@ GRADE_ID = re.compile(r"(?:stub|check)-(.+)")
 
 @dataclass
 class Cell:
-    """A cell of code: its source, the exercises it has to do with, and those that are answered once it has run."""
+    """A cell of code: its source, the exercises it has to do with, and those that are answered once
+    it has run.
+    """
 
     source: str
     ids: list
@@ -22,7 +24,9 @@ class Cell:
 
 @dataclass
 class Cells:
-    """A notebook's code; which lesson it is; the handed-out checks' expressions, and the exercises for which no place was found."""
+    """A notebook's code; which lesson it is; the handed-out checks' expressions, and the exercises
+    for which no place was found.
+    """
 
     code: list
     lesson: str | None
@@ -30,7 +34,9 @@ class Cells:
     unplaced: list
 
     def last_for(self, only):
-        """The number of the last cell that has to do with these exercises; None when it is not known."""
+        """The number of the last cell that has to do with these exercises; None when it is not
+        known.
+        """
         if not only:
             return None
         found = [number for number, cell in enumerate(self.code) if set(cell.ids) & set(only)]
@@ -58,7 +64,9 @@ def read(raw, checks):
     lesson = _lesson(notebook, code, names, checks)
     wanted = checks.get(lesson, {})
     unplaced = [key for key, (_, stub) in wanted.items() if not _place(key, stub, code, names)]
-    return Cells(code, lesson, {key: expression for key, (expression, _) in wanted.items()}, unplaced)
+    return Cells(
+        code, lesson, {key: expression for key, (expression, _) in wanted.items()}, unplaced
+    )
 
 
 def _json(raw):
@@ -84,12 +92,21 @@ def _listed(notebook):
     sheets = notebook.get("worksheets")
     if not isinstance(sheets, list):
         raise ValueError("this is no notebook: it has no cells")
-    return [cell for sheet in sheets if isinstance(sheet, dict) and isinstance(sheet.get("cells"), list) for cell in sheet["cells"]]
+    return [
+        cell
+        for sheet in sheets
+        if isinstance(sheet, dict) and isinstance(sheet.get("cells"), list)
+        for cell in sheet["cells"]
+    ]
 
 
 def _source(cell):
     source = cell.get("source", cell.get("input", ""))
-    return "".join(part for part in source if isinstance(part, str)) if isinstance(source, list) else _text(source)
+    return (
+        "".join(part for part in source if isinstance(part, str))
+        if isinstance(source, list)
+        else _text(source)
+    )
 
 
 def _text(value):
@@ -101,12 +118,18 @@ def _ids(cell):
     metadata = cell.get("metadata") if isinstance(cell.get("metadata"), dict) else {}
     nbgrader = metadata.get("nbgrader") if isinstance(metadata.get("nbgrader"), dict) else {}
     graded = GRADE_ID.fullmatch(_text(nbgrader.get("grade_id")))
-    named = [_text(metadata.get("exercise")), graded[1] if graded else "", *CHECK.findall(_source(cell))]
+    named = [
+        _text(metadata.get("exercise")),
+        graded[1] if graded else "",
+        *CHECK.findall(_source(cell)),
+    ]
     return list(dict.fromkeys(name[:20] for name in named if name))
 
 
 def _lesson(notebook, code, names, checks):
-    """Which lesson this is: the one most of whose exercises it has; then what its metadata says; then whose cells it has."""
+    """Which lesson this is: the one most of whose exercises it has; then what its metadata says;
+    then whose cells it has.
+    """
     of = {key: lesson for lesson, exercises in checks.items() for key in exercises}
     seen = Counter(of[key] for cell in code for key in cell.ids if key in of)
     if seen:
@@ -115,18 +138,27 @@ def _lesson(notebook, code, names, checks):
     said = metadata.get("dhlab") if isinstance(metadata.get("dhlab"), dict) else {}
     if said.get("lesson") in checks:
         return said["lesson"]
-    stubs = Counter(lesson for lesson, exercises in checks.items() for _, stub in exercises.values() if stub in names)
+    stubs = Counter(
+        lesson
+        for lesson, exercises in checks.items()
+        for _, stub in exercises.values()
+        if stub in names
+    )
     return stubs.most_common(1)[0][0] if stubs else None
 
 
 def _place(key, stub, code, names):
-    """Note, for an exercise, after which cell its answer is there: its check, or its stub where there is no check."""
+    """Note, for an exercise, after which cell its answer is there: its check, or its stub where
+    there is no check.
+    """
     checked = [cell for cell in code if key in CHECK.findall(cell.source)]
     for cell in checked:
         cell.answers.append(key)
     if checked:
         return True
-    own = [number for number, cell in enumerate(code) if key in cell.ids] or [number for number, name in enumerate(names) if name == stub]
+    own = [number for number, cell in enumerate(code) if key in cell.ids] or [
+        number for number, name in enumerate(names) if name == stub
+    ]
     if own:
         code[own[-1]].answers.append(key)
     return bool(own)

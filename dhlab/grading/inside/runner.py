@@ -1,7 +1,9 @@
-"""Runs one notebook inside the cage, cell by cell, and writes what it noted as lines of JSON. Nothing that is wanted here is a secret.
+"""Runs one notebook inside the cage, cell by cell, and writes what it noted as lines of JSON.
+Nothing that is wanted here is a secret.
 
-Every line is an object: ``{"cell": 3, "ids": [...]}`` when a cell begins, ``{"cell": 3, "ended": "error", ...}`` when it ends badly,
-``{"check": "05.1", ...}`` for an answer, ``{"done": ...}`` at the end, ``{"unreadable": ...}`` when there is nothing to run.
+Every line is an object: ``{"cell": 3, "ids": [...]}`` when a cell begins, ``{"cell": 3, "ended":
+"error", ...}`` when it ends badly, ``{"check": "05.1", ...}`` for an answer, ``{"done": ...}`` at
+the end, ``{"unreadable": ...}`` when there is nothing to run.
 """
 
 import builtins
@@ -33,7 +35,13 @@ def run(request_file, answer_file):
     try:
         cells = notebooks.read(raw, request["checks"])
     except Exception as error:  # whatever was sent in: this process has nothing else to do
-        send({"unreadable": str(error)[:200] if isinstance(error, ValueError) else type(error).__name__})
+        send(
+            {
+                "unreadable": (
+                    str(error)[:200] if isinstance(error, ValueError) else type(error).__name__
+                )
+            }
+        )
         return
     _Run(request, cells, send).go()
     send({"done": cells.lesson})
@@ -43,27 +51,46 @@ def _sender(file):
     def send(line):
         data = json.dumps(line).encode()
         if len(data) > LONGEST:
-            data = json.dumps({key: value for key, value in line.items() if key in ("check", "cell")} | {"value": {"other": "an answer too large to send"}}).encode()
+            data = json.dumps(
+                {key: value for key, value in line.items() if key in ("check", "cell")}
+                | {"value": {"other": "an answer too large to send"}}
+            ).encode()
         data += b"\n"
         while data:
-            data = data[os.write(file, data):]
+            data = data[os.write(file, data) :]
+
     return send
 
 
 class _Run:
     def __init__(self, request, cells, send):
         self.request, self.cells, self.send = request, cells, send
-        self.book = Book({key: decode(value) for key, value in request["given"].items()}, _functions(request["functions"]), send, request["only"])
+        self.book = Book(
+            {key: decode(value) for key, value in request["given"].items()},
+            _functions(request["functions"]),
+            send,
+            request["only"],
+        )
         self.space = self._space()
 
     def _space(self):
-        """The notebook's names: those that every lesson's first cell imports are there even when that cell is not."""
+        """The notebook's names: those that every lesson's first cell imports are there even when
+        that cell is not.
+        """
         import dhlab
         from dhlab import course, transform, view
+
         course.book = self.book
         module = types.ModuleType("__main__")
         sys.modules["__main__"] = module
-        module.__dict__.update({name: getattr(course, name) for name in course.__all__}, np=np, dh=dhlab, transform=transform, view=view, __builtins__=builtins)
+        module.__dict__.update(
+            {name: getattr(course, name) for name in course.__all__},
+            np=np,
+            dh=dhlab,
+            transform=transform,
+            view=view,
+            __builtins__=builtins,
+        )
         return module.__dict__
 
     def go(self):
@@ -91,7 +118,9 @@ class _Run:
                 self._fallback(key)
 
     def _fallback(self, key):
-        """The answer of an exercise whose check is missing or broken: what the handed-out check would have been given."""
+        """The answer of an exercise whose check is missing or broken: what the handed-out check
+        would have been given.
+        """
         self._limited(lambda: self.book.note(key, eval(self.cells.expressions[key], self.space)))
 
     def _limited(self, act):
@@ -101,7 +130,9 @@ class _Run:
             act()
         except TimeLimit:
             return "timed out", ""
-        except BaseException as error:  # SystemExit and KeyboardInterrupt end a cell, not the notebook
+        except (
+            BaseException
+        ) as error:  # SystemExit and KeyboardInterrupt end a cell, not the notebook
             return "error", _message(error)
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
@@ -120,4 +151,11 @@ def _too_long(signal_number, frame):
 
 
 def _functions(sent):
-    return {key: (tuple(f["names"]), [tuple(decode(value) for value in case) for case in f["cases"]], f["own"]) for key, f in sent.items()}
+    return {
+        key: (
+            tuple(f["names"]),
+            [tuple(decode(value) for value in case) for case in f["cases"]],
+            f["own"],
+        )
+        for key, f in sent.items()
+    }

@@ -1,4 +1,6 @@
-"""Notices calls to the library's own kinematics, by any name and from any thread, while a learner's function is being called."""
+"""Notices calls to the library's own kinematics, by any name and from any thread, while a learner's
+function is being called.
+"""
 
 import os
 import sys
@@ -10,8 +12,17 @@ import dhlab
 __all__ = ["library"]
 
 ROOT = os.path.dirname(dhlab.__file__) + os.sep
-CLOSED = "kinematics.py", "symbolic", "geometry", "placing", "doctor"  # rooms and modules that know the right programs
-BLINDING = (sys.setprofile, threading.setprofile.__code__)  # a function that calls these wants to be unseen
+CLOSED = (
+    "kinematics.py",
+    "symbolic",
+    "geometry",
+    "placing",
+    "doctor",
+)  # rooms and modules that know the right programs
+BLINDING = (
+    sys.setprofile,
+    threading.setprofile.__code__,
+)  # a function that calls these wants to be unseen
 
 
 @contextmanager
@@ -21,17 +32,21 @@ def library(own):
     Parameters
     ----------
     own : sequence of str or None
-        Names that the exercise asks to write and that therefore count wherever they stand; None: the exercise leaves the library free.
+        Names that the exercise asks to write and that therefore count wherever they stand; None:
+        the exercise leaves the library free.
     """
     used = set()
 
     def see(frame, event, argument):
         if event == "call":
             file, name = frame.f_code.co_filename, frame.f_code.co_name
-            if file.startswith(ROOT) and (_closed(file[len(ROOT):]) or name in own):
+            if file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in own):
                 used.add(name)
         called = frame.f_code if event == "call" else argument if event == "c_call" else None
-        if any(called is one for one in BLINDING) and frame.f_code is not library.__wrapped__.__code__:
+        if (
+            any(called is one for one in BLINDING)
+            and frame.f_code is not library.__wrapped__.__code__
+        ):
             used.add("setprofile")
 
     if own is None:

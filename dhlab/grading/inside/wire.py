@@ -1,6 +1,8 @@
-"""What goes between the grader and the cage: JSON, one value a line. Numbers, text, lists, arrays, tables and arms; never a pickle.
+"""What goes between the grader and the cage: JSON, one value a line. Numbers, text, lists, arrays,
+tables and arms; never a pickle.
 
-``encode`` runs inside the cage, on whatever a stranger made; ``decode`` runs outside and trusts nothing.
+``encode`` runs inside the cage, on whatever a stranger made; ``decode`` runs outside and trusts
+nothing.
 """
 
 import re
@@ -14,12 +16,21 @@ DEEPEST = 6  # lists in lists
 LONGEST = 100_000  # numbers of an array
 TEXT = 400  # characters
 DTYPES = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"}
-DECODED = (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError)  # what decode raises for what is not of this form
+DECODED = (
+    ValueError,
+    TypeError,
+    KeyError,
+    AttributeError,
+    OverflowError,
+    RecursionError,
+)  # what decode raises for what is not of this form
 WHOLE = 2**63  # a larger number is sent as a float
 
 
 class Opaque:
-    """An answer that is no number, text, list or table; only the name of its type came out of the cage."""
+    """An answer that is no number, text, list or table; only the name of its type came out of the
+    cage.
+    """
 
 
 def encode(value, depth=0):
@@ -49,7 +60,12 @@ def _encoded(value, depth):
     if depth < DEEPEST and kind in (list, tuple) and len(value) <= LONGEST:
         return [_encoded(entry, depth + 1) for entry in value]
     if depth < DEEPEST and kind is dict and len(value) <= LONGEST:
-        return {"dict": [[_encoded(key, depth + 1), _encoded(entry, depth + 1)] for key, entry in value.items()]}
+        return {
+            "dict": [
+                [_encoded(key, depth + 1), _encoded(entry, depth + 1)]
+                for key, entry in value.items()
+            ]
+        }
     return _table(value) or _array(value)
 
 
@@ -57,15 +73,20 @@ def _table(value):
     from dhlab.arm import Arm
     from dhlab.geometry.frames import PlacedArm
     from dhlab.table import DHTable
+
     if type(value) is DHTable:
         return {"table": [value.convention, _array(value.rows), str(value.joints)]}
     if type(value) in (Arm, PlacedArm):
-        return {"arm": [_table(value.table), _array(value.base), _array(value.tool), _array(value.sign)]}
+        return {
+            "arm": [_table(value.table), _array(value.base), _array(value.tool), _array(value.sign)]
+        }
     return None
 
 
 def _array(value):
-    """An array, a numpy number, or anything that numpy takes for numbers; otherwise only the type's name."""
+    """An array, a numpy number, or anything that numpy takes for numbers; otherwise only the type's
+    name.
+    """
     if isinstance(value, (str, bytes)):
         return {"other": _type_name(value)}
     numbers = array(value) if isinstance(value, (ndarray, generic)) else asarray(value)
@@ -107,7 +128,7 @@ def decode(sent):
         return [decode(entry) for entry in sent]
     if not isinstance(sent, dict) or len(sent) != 1:
         raise ValueError("expected a value of the wire, found something else")
-    (kind, content), = sent.items()
+    ((kind, content),) = sent.items()
     if kind not in _DECODERS:
         raise ValueError("expected a kind of the wire, found another")
     return _DECODERS[kind](content)
@@ -115,9 +136,17 @@ def decode(sent):
 
 def _decode_array(content):
     dtype, shape, data = content
-    if dtype not in DTYPES or not isinstance(shape, list) or not isinstance(data, list) or len(shape) > DEEPEST or len(data) > LONGEST:
+    if (
+        dtype not in DTYPES
+        or not isinstance(shape, list)
+        or not isinstance(data, list)
+        or len(shape) > DEEPEST
+        or len(data) > LONGEST
+    ):
         raise ValueError("expected an array of the wire, found something else")
-    if not all(type(n) is int and n >= 0 for n in shape) or not all(type(entry) in (int, float, bool) for entry in data):
+    if not all(type(n) is int and n >= 0 for n in shape) or not all(
+        type(entry) in (int, float, bool) for entry in data
+    ):
         raise ValueError("expected an array of numbers, found something else")
     with np.errstate(all="ignore"):
         try:
@@ -127,11 +156,15 @@ def _decode_array(content):
 
 
 def _decode_dict(content):
-    return {key if isinstance(key := decode(k), (str, int, float, bool)) else str(key): decode(entry) for k, entry in content}
+    return {
+        key if isinstance(key := decode(k), (str, int, float, bool)) else str(key): decode(entry)
+        for k, entry in content
+    }
 
 
 def _decode_table(content):
     from ...table import DHTable
+
     convention, rows, joints = content
     make = {"standard": DHTable.standard, "craig": DHTable.craig}.get(convention)
     if make is None:
@@ -141,8 +174,11 @@ def _decode_table(content):
 
 def _decode_arm(content):
     from ...arm import Arm
+
     table, base, tool, sign = content
-    return Arm(_decode_table(table["table"]), base=decode(base), tool=decode(tool), sign=decode(sign))
+    return Arm(
+        _decode_table(table["table"]), base=decode(base), tool=decode(tool), sign=decode(sign)
+    )
 
 
 def _decode_other(content):
@@ -150,4 +186,11 @@ def _decode_other(content):
     return type(name, (Opaque,), {})()
 
 
-_DECODERS = {"...": lambda content: Ellipsis, "array": _decode_array, "dict": _decode_dict, "table": _decode_table, "arm": _decode_arm, "other": _decode_other}
+_DECODERS = {
+    "...": lambda content: Ellipsis,
+    "array": _decode_array,
+    "dict": _decode_dict,
+    "table": _decode_table,
+    "arm": _decode_arm,
+    "other": _decode_other,
+}

@@ -1,7 +1,9 @@
-"""The warm parent inside the cage: it loads what the lessons need, once, and is copied for every submission. It never reads a submission.
+"""The warm parent inside the cage: it loads what the lessons need, once, and is copied for every
+submission. It never reads a submission.
 
-Started as ``python zygote.py`` with one line of JSON as its argument; speaks with the grader through a socket: two open files arrive for
-each submission (what to run, where to write), one byte says that it is over, one line answers how it ended.
+Started as ``python zygote.py`` with one line of JSON as its argument; speaks with the grader
+through a socket: two open files arrive for each submission (what to run, where to write), one byte
+says that it is over, one line answers how it ended.
 """
 
 import contextlib
@@ -23,7 +25,9 @@ def main():
     config = json.loads(sys.argv[1])
     control = socket.socket(fileno=config["control"])
     problem = _confine(config)
-    kept = set(os.listdir(config["work"]))  # where Python itself stands below it, which nobody here can write to
+    kept = set(
+        os.listdir(config["work"])
+    )  # where Python itself stands below it, which nobody here can write to
     if not problem:
         _warm(config["warm"])
     control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
@@ -40,7 +44,9 @@ def main():
         if not control.recv(1):
             return
         status = _end(child, config)
-        control.sendall(json.dumps({"status": status, "clean": _clean(config["work"], kept)}).encode())
+        control.sendall(
+            json.dumps({"status": status, "clean": _clean(config["work"], kept)}).encode()
+        )
 
 
 def _confine(config):
@@ -48,7 +54,11 @@ def _confine(config):
     try:
         os.umask(0o077)
         if config["user"] is not None:
-            os.chown(config["work"], config["user"], config["user"]) if config["level"] != "bubblewrap" else None
+            (
+                os.chown(config["work"], config["user"], config["user"])
+                if config["level"] != "bubblewrap"
+                else None
+            )
             confine.drop_to(config["user"])
         elif hasattr(os, "geteuid") and os.geteuid() == 0:
             confine.drop_capabilities()
@@ -67,6 +77,7 @@ def _confine(config):
 def _warm(modules):
     """Load what submissions will ask for; what this machine does not have is passed over."""
     from dhlab.grading.inside import runner  # noqa: F401
+
     for name in modules:
         with contextlib.suppress(Exception):
             importlib.import_module(name)
@@ -85,18 +96,23 @@ def _submission(config, request, answers):
         if library and config["level"] != "rlimits":
             confine.restrict_calls(library)
         from dhlab.grading.inside import runner
+
         runner.run(request, answers)
     finally:
         os._exit(0)
 
 
 def _end(child, config):
-    """Kill what is left of a submission, all of it, and return how its first process ended: an exit status, or minus a signal."""
+    """Kill what is left of a submission, all of it, and return how its first process ended: an exit
+    status, or minus a signal.
+    """
     status = None
     for _ in range(500):
         if config["own_processes"]:
             with contextlib.suppress(ProcessLookupError):
-                os.kill(-1, signal.SIGKILL)  # everything in this namespace but this process and the first
+                os.kill(
+                    -1, signal.SIGKILL
+                )  # everything in this namespace but this process and the first
         else:
             for process in {child, *_descendants()} if status is None else _descendants():
                 with contextlib.suppress(ProcessLookupError, PermissionError):
@@ -113,7 +129,8 @@ def _end(child, config):
 
 
 def _descendants():
-    """Every process below this one, from /proc; those that lost their parents have been given to this one.
+    """Every process below this one, from /proc; those that lost their parents have been given to
+    this one.
 
     Behind Landlock /proc cannot be read, and need not be: seccomp lets nobody start a process.
     """
@@ -124,16 +141,23 @@ def _descendants():
         return set()
     for name in names:
         if name.isdigit():
-            with contextlib.suppress(OSError, IndexError, ValueError), open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file:
+            with (
+                contextlib.suppress(OSError, IndexError, ValueError),
+                open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file,
+            ):
                 parents[int(name)] = int(file.read().rpartition(")")[2].split()[1])
     found = {os.getpid()}
-    while more := {process for process, parent in parents.items() if parent in found and process not in found}:
+    while more := {
+        process for process, parent in parents.items() if parent in found and process not in found
+    }:
         found |= more
     return found - {os.getpid()}
 
 
 def _clean(work, kept):
-    """Empty the folder that submissions may write to; False when something stays, and the whole cage has to go."""
+    """Empty the folder that submissions may write to; False when something stays, and the whole
+    cage has to go.
+    """
     for name in set(os.listdir(work)) - kept:
         path = os.path.join(work, name)
         if os.path.isdir(path) and not os.path.islink(path):

@@ -1,4 +1,6 @@
-"""Whose submission is it? Names of files and folders as learning platforms write them, matched with the roster."""
+"""Whose submission is it? Names of files and folders as learning platforms write them, matched with
+the roster.
+"""
 
 import re
 import unicodedata
@@ -7,13 +9,17 @@ from typing import NamedTuple
 __all__ = ["student_of", "from_platform", "Names", "Owner"]
 
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
-CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE)
+CANVAS = re.compile(
+    r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE
+)
 COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 
 
 class Owner(NamedTuple):
-    """Whose a file seems to be: the student, whether the roster knows the student, and where a learning platform's name told, the name, its number and the place."""
+    """Whose a file seems to be: the student, whether the roster knows the student, and where a
+    learning platform's name told, the name, its number and the place.
+    """
 
     student: str
     known: bool
@@ -29,28 +35,51 @@ class Names:
         self.lessons = [re.escape(name) for name in lessons]
         self.known = {}
         for student in roster:
-            for called in (student.student, student.email, student.email.partition("@")[0], _words(student.name)):
+            for called in (
+                student.student,
+                student.email,
+                student.email.partition("@")[0],
+                _words(student.name),
+            ):
                 if called:
                     self.known.setdefault(_plain(called), set()).add(student.student)
         self.ids = {_plain(student.student): student.student for student in roster}
 
     def find(self, called):
         """The one student of this name, or None."""
-        found = self.known.get(_plain(called)) or self.known.get(_plain(_words(called))) or self._run_together(called) or set()
+        found = (
+            self.known.get(_plain(called))
+            or self.known.get(_plain(_words(called)))
+            or self._run_together(called)
+            or set()
+        )
         return next(iter(found)) if len(found) == 1 else None
 
     def _run_together(self, called):
         """Canvas writes "Lovelace, Ada" as lovelaceada."""
         letters = _letters(called)
-        return {student for name, students in self.known.items() if " " in name for student in students
-                if letters and letters in (_letters(name), _letters(" ".join(reversed(name.split()))))}
+        return {
+            student
+            for name, students in self.known.items()
+            if " " in name
+            for student in students
+            if letters and letters in (_letters(name), _letters(" ".join(reversed(name.split()))))
+        }
 
     def within(self, text):
         """The one student whose id stands in a longer name, set off by signs."""
         plain = _plain(text)
-        found = {student for key, student in self.ids.items() if re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", plain.replace("_", " "))
-                 or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)}
-        longest = {student for student in found if not any(student != other and _plain(student) in _plain(other) for other in found)}
+        found = {
+            student
+            for key, student in self.ids.items()
+            if re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", plain.replace("_", " "))
+            or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)
+        }
+        longest = {
+            student
+            for student in found
+            if not any(student != other and _plain(student) in _plain(other) for other in found)
+        }
         return longest.pop() if len(longest) == 1 else None
 
 
@@ -73,7 +102,9 @@ def student_of(parts, names, folder):
         known = _known(part, names)
         if known:
             numbered = _numbered(part, parts[:place])
-            by_id = _plain(known) in map(_plain, numbered[:2])  # an id is one person's, whatever numbers stand beside it
+            by_id = _plain(known) in map(
+                _plain, numbered[:2]
+            )  # an id is one person's, whatever numbers stand beside it
             return Owner(known, True, *(() if by_id else numbered))
     called = _called(parts[0], names, is_file=len(parts) == 1)
     return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))
@@ -102,7 +133,11 @@ def _numbered(part, place):
 def _known(part, names):
     stem = ENDINGS.sub("", part)
     moodle, canvas = MOODLE.match(part), CANVAS.match(part)
-    for called in ([moodle["name"]] if moodle else []) + ([canvas["user"], canvas["name"]] if canvas else []) + [stem, _called(part, names, True)]:
+    for called in (
+        ([moodle["name"]] if moodle else [])
+        + ([canvas["user"], canvas["name"]] if canvas else [])
+        + [stem, _called(part, names, True)]
+    ):
         if called and (found := names.find(called)):
             return found
     return names.within(stem)
@@ -127,7 +162,11 @@ def _plain(text):
 
 def _words(name):
     """A name's words in one order, so that "Lovelace, Ada" is "Ada Lovelace"."""
-    return " ".join(sorted(re.findall(r"[^\s,_]+", _plain(name)))) if re.search(r"[\s,_]", name.strip()) else name
+    return (
+        " ".join(sorted(re.findall(r"[^\s,_]+", _plain(name))))
+        if re.search(r"[\s,_]", name.strip())
+        else name
+    )
 
 
 def _letters(text):

@@ -1,4 +1,6 @@
-"""What a notebook says of itself, from its bytes alone: which lessons it is of, and whose numbers it draws. Nothing of it is run."""
+"""What a notebook says of itself, from its bytes alone: which lessons it is of, and whose numbers
+it draws. Nothing of it is run.
+"""
 
 import re
 
@@ -10,7 +12,8 @@ NUMBER = re.compile(r'"variant"\s*:\s*([0-9]{1,10})\b|set_variant\(\s*([0-9]{1,1
 
 
 def lessons_of(raw):
-    """The lessons a notebook is of, by its checks and by what was written into it when it was handed out; empty when it does not say.
+    """The lessons a notebook is of, by its checks and by what was written into it when it was
+    handed out; empty when it does not say.
 
     Parameters
     ----------
@@ -30,7 +33,8 @@ def lessons_of(raw):
 
 
 def numbers_of(raw):
-    """Whose numbers a notebook draws: the variants that its cells set and that were noted in it when it was handed out; empty for those of all.
+    """Whose numbers a notebook draws: the variants that its cells set and that were noted in it
+    when it was handed out; empty for those of all.
 
     Examples
     --------

@@ -1,4 +1,6 @@
-"""Whose numbers does a notebook draw, and whose work may it be: what a key and a roster tell of what was handed in, before any of it is run."""
+"""Whose numbers does a notebook draw, and whose work may it be: what a key and a roster tell of
+what was handed in, before any of it is run.
+"""
 
 import difflib
 
@@ -11,12 +13,14 @@ NEAR = 0.6  # how like a name of the roster a stranger's must be to be proposed
 
 
 def look_whose(found, roster, key, numbers):
-    """Note at each submission whose numbers its notebooks draw, when these are not the student's own; nothing is given to anybody by that.
+    """Note at each submission whose numbers its notebooks draw, when these are not the student's
+    own; nothing is given to anybody by that.
 
     Parameters
     ----------
     found : dict of str to Submission
-        ``notes`` and ``numbers_of`` are added to; ``numbers`` gets a stranger's when they are somebody's of the roster.
+        ``notes`` and ``numbers_of`` are added to; ``numbers`` gets a stranger's when they are
+        somebody's of the roster.
     roster : sequence of Student
     key : bytes or None
     numbers : dict of str to int
@@ -33,29 +37,53 @@ def look_whose(found, roster, key, numbers):
         The numbers of most notebooks are nobody's under this key.
     """
     names = {student.student: student.name for student in roster}
-    owner = {variant(key, student): student for student in (names or numbers)} if key else {}
-    drawn = {student: [(notebook.name, numbers_of(raw)) for notebook in mine.notebooks if lessons_of(raw := notebook.read())] for student, mine in found.items()}
+    owner = {variant(key, student): student for student in names or numbers} if key else {}
+    drawn = {
+        student: [
+            (notebook.name, numbers_of(raw))
+            for notebook in mine.notebooks
+            if lessons_of(raw := notebook.read())
+        ]
+        for student, mine in found.items()
+    }
     _check_key([numbers for own in drawn.values() for _, numbers in own], owner, key)
     notes = []
     for student, mine in found.items():
-        others = {owner[number] for _, given in drawn[student] for number in given if number in owner} - {student}
-        mine.notes += _own_notes(student, drawn[student], numbers[student], owner, names) if mine.on_roster else []
+        others = {
+            owner[number] for _, given in drawn[student] for number in given if number in owner
+        } - {student}
+        mine.notes += (
+            _own_notes(student, drawn[student], numbers[student], owner, names)
+            if mine.on_roster
+            else []
+        )
         mine.numbers_of = min(others) if len(others) == 1 else None
         if not mine.on_roster:
             mine.notes.append(_stranger(student, others, names))
             notes.append(f"{student}: {mine.notes[-1]}")
-            numbers[student] = numbers[mine.numbers_of] if mine.numbers_of in numbers else numbers[student]
+            numbers[student] = (
+                numbers[mine.numbers_of] if mine.numbers_of in numbers else numbers[student]
+            )
     common = sum(not given for own in drawn.values() for _, given in own)
     if key and 2 * common > sum(map(len, drawn.values())):
-        notes.append(f"{common} notebooks have the numbers that are the same for all: were the lessons handed out without a key? Then leave out --key")
+        notes.append(
+            f"{common} notebooks have the numbers that are the same for all: were the lessons"
+            " handed out without a key? Then leave out --key"
+        )
     return notes
 
 
 def _check_key(drawn, owner, key):
     foreign = sum(bool(given) and not given & owner.keys() for given in drawn)
     if 2 * foreign > len(drawn):
-        what = "other numbers than this key gives to this roster; give the key and the roster they were released with (--key, --roster)"
-        raise ValueError(f"grade: {foreign} of {len(drawn)} notebooks have {what if key else 'numbers of their own; give the key they were released with (--key)'}")
+        what = (
+            "other numbers than this key gives to this roster; give the key and the roster they"
+            " were released with (--key, --roster)"
+        )
+        raise ValueError(
+            f"grade: {foreign} of {len(drawn)} notebooks have"
+            f" {what if key else 'numbers of their own; give the key they were released with (--key)'}"
+        )
 
 
 def _own_notes(student, drawn, number, owner, names):
@@ -64,21 +92,46 @@ def _own_notes(student, drawn, number, owner, names):
         for other in sorted({owner[one] for one in given if one in owner and one != number}):
             yield f"{name}: has the numbers of {_called(other, names)}: look whose work it is"
         if given and not given & owner.keys():
-            yield f"{name}: has numbers that {'this key gives to nobody' if owner else 'are not the same for all'}; marked with {'the own ones' if owner else 'those of all'}"
+            yield (
+                f"{name}: has numbers that"
+                f" {'this key gives to nobody' if owner else 'are not the same for all'}; marked"
+                f" with {'the own ones' if owner else 'those of all'}"
+            )
         if owner and not given:
-            yield f"{name}: has the numbers that are the same for all: was it the lesson of the course, not the one handed out?"
+            yield (
+                f"{name}: has the numbers that are the same for all: was it the lesson of the"
+                " course, not the one handed out?"
+            )
 
 
 def _stranger(student, others, names):
     """What is known of a submission that matches nobody of the roster."""
     if others:
-        proposal = f"these are the numbers of {' and '.join(_called(other, names) for other in sorted(others))}"
+        proposal = (
+            "these are the numbers of"
+            f" {' and '.join(_called(other, names) for other in sorted(others))}"
+        )
     else:
-        called = {text.casefold(): one for one, name in names.items() for text in (one, name, *name.split()) if text}
+        called = {
+            text.casefold(): one
+            for one, name in names.items()
+            for text in (one, name, *name.split())
+            if text
+        }
         words = [student.casefold(), *student.casefold().split()]
-        near = dict.fromkeys(called[match] for word in words for match in difflib.get_close_matches(word, called, 3, NEAR))
-        proposal = f"perhaps {' or '.join(_called(other, names) for other in list(near)[:3])}" if near else "nobody on it has a name like this"
-    return f"not on the roster; {proposal}: give the file its owner's id as its name and grade again"
+        near = dict.fromkeys(
+            called[match]
+            for word in words
+            for match in difflib.get_close_matches(word, called, 3, NEAR)
+        )
+        proposal = (
+            f"perhaps {' or '.join(_called(other, names) for other in list(near)[:3])}"
+            if near
+            else "nobody on it has a name like this"
+        )
+    return (
+        f"not on the roster; {proposal}: give the file its owner's id as its name and grade again"
+    )
 
 
 def _called(student, names):

@@ -1,4 +1,6 @@
-"""The roster: who is in the class, from a CSV file with a column ``student`` and, where known, ``name``, ``email`` and ``language``."""
+"""The roster: who is in the class, from a CSV file with a column ``student`` and, where known,
+``name``, ``email`` and ``language``.
+"""
 
 import csv
 import difflib
@@ -13,7 +15,9 @@ __all__ = ["Student", "read_roster"]
 
 COLUMNS = ("student", "name", "email", "language")
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
-RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE)  # what names no file on Windows
+RESERVED = re.compile(
+    r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE
+)  # what names no file on Windows
 LANGUAGE = re.compile(r"[a-z]{2,3}(_[A-Z][A-Za-z]{1,3})?\Z")
 
 
@@ -30,8 +34,9 @@ class Student:
 def read_roster(path):
     """The students of a CSV file, in its order.
 
-    Commas or semicolons separate the cells (spreadsheets write either); other columns than the four known ones are passed over,
-    but for one whose name is so like a known one that it must be a typing mistake.
+    Commas or semicolons separate the cells (spreadsheets write either); other columns than the four
+    known ones are passed over, but for one whose name is so like a known one that it must be a
+    typing mistake.
 
     Parameters
     ----------
@@ -44,7 +49,8 @@ def read_roster(path):
     Raises
     ------
     ValueError
-        No column ``student``, no students, an id that stands twice or cannot name a file, a line with more cells than columns.
+        No column ``student``, no students, an id that stands twice or cannot name a file, a line
+        with more cells than columns.
 
     Examples
     --------
@@ -55,16 +61,25 @@ def read_roster(path):
     """
     text = read_text(path, "a roster")
     head = text.partition("\n")[0]
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=";" if head.count(";") > head.count(",") else ",")
+    reader = csv.reader(
+        io.StringIO(text, newline=""), delimiter=";" if head.count(";") > head.count(",") else ","
+    )
     try:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
-        raise ValueError(f"{path}: line {reader.line_num}: expected a roster in CSV, found what cannot be read ({error}); export it again as CSV") from None
+        raise ValueError(
+            f"{path}: line {reader.line_num}: expected a roster in CSV, found what cannot be read"
+            f" ({error}); export it again as CSV"
+        ) from None
     head = rows[0][1] if rows else []
     columns = _columns(path, head)
-    students = tuple(_student(f"{path}: line {line}", row, columns, len(head)) for line, row in rows[1:])
+    students = tuple(
+        _student(f"{path}: line {line}", row, columns, len(head)) for line, row in rows[1:]
+    )
     if not students:
-        raise ValueError(f"{path}: expected one line per student under the line of column names, found none")
+        raise ValueError(
+            f"{path}: expected one line per student under the line of column names, found none"
+        )
     _check_twice(path, students, [line for line, _ in rows[1:]])
     return students
 
@@ -73,23 +88,46 @@ def _columns(path, head):
     names = [cell.strip().lower() for cell in head]
     if names.count("student") != 1:
         found = ", ".join(names) or "nothing"
-        raise ValueError(f'{path}: expected a first line of column names with one column "student", found {found}; name the column of ids "student"')
+        raise ValueError(
+            f'{path}: expected a first line of column names with one column "student", found'
+            f' {found}; name the column of ids "student"'
+        )
     for name in names:
-        near = [] if name in COLUMNS else difflib.get_close_matches(name, set(COLUMNS) - set(names), 1, 0.75)
+        near = (
+            []
+            if name in COLUMNS
+            else difflib.get_close_matches(name, set(COLUMNS) - set(names), 1, 0.75)
+        )
         if near:
-            raise ValueError(f'{path}: line 1: unknown column "{name}"; did you mean "{near[0]}"? Otherwise call it something else')
+            raise ValueError(
+                f'{path}: line 1: unknown column "{name}"; did you mean "{near[0]}"? Otherwise call'
+                " it something else"
+            )
     return {name: names.index(name) for name in COLUMNS if name in names}
 
 
 def _student(where, row, columns, width):
     if any(cell.strip() for cell in row[width:]):
-        raise ValueError(f"{where}: expected {width} cells as in the first line, found {len(row)}; a name with a comma in it stands in quotes")
-    cells = {name: unicodedata.normalize("NFC", row[i].strip()) for name, i in columns.items() if i < len(row)}
+        raise ValueError(
+            f"{where}: expected {width} cells as in the first line, found {len(row)}; a name with a"
+            " comma in it stands in quotes"
+        )
+    cells = {
+        name: unicodedata.normalize("NFC", row[i].strip())
+        for name, i in columns.items()
+        if i < len(row)
+    }
     student = cells.get("student", "")
     if not ID.match(student):
-        raise ValueError(f"{where}: expected an id of letters, digits and . _ - @ + (it names files), found {student!r}")
+        raise ValueError(
+            f"{where}: expected an id of letters, digits and . _ - @ + (it names files), found"
+            f" {student!r}"
+        )
     if RESERVED.match(student):
-        raise ValueError(f"{where}: expected an id that can name a file, found {student!r}, which no file on Windows may be called; give another id")
+        raise ValueError(
+            f"{where}: expected an id that can name a file, found {student!r}, which no file on"
+            " Windows may be called; give another id"
+        )
     language = cells.pop("language", "").replace("-", "_") or "en"
     if not LANGUAGE.match(language):
         raise ValueError(f"{where}: expected a language such as en or zh_CN, found {language!r}")
@@ -101,5 +139,12 @@ def _check_twice(path, students, lines):
     for student, line in zip(students, lines):
         other, before = seen.setdefault(student.student.casefold(), (student.student, line))
         if before != line:
-            alike = "take one out" if other == student.student else "small and capital letters name the same file on some systems"
-            raise ValueError(f"{path}: lines {before} and {line}: expected every id once, found {other!r} and {student.student!r}; {alike}")
+            alike = (
+                "take one out"
+                if other == student.student
+                else "small and capital letters name the same file on some systems"
+            )
+            raise ValueError(
+                f"{path}: lines {before} and {line}: expected every id once, found {other!r} and"
+                f" {student.student!r}; {alike}"
+            )

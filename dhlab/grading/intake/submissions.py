@@ -1,4 +1,6 @@
-"""Finds what was handed in: folders, zips, zips of zips, in any layout; nothing is unpacked onto the disk, and nothing special is opened."""
+"""Finds what was handed in: folders, zips, zips of zips, in any layout; nothing is unpacked onto
+the disk, and nothing special is opened.
+"""
 
 import io
 import lzma
@@ -25,13 +27,28 @@ MOST_FILES = 20_000  # of a zip
 MOST_NOTEBOOKS = 12  # of a student
 DEEPEST = 2  # a zip of everybody's, and a student's own in it
 NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
-BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, OSError, ValueError, NotImplementedError, EOFError, RuntimeError)
-FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"  # where the time of a submission comes from
+BROKEN = (
+    zipfile.BadZipFile,
+    zlib.error,
+    lzma.LZMAError,
+    OSError,
+    ValueError,
+    NotImplementedError,
+    EOFError,
+    RuntimeError,
+)
+FILE_TIME, ZIP, TIMESTAMP = (
+    "file time",
+    "zip",
+    "timestamp.txt",
+)  # where the time of a submission comes from
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
 
 class Notebook(NamedTuple):
-    """One notebook: its name in what was handed in, its bytes when ``read`` is called, when it came and how that is known."""
+    """One notebook: its name in what was handed in, its bytes when ``read`` is called, when it came
+    and how that is known.
+    """
 
     name: str
     read: object
@@ -41,9 +58,11 @@ class Notebook(NamedTuple):
 
 @dataclass
 class Submission:
-    """What one student handed in: notebooks, oldest first; what was refused, in sentences; whose numbers they draw, if another's.
+    """What one student handed in: notebooks, oldest first; what was refused, in sentences; whose
+    numbers they draw, if another's.
 
-    ``loose``: nothing but files of no folder; ``refused``: something was there that is no notebook or cannot be read.
+    ``loose``: nothing but files of no folder; ``refused``: something was there that is no notebook
+    or cannot be read.
     """
 
     student: str
@@ -95,13 +114,24 @@ def submissions(place, roster=(), lessons=(), zone=timezone.utc):
     for mine in found.values():
         _settle(mine)
     for student in {owner.student for owner in namesakes if owner.known}:
-        others = sorted({f"{other.called} {other.number}" for other in namesakes if other.student == student})
-        found[student].notes.append(f"several people of this name handed in ({', '.join(others)}): give the right file the student's id as its name")
-    return {student: mine for student, mine in found.items() if mine.notebooks or mine.notes or student in {s.student for s in roster}}
+        others = sorted(
+            {f"{other.called} {other.number}" for other in namesakes if other.student == student}
+        )
+        found[student].notes.append(
+            f"several people of this name handed in ({', '.join(others)}): give the right file the"
+            " student's id as its name"
+        )
+    return {
+        student: mine
+        for student, mine in found.items()
+        if mine.notebooks or mine.notes or student in {s.student for s in roster}
+    }
 
 
 class _Entry(NamedTuple):
-    """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known, and what is wrong with it."""
+    """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known,
+    and what is wrong with it.
+    """
 
     parts: tuple
     read: object
@@ -111,7 +141,9 @@ class _Entry(NamedTuple):
 
 
 def _namesakes(owners):
-    """The owners of a name that a platform has given to several of its own numbers at one place: they are several people."""
+    """The owners of a name that a platform has given to several of its own numbers at one place:
+    they are several people.
+    """
     numbers = {}
     for owner in owners:
         if owner.number:
@@ -121,16 +153,35 @@ def _namesakes(owners):
 
 
 def _stamped(entries, zone):
-    """The files with the time that nbgrader noted beside them, in student/assignment/; such a file elsewhere, or in a zip, may be a student's own."""
+    """The files with the time that nbgrader noted beside them, in student/assignment/; such a file
+    elsewhere, or in a zip, may be a student's own.
+    """
     entries = list(entries)
-    written = [entry for entry in entries if len(entry.parts) == 3 and entry.parts[-1] == TIMESTAMP and entry.source == FILE_TIME and not entry.fault and not from_platform(entry.parts[0])]
+    written = [
+        entry
+        for entry in entries
+        if len(entry.parts) == 3
+        and entry.parts[-1] == TIMESTAMP
+        and entry.source == FILE_TIME
+        and not entry.fault
+        and not from_platform(entry.parts[0])
+    ]
     noted = {entry.parts[:-1]: when for entry in written if (when := _noted(entry.read(), zone))}
-    return [entry._replace(when=noted[entry.parts[:-1]], source=TIMESTAMP) if entry.parts[:-1] in noted else entry
-            for entry in entries if not (entry.parts[-1] == TIMESTAMP and entry.parts[:-1] in noted)]
+    return [
+        (
+            entry._replace(when=noted[entry.parts[:-1]], source=TIMESTAMP)
+            if entry.parts[:-1] in noted
+            else entry
+        )
+        for entry in entries
+        if not (entry.parts[-1] == TIMESTAMP and entry.parts[:-1] in noted)
+    ]
 
 
 def _noted(raw, zone):
-    """The moment in an nbgrader timestamp.txt, such as ``2026-11-17 10:03:12.345 UTC``; None when it cannot be read."""
+    """The moment in an nbgrader timestamp.txt, such as ``2026-11-17 10:03:12.345 UTC``; None when
+    it cannot be read.
+    """
     day, _, rest = raw.decode("utf-8", "replace").strip().partition(" ")
     clock, _, name = rest.partition(" ")
     try:
@@ -160,10 +211,20 @@ def _sniffed(read):
 
 
 def _settle(mine):
-    """Oldest first; no more than anyone needs; what was passed over is only told when there is nothing else."""
-    mine.notebooks.sort(key=lambda notebook: (notebook.when is not None, notebook.when and notebook.when.timestamp(), notebook.name))
+    """Oldest first; no more than anyone needs; what was passed over is only told when there is
+    nothing else.
+    """
+    mine.notebooks.sort(
+        key=lambda notebook: (
+            notebook.when is not None,
+            notebook.when and notebook.when.timestamp(),
+            notebook.name,
+        )
+    )
     if len(mine.notebooks) > MOST_NOTEBOOKS:
-        mine.notes.append(f"{len(mine.notebooks)} notebooks, of which the last {MOST_NOTEBOOKS} were taken")
+        mine.notes.append(
+            f"{len(mine.notebooks)} notebooks, of which the last {MOST_NOTEBOOKS} were taken"
+        )
         mine.notebooks = mine.notebooks[-MOST_NOTEBOOKS:]
     mine.refused = bool(mine.notes)
     if mine.notebooks:
@@ -177,7 +238,10 @@ def _entries(place, zone):
     elif zipfile.is_zipfile(place):
         yield from _in_zip(lambda: place, (), 1, zone)
     else:
-        raise ValueError(f"{place}: expected a folder or a zip of submissions, found {'a file that is neither' if place.exists() else 'no such folder'}; check the name")
+        raise ValueError(
+            f"{place}: expected a folder or a zip of submissions, found"
+            f" {'a file that is neither' if place.exists() else 'no such folder'}; check the name"
+        )
 
 
 def _in_folder(place, zone):
@@ -191,20 +255,32 @@ def _in_folder(place, zone):
                 continue
             when = datetime.fromtimestamp(status.st_mtime, timezone.utc)
             if not stat.S_ISREG(status.st_mode):
-                yield _Entry(parts, None, when, FILE_TIME, "refused: a link, a pipe or a device, not a file")
+                yield _Entry(
+                    parts, None, when, FILE_TIME, "refused: a link, a pipe or a device, not a file"
+                )
             elif name.lower().endswith(".zip"):
                 yield from _opened(partial(str, path), parts, when, 1, zone)
             elif status.st_size > LARGEST:
-                yield _Entry(parts, None, when, FILE_TIME, f"refused: {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} are read")
+                yield _Entry(
+                    parts,
+                    None,
+                    when,
+                    FILE_TIME,
+                    f"refused: {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} are"
+                    " read",
+                )
             else:
                 yield _Entry(parts, _reader(path), when, FILE_TIME, "")
 
 
 def _reader(path):
     def read():
-        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+        handle = os.open(
+            path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+        )
         with os.fdopen(handle, "rb") as file:
             return file.read(LARGEST + 1)[:LARGEST]
+
     return read
 
 
@@ -213,17 +289,23 @@ def _opened(source, parts, when, depth, zone):
     try:
         yield from _in_zip(source, parts, depth, zone)
     except BROKEN as error:
-        yield _Entry(parts, None, when, FILE_TIME, f"refused: a zip that cannot be read ({str(error)[:100]})")
+        yield _Entry(
+            parts, None, when, FILE_TIME, f"refused: a zip that cannot be read ({str(error)[:100]})"
+        )
 
 
 def _in_zip(source, parts, depth, zone):
-    """Members are read into memory when they are needed, each up to the limit; their names never name a file here.
+    """Members are read into memory when they are needed, each up to the limit; their names never
+    name a file here.
 
-    ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not stay open.
+    ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not
+    stay open.
     """
     with zipfile.ZipFile(source()) as archive:
         members = archive.infolist()
-    if parts and (len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP):  # the teacher's own zip may be large
+    if parts and (
+        len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
+    ):  # the teacher's own zip may be large
         raise ValueError("too many files in it, or too large when unpacked")
     for number, member in enumerate(members):
         inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)
@@ -240,13 +322,20 @@ def _in_zip(source, parts, depth, zone):
 
 
 def _member(source, number):
-    """Reads one member; what cannot be read is empty, and an empty notebook is told to be unreadable."""
+    """Reads one member; what cannot be read is empty, and an empty notebook is told to be
+    unreadable.
+    """
+
     def read():
         try:
-            with zipfile.ZipFile(source()) as archive, archive.open(archive.infolist()[number]) as file:
+            with (
+                zipfile.ZipFile(source()) as archive,
+                archive.open(archive.infolist()[number]) as file,
+            ):
                 return file.read(LARGEST + 1)[:LARGEST]
         except BROKEN:
             return b""
+
     return read
 
 
@@ -273,9 +362,16 @@ def _boring(name):
 
 
 def _unwrapped(entries, names):
-    """Without the one folder that everything stands in, where it is nobody's and holds folders or files of several."""
+    """Without the one folder that everything stands in, where it is nobody's and holds folders or
+    files of several.
+    """
     entries = list(entries)
-    while entries and all(len(entry.parts) > 2 for entry in entries) and len({entry.parts[0] for entry in entries}) == 1 and len({entry.parts[1] for entry in entries}) > 1:
+    while (
+        entries
+        and all(len(entry.parts) > 2 for entry in entries)
+        and len({entry.parts[0] for entry in entries}) == 1
+        and len({entry.parts[1] for entry in entries}) > 1
+    ):
         outer = entries[0].parts[0]
         if outer.lower().endswith(".zip") or student_of((outer,), names, "").known:
             break

@@ -1,7 +1,8 @@
 """Whose numbers a student's wrong answers are right for, when that is no accident.
 
-Some exercises have a handful of right values, so that in a large class any answer is right for somebody. Each fitting exercise therefore counts
-by how rarely a stranger's numbers would fit it, and nobody is named unless a class of strangers would hardly ever fit as well.
+Some exercises have a handful of right values, so that in a large class any answer is right for
+somebody. Each fitting exercise therefore counts by how rarely a stranger's numbers would fit it,
+and nobody is named unless a class of strangers would hardly ever fit as well.
 """
 
 import numpy as np
@@ -12,12 +13,17 @@ from ..inside.wire import DECODED, decode
 
 __all__ = ["borrowed_from"]
 
-CHANCE = 0.01  # that a class in which nobody copied has somebody who fits a given student's wrong answers as well as this
-DRAWS = 300  # numbers from which it is estimated how many values an exercise has; they come from the class and, where it is small, are drawn
+# that a class in which nobody copied has somebody who fits a given student's wrong answers as well
+# as this
+CHANCE = 0.01
+# numbers from which it is estimated how many values an exercise has; they come from the class and,
+# where it is small, are drawn
+DRAWS = 300
 
 
 def borrowed_from(course, student, answers, marks):
-    """The student for whose numbers this one's wrong answers are right, or None when nobody fits, several fit alike, or chance explains it.
+    """The student for whose numbers this one's wrong answers are right, or None when nobody fits,
+    several fit alike, or chance explains it.
 
     Parameters
     ----------
@@ -31,13 +37,27 @@ def borrowed_from(course, student, answers, marks):
     str or None
     """
     own = course.variants.get(student)
-    others = {other: variant for other, variant in course.variants.items() if other != student and variant != own}
+    others = {
+        other: variant
+        for other, variant in course.variants.items()
+        if other != student and variant != own
+    }
     wrong = {mark.exercise for mark in marks if mark.status == WRONG}
-    asked = [(exercise, given) for exercise in course.exercises if isinstance(exercise, Value) and exercise.id in wrong and (given := _last(answers, exercise)) is not None]
-    fits = np.array([_is_right(exercise, tuple(others.values()), given) for exercise, given in asked])
+    asked = [
+        (exercise, given)
+        for exercise in course.exercises
+        if isinstance(exercise, Value)
+        and exercise.id in wrong
+        and (given := _last(answers, exercise)) is not None
+    ]
+    fits = np.array(
+        [_is_right(exercise, tuple(others.values()), given) for exercise, given in asked]
+    )
     if not fits.any():
         return None
-    rare = np.array([_share(exercise, given, right) for (exercise, given), right in zip(asked, fits)])
+    rare = np.array(
+        [_share(exercise, given, right) for (exercise, given), right in zip(asked, fits)]
+    )
     evidence = -np.log(rare) @ fits
     if np.sum(evidence == evidence.max()) > 1 or len(others) * _tail(rare, evidence.max()) > CHANCE:
         return None
@@ -60,7 +80,9 @@ def _is_right(exercise, variants, given):
 
 
 def _share(exercise, given, fits):
-    """How many of all variants the answer is right for, as a share; never 0, since only some were looked at."""
+    """How many of all variants the answer is right for, as a share; never 0, since only some were
+    looked at.
+    """
     drawn = _is_right(exercise, tuple(range(1, 1 + max(0, DRAWS - len(fits)))), given)
     return (1 + fits.sum() + drawn.sum()) / (1 + len(fits) + len(drawn))
 
@@ -71,13 +93,20 @@ _known = {}
 def _expected(exercise, variant):
     """The right value of a variant, computed once."""
     if (exercise.id, variant) not in _known:
-        _known[exercise.id, variant] = np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
+        _known[exercise.id, variant] = np.asarray(
+            exercise.answer(**exercise.given(variant)), dtype=float
+        )
     return _known[exercise.id, variant]
 
 
 def _tail(rare, evidence):
-    """The chance that a stranger's numbers fit at least this well: over all sets of exercises that they could fit, each with its own chance."""
+    """The chance that a stranger's numbers fit at least this well: over all sets of exercises that
+    they could fit, each with its own chance.
+    """
     sums, chances = np.zeros(1), np.ones(1)
     for p in rare:
-        sums, chances = np.concatenate([sums, sums - np.log(p)]), np.concatenate([chances * (1 - p), chances * p])
+        sums, chances = (
+            np.concatenate([sums, sums - np.log(p)]),
+            np.concatenate([chances * (1 - p), chances * p]),
+        )
     return chances[sums >= evidence - 1e-9].sum()

@@ -1,4 +1,6 @@
-"""From the lines that came out of the cage to marks. Everything here happens outside, and nothing that came out is trusted."""
+"""From the lines that came out of the cage to marks. Everything here happens outside, and nothing
+that came out is trusted.
+"""
 
 from ...course.kinds import Function, Table
 from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
@@ -14,7 +16,9 @@ TEXT = 300
 
 
 class Answers:
-    """What one student's notebooks sent: the notes of each exercise, in order, and what happened to the cells."""
+    """What one student's notebooks sent: the notes of each exercise, in order, and what happened to
+    the cells.
+    """
 
     def __init__(self):
         self.notes, self.troubles, self.ids = {}, {}, {}
@@ -25,7 +29,11 @@ class Answers:
         for line in run.lines:
             if isinstance(line.get("check"), str):
                 self.notes.setdefault(line["check"], []).append((line, handed))
-            ids = [key for key in line.get("ids", ()) if isinstance(key, str)] if isinstance(line.get("ids", ()), list) else []
+            ids = (
+                [key for key in line.get("ids", ()) if isinstance(key, str)]
+                if isinstance(line.get("ids", ()), list)
+                else []
+            )
             if line.get("ended") in ("error", "timed out"):
                 self._trouble(ids, line["ended"], line.get("message"))
             elif "cell" in line and isinstance(line["cell"], int):
@@ -36,7 +44,9 @@ class Answers:
 
     def _trouble(self, ids, kind, message):
         for key in ids:
-            self.troubles.setdefault(key, (kind, message[:TEXT] if isinstance(message, str) else ""))
+            self.troubles.setdefault(
+                key, (kind, message[:TEXT] if isinstance(message, str) else "")
+            )
 
 
 def mark(exercise, answers, variant, settings):
@@ -67,14 +77,47 @@ def _judged(exercise, line, variant, settings, worth):
     try:
         answer = _answer(line, exercise)
     except DECODED:
-        return Mark(exercise.id, WRONG, 0, worth, headline="the answer cannot be read: give plain numbers, text, a list, a table or a function")
+        return Mark(
+            exercise.id,
+            WRONG,
+            0,
+            worth,
+            headline=(
+                "the answer cannot be read: give plain numbers, text, a list, a table or a function"
+            ),
+        )
     try:
         verdict = exercise.judge(answer, fresh(variant, exercise))
     except Exception as error:  # a fault of ours: shown to the teacher, never a silent 0
-        return Mark(exercise.id, ERROR, 0, worth, headline="this answer could not be compared; your teacher will look at it", note=f"the judge stopped with {type(error).__name__}: {error}"[:TEXT])
-    found = Mark(exercise.id, verdict.status, round(_share(exercise, verdict, settings) * worth, 4), worth, verdict.mistake, verdict.headline, verdict.place, verdict.why, verdict.next)
-    used = [name for name in line.get("used", ()) if isinstance(name, str)] if isinstance(line.get("used", ()), list) else []
-    return _own(found, used, settings) if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED else found
+        return Mark(
+            exercise.id,
+            ERROR,
+            0,
+            worth,
+            headline="this answer could not be compared; your teacher will look at it",
+            note=f"the judge stopped with {type(error).__name__}: {error}"[:TEXT],
+        )
+    found = Mark(
+        exercise.id,
+        verdict.status,
+        round(_share(exercise, verdict, settings) * worth, 4),
+        worth,
+        verdict.mistake,
+        verdict.headline,
+        verdict.place,
+        verdict.why,
+        verdict.next,
+    )
+    used = (
+        [name for name in line.get("used", ()) if isinstance(name, str)]
+        if isinstance(line.get("used", ()), list)
+        else []
+    )
+    return (
+        _own(found, used, settings)
+        if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED
+        else found
+    )
 
 
 def _answer(line, exercise):
@@ -86,15 +129,23 @@ def _answer(line, exercise):
         return Called(tuple(calls), decode(line["again"]))
     if "fault" in line and isinstance(exercise, Function):
         headline, place, next_, mistake = (str(text)[:TEXT] for text in line["fault"])
-        return Called(fault=CallFault(headline, place, next_, mistake if mistake in catalogue() else None))
+        return Called(
+            fault=CallFault(headline, place, next_, mistake if mistake in catalogue() else None)
+        )
     return decode(line["value"])
 
 
 def _share(exercise, verdict, settings):
-    """The share of the points: all, none, or the teacher's share for a program or a table whose mistake is recognised."""
+    """The share of the points: all, none, or the teacher's share for a program or a table whose
+    mistake is recognised.
+    """
     if verdict.status == RIGHT:
         return 1.0
-    return settings.partial if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table)) else 0.0
+    return (
+        settings.partial
+        if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table))
+        else 0.0
+    )
 
 
 def _own(found, used, settings):
@@ -102,24 +153,60 @@ def _own(found, used, settings):
     if set(used) == {"setprofile"}:
         headline = "while the check called it, this function switched off what watches it"
     else:
-        headline = f"this function calls dhlab's own programs ({names}); here the task is to write that yourself"
-    return Mark(found.exercise, NOT_ALLOWED, round(found.points * settings.own_kinematics, 4), found.of, headline=headline,
-                next="Write it with numpy alone; the library's answer is there to compare with.", note=f"answers {found.status}; called: {names}")
+        headline = (
+            f"this function calls dhlab's own programs ({names}); here the task is to write that"
+            " yourself"
+        )
+    return Mark(
+        found.exercise,
+        NOT_ALLOWED,
+        round(found.points * settings.own_kinematics, 4),
+        found.of,
+        headline=headline,
+        next="Write it with numpy alone; the library's answer is there to compare with.",
+        note=f"answers {found.status}; called: {names}",
+    )
 
 
 def _timed_out(exercise, worth, note=""):
-    return Mark(exercise.id, TIMED_OUT, 0, worth, headline="this took too long and was stopped", next="Look for a loop that never ends.", note=note)
+    return Mark(
+        exercise.id,
+        TIMED_OUT,
+        0,
+        worth,
+        headline="this took too long and was stopped",
+        next="Look for a loop that never ends.",
+        note=note,
+    )
 
 
 def _without_answer(exercise, answers, worth):
     """The mark of an exercise for which no attempt was noted."""
-    kind, message = answers.troubles.get(exercise.id, (answers.cut, "the notebook ended before this exercise was reached" if answers.cut else ""))
+    kind, message = answers.troubles.get(
+        exercise.id,
+        (answers.cut, "the notebook ended before this exercise was reached" if answers.cut else ""),
+    )
     if kind == "timed out":
         return _timed_out(exercise, worth)
     if kind is None:
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
-    said = message if exercise.id not in answers.troubles else f"the cell stops with {message}" if message else "the notebook's program ended itself in this cell"
-    return Mark(exercise.id, ERROR, 0, worth, headline=said, next="Run the notebook from top to bottom and read the last line of the message.")
+    said = (
+        message
+        if exercise.id not in answers.troubles
+        else (
+            f"the cell stops with {message}"
+            if message
+            else "the notebook's program ended itself in this cell"
+        )
+    )
+    return Mark(
+        exercise.id,
+        ERROR,
+        0,
+        worth,
+        headline=said,
+        next="Run the notebook from top to bottom and read the last line of the message.",
+    )
 
 
 def without_marks(course, status):

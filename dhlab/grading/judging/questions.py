@@ -1,4 +1,6 @@
-"""What is asked of a submission: the numbers of its tasks, the inputs of its functions, the handed-out checks. No answer is among it."""
+"""What is asked of a submission: the numbers of its tasks, the inputs of its functions, the
+handed-out checks. No answer is among it.
+"""
 
 import ast
 import json
@@ -13,14 +15,23 @@ from ..inside.wire import encode
 
 __all__ = ["Course", "handed_out_checks", "scored", "request", "warm_modules"]
 
-FRESH = 2**31  # added to a variant: functions are graded on other inputs than the notebook's own check uses
+FRESH = (
+    2**31
+)  # added to a variant: functions are graded on other inputs than the notebook's own check uses
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
-LATER = {"dh.diagnose": "dhlab.doctor", "dh.recognise": "dhlab.doctor", "dh.symbolic": "sympy", "dh.calibrate": "dhlab.measure", "dh.fit_circles": "dhlab.measure"}
+LATER = {
+    "dh.diagnose": "dhlab.doctor",
+    "dh.recognise": "dhlab.doctor",
+    "dh.symbolic": "sympy",
+    "dh.calibrate": "dhlab.measure",
+    "dh.fit_circles": "dhlab.measure",
+}
 
 
 @dataclass(frozen=True)
 class Course:
-    """What every worker of the grader knows: lessons, settings, variants, and the one exercise that is asked for, if it is one.
+    """What every worker of the grader knows: lessons, settings, variants, and the one exercise that
+    is asked for, if it is one.
 
     Parameters
     ----------
@@ -51,12 +62,17 @@ def scored(lessons):
     >>> [exercise.id for exercise in scored(("05",))][:3]
     ['05.1', '05.2', '05.3']
     """
-    return [e for key, e in exercises().items() if key.split(".")[0] in lessons and not isinstance(e, (Prediction, PreTest))]
+    return [
+        e
+        for key, e in exercises().items()
+        if key.split(".")[0] in lessons and not isinstance(e, (Prediction, PreTest))
+    ]
 
 
 @cache
 def handed_out_checks():
-    """For each lesson that is handed out, for each exercise: the expression its check is given, and the id of the cell before it.
+    """For each lesson that is handed out, for each exercise: the expression its check is given, and
+    the id of the cell before it.
 
     Examples
     --------
@@ -66,7 +82,11 @@ def handed_out_checks():
     """
     lessons = {}
     for path in sorted(handed_out().glob("[0-9][0-9]*.ipynb")):
-        code = [cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
+        code = [
+            cell
+            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+            if cell["cell_type"] == "code"
+        ]
         found = lessons.setdefault(path.name[:2], {})
         for before, cell in zip([{}, *code], code):
             for key, expression in _checks("".join(cell["source"])):
@@ -79,7 +99,12 @@ def _checks(source):
     if "check(" not in source:
         return
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "check" and len(node.args) == 2 and isinstance(node.args[0], ast.Constant):
+        if (
+            isinstance(node, ast.Call)
+            and getattr(node.func, "id", "") == "check"
+            and len(node.args) == 2
+            and isinstance(node.args[0], ast.Constant)
+        ):
             yield node.args[0].value, ast.unparse(node.args[1])
 
 
@@ -88,13 +113,21 @@ def warm_modules(lessons):
     found = set()
     for path in handed_out().glob("[0-9][0-9]*.ipynb"):
         if path.name[:2] in lessons:
-            text = "\n".join("".join(cell["source"]) for cell in json.loads(path.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code")
-            found |= {name for name in IMPORT.findall(text) if not name.startswith("dhlab.")} | {module for call, module in LATER.items() if call in text}
+            text = "\n".join(
+                "".join(cell["source"])
+                for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+                if cell["cell_type"] == "code"
+            )
+            found |= {name for name in IMPORT.findall(text) if not name.startswith("dhlab.")} | {
+                module for call, module in LATER.items() if call in text
+            }
     return sorted(found)
 
 
 def fresh(variant, exercise):
-    """The variant that draws an exercise's numbers here: the notebook's own for a task that shows them, another for a function's inputs."""
+    """The variant that draws an exercise's numbers here: the notebook's own for a task that shows
+    them, another for a function's inputs.
+    """
     return variant + FRESH if isinstance(exercise, Function) else variant
 
 
@@ -114,12 +147,23 @@ def request(course, variant, skip=()):
         Ready for JSON.
     """
     lessons = {key: checks for key, checks in handed_out_checks().items() if key in course.lessons}
-    mine = [exercise for key, exercise in exercises().items() if key.split(".")[0] in course.lessons]
-    return {"checks": lessons, "given": {e.id: encode(e.given(variant)) for e in mine},
-            "functions": {e.id: _function(e, variant) for e in mine if isinstance(e, Function)},
-            "only": [course.only] if course.only else [], "skip": sorted(skip), "cell_seconds": course.settings.limits.cell_seconds}
+    mine = [
+        exercise for key, exercise in exercises().items() if key.split(".")[0] in course.lessons
+    ]
+    return {
+        "checks": lessons,
+        "given": {e.id: encode(e.given(variant)) for e in mine},
+        "functions": {e.id: _function(e, variant) for e in mine if isinstance(e, Function)},
+        "only": [course.only] if course.only else [],
+        "skip": sorted(skip),
+        "cell_seconds": course.settings.limits.cell_seconds,
+    }
 
 
 def _function(exercise, variant):
     cases = [[encode(value) for value in case] for case in exercise.cases(fresh(variant, exercise))]
-    return {"names": list(exercise.names), "cases": cases, "own": None if exercise.library else [exercise.family]}
+    return {
+        "names": list(exercise.names),
+        "cases": cases,
+        "own": None if exercise.library else [exercise.family],
+    }

@@ -1,4 +1,6 @@
-"""One student's submission through the cage and the judge: what a worker does, here, in another process or on another machine."""
+"""One student's submission through the cage and the judge: what a worker does, here, in another
+process or on another machine.
+"""
 
 import threading
 import time
@@ -30,7 +32,9 @@ _lock, _cages = threading.Lock(), {}
 
 @dataclass(frozen=True)
 class Handed:
-    """One notebook as handed in: where it was found, its bytes, when it came and how that is known."""
+    """One notebook as handed in: where it was found, its bytes, when it came and how that is
+    known.
+    """
 
     name: str
     raw: bytes
@@ -40,8 +44,9 @@ class Handed:
 
 @dataclass(frozen=True)
 class Task:
-    """One student's notebooks, oldest first; notes for the teacher; what the mark depends on, as a fingerprint; whose numbers the notebooks
-    draw, if another's; whether there is something that cannot be read."""
+    """One student's notebooks, oldest first; notes for the teacher; what the mark depends on, as a
+    fingerprint; whose numbers the notebooks draw, if another's; whether there is something that
+    cannot be read."""
 
     student: str
     notebooks: tuple
@@ -65,19 +70,46 @@ def work(task, course):
     """
     begun = time.monotonic()
     variant = course.variants.get(task.student, 0)
-    common = {"student": task.student, "file": "; ".join(handed.name for handed in task.notebooks), "variant": variant, "fingerprint": task.fingerprint, "numbers_of": task.numbers_of}
+    common = {
+        "student": task.student,
+        "file": "; ".join(handed.name for handed in task.notebooks),
+        "variant": variant,
+        "fingerprint": task.fingerprint,
+        "numbers_of": task.numbers_of,
+    }
     if not task.notebooks:
         status = UNREADABLE if task.refused else MISSING
-        return Graded(status=status, marks=without_marks(course, NOT_ATTEMPTED if task.refused else NOT_HANDED_IN), notes=task.notes, **common)
+        return Graded(
+            status=status,
+            marks=without_marks(course, NOT_ATTEMPTED if task.refused else NOT_HANDED_IN),
+            notes=task.notes,
+            **common,
+        )
     with _lock:
         cage = _cage(course)
         answers, notes, trouble = _run_all(cage, task, course, variant)
         level = cage.level
-    marks, said = _by_lesson([_mark(exercise, answers, variant, course.settings) for exercise in course.exercises], task.notebooks)
+    marks, said = _by_lesson(
+        [_mark(exercise, answers, variant, course.settings) for exercise in course.exercises],
+        task.notebooks,
+    )
     days, penalty = lateness(marks)
-    status = trouble or (NOT_ATTEMPTED if all(found.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for found in marks) else GRADED)
-    return Graded(status=status, marks=marks, late_days=days, penalty=penalty, cage=level, notes=(*task.notes, *notes, *said),
-                  guess_of=borrowed_from(course, task.student, answers, marks), seconds=round(time.monotonic() - begun, 3), **common)
+    status = trouble or (
+        NOT_ATTEMPTED
+        if all(found.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for found in marks)
+        else GRADED
+    )
+    return Graded(
+        status=status,
+        marks=marks,
+        late_days=days,
+        penalty=penalty,
+        cage=level,
+        notes=(*task.notes, *notes, *said),
+        guess_of=borrowed_from(course, task.student, answers, marks),
+        seconds=round(time.monotonic() - begun, 3),
+        **common,
+    )
 
 
 def _cage(course):
@@ -85,7 +117,9 @@ def _cage(course):
     key = (course.settings.cage, course.settings.limits, course.lessons)
     if key not in _cages:
         close()
-        _cages[key] = Cage(course.settings.cage, course.settings.limits, warm_modules(course.lessons))
+        _cages[key] = Cage(
+            course.settings.cage, course.settings.limits, warm_modules(course.lessons)
+        )
     return _cages[key]
 
 
@@ -96,11 +130,15 @@ def close():
     _cages.clear()
 
 
-util.Finalize(None, close, exitpriority=1)  # at the end of this process; unlike atexit in workers too
+util.Finalize(
+    None, close, exitpriority=1
+)  # at the end of this process; unlike atexit in workers too
 
 
 def _run_all(cage, task, course, variant):
-    """Run every notebook; (answers, notes, what kept the whole from being graded: a status or None)."""
+    """Run every notebook; (answers, notes, what kept the whole from being graded: a status or
+    None).
+    """
     answers, notes, runs = Answers(), [], []
     for handed in task.notebooks:
         run, why = _run(cage, handed, course, variant, answers)
@@ -108,21 +146,33 @@ def _run_all(cage, task, course, variant):
         notes += [f"{handed.name}: {note}" for note in why]
     if any(run.ended == "timed out" for run in runs):
         return answers, notes, TIMED_OUT
-    unread = all(run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs)
+    unread = all(
+        run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs
+    )
     return answers, notes, UNREADABLE if unread else None
 
 
 def _run(cage, handed, course, variant, answers):
-    """Run one notebook; a cell that ends the program costs itself, and the rest is run again without it."""
+    """Run one notebook; a cell that ends the program costs itself, and the rest is run again
+    without it.
+    """
     skip, notes, left = set(), [], course.settings.limits.seconds
     while True:
         run = cage.run(request(course, variant, skip), handed.raw, left)
         answers.add(run, handed)
         left -= run.seconds
-        broken = [line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)]
+        broken = [
+            line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)
+        ]
         if broken:
             notes.append(broken[0][:200])
-        if run.ended == "done" or run.cell is None or run.cell in skip or len(skip) == AGAIN or left <= 0:
+        if (
+            run.ended == "done"
+            or run.cell is None
+            or run.cell in skip
+            or len(skip) == AGAIN
+            or left <= 0
+        ):
             if run.ended != "done":
                 notes.append(f"stopped: {run.ended}")
             return run, notes
@@ -136,18 +186,30 @@ def _mark(exercise, answers, variant, settings):
     if handed is None:
         return found
     days, penalty = settings.lateness(found.lesson, handed.when)
-    return replace(found, file=handed.name, handed_in=handed_in(handed.when, handed.source, settings.zone), late_days=days, penalty=penalty)
+    return replace(
+        found,
+        file=handed.name,
+        handed_in=handed_in(handed.when, handed.source, settings.zone),
+        late_days=days,
+        penalty=penalty,
+    )
 
 
 def handed_in(when, source, zone):
-    """When a file came, in words: in the course's time zone, and how it is known; empty when it is not."""
+    """When a file came, in words: in the course's time zone, and how it is known; empty when it is
+    not.
+    """
     return f"{when.astimezone(zone):%Y-%m-%d %H:%M}, {source}" if when else ""
 
 
 def _by_lesson(marks, notebooks):
-    """(marks, notes): the lessons of which there is no file, and which of several files of one lesson was used."""
+    """(marks, notes): the lessons of which there is no file, and which of several files of one
+    lesson was used.
+    """
     lessons = {handed.name: lessons_of(handed.raw) for handed in notebooks}
-    there = frozenset().union(*lessons.values()) | {found.lesson for found in marks if found.status != NOT_ATTEMPTED}
+    there = frozenset().union(*lessons.values()) | {
+        found.lesson for found in marks if found.status != NOT_ATTEMPTED
+    }
     if not all(lessons.values()):  # a notebook that does not say what it is may be of any lesson
         there |= {found.lesson for found in marks}
     notes = []
@@ -157,5 +219,14 @@ def _by_lesson(marks, notebooks):
         if lesson not in there:
             notes.append(f"lesson {lesson}: {NO_FILE}")
         elif len(files) > 1 and used:
-            notes.append(f"lesson {lesson}: {len(files)} files; the answers are those of {' and '.join(used)}")
-    return tuple(found if found.lesson in there else replace(found, status=NOT_HANDED_IN) for found in marks), notes
+            notes.append(
+                f"lesson {lesson}: {len(files)} files; the answers are those of"
+                f" {' and '.join(used)}"
+            )
+    return (
+        tuple(
+            found if found.lesson in there else replace(found, status=NOT_HANDED_IN)
+            for found in marks
+        ),
+        notes,
+    )

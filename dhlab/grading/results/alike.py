@@ -1,7 +1,9 @@
-"""Whose code is suspiciously alike: short runs of tokens that few people write, whatever the names and comments.
+"""Whose code is suspiciously alike: short runs of tokens that few people write, whatever the names
+and comments.
 
-A run of tokens is a fingerprint (Schleimer, Wilkerson & Aiken, "Winnowing", SIGMOD 2003, section 2). Within each run the names are numbered
-in the order in which they come up, so that renaming changes nothing. What was handed out, and what many in the class write, is no evidence.
+A run of tokens is a fingerprint (Schleimer, Wilkerson & Aiken, "Winnowing", SIGMOD 2003, section
+2). Within each run the names are numbered in the order in which they come up, so that renaming
+changes nothing. What was handed out, and what many in the class write, is no evidence.
 """
 
 import io
@@ -15,8 +17,17 @@ from itertools import combinations
 __all__ = ["Pair", "alike", "answers"]
 
 RUN = 12  # tokens: about a line of a formula
-FEW, MANY = 0.1, 10  # a run that more than this share of the class, or this many, wrote is how one writes it, not a copy
-ENOUGH, SHARE = 40, 0.8  # rare runs in common, and as a share of the shorter one's rare runs; measured in benchmarks/classroom.py
+FEW, MANY = (
+    0.1,
+    10,
+    # a run that more than this share of the class, or this many, wrote is how one writes it, not a copy
+)
+ENOUGH, SHARE = (
+    40,
+    0.8,
+    # rare runs in common, and as a share of the shorter one's rare runs; measured in
+    # benchmarks/classroom.py
+)
 LARGEST = 100_000  # characters of one answer that are read
 CHECK = re.compile(r"""^[ \t]*check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE)
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
@@ -24,7 +35,9 @@ SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, how much of the rarer code of the shorter one is in both (0 to 1), and in which exercises."""
+    """Two students, how much of the rarer code of the shorter one is in both (0 to 1), and in which
+    exercises.
+    """
 
     students: tuple
     share: float
@@ -56,7 +69,7 @@ def answers(notebook):
         source = cell.get("source", "")
         source = "".join(map(str, source)) if isinstance(source, list) else str(source)
         checked = CHECK.search(source)
-        code += source[:checked.start()] if checked else source + "\n"
+        code += source[: checked.start()] if checked else source + "\n"
         if checked:
             found[checked[1]] = code[:LARGEST]
             code = ""
@@ -64,7 +77,8 @@ def answers(notebook):
 
 
 def alike(codes, handed_out):
-    """The pairs whose answers share more rare runs than chance and a common lesson explain, most alike first.
+    """The pairs whose answers share more rare runs than chance and a common lesson explain, most
+    alike first.
 
     Parameters
     ----------
@@ -89,39 +103,75 @@ def alike(codes, handed_out):
         if len(students) <= most:
             rare.update(students)
             common.update(combinations(sorted(students), 2))
-    found = {pair: shared / min(rare[student] for student in pair) for pair, shared in common.items() if shared >= ENOUGH}
-    pairs = [Pair(pair, share, _where(codes, pair, lambda run: 1 < len(writers.get(run, ())) <= most)) for pair, share in found.items() if share >= SHARE]
+    found = {
+        pair: shared / min(rare[student] for student in pair)
+        for pair, shared in common.items()
+        if shared >= ENOUGH
+    }
+    pairs = [
+        Pair(pair, share, _where(codes, pair, lambda run: 1 < len(writers.get(run, ())) <= most))
+        for pair, share in found.items()
+        if share >= SHARE
+    ]
     return sorted(pairs, key=lambda pair: (-pair.share, pair.students))
 
 
 def _written(own, given):
     """A student's fingerprints, each bound to its exercise, without those that were handed out."""
-    return {hash((exercise, run)) for exercise, code in own.items() for run in runs(code) - given.get(exercise, set())}
+    return {
+        hash((exercise, run))
+        for exercise, code in own.items()
+        for run in runs(code) - given.get(exercise, set())
+    }
 
 
 def _where(codes, pair, is_rare):
     """The exercises in which two students share rare runs."""
     first, second = (codes[student] for student in pair)
-    shared = {exercise: runs(first[exercise]) & runs(second[exercise]) for exercise in first.keys() & second.keys()}
-    return tuple(sorted(exercise for exercise, both in shared.items() if any(is_rare(hash((exercise, run))) for run in both)))
+    shared = {
+        exercise: runs(first[exercise]) & runs(second[exercise])
+        for exercise in first.keys() & second.keys()
+    }
+    return tuple(
+        sorted(
+            exercise
+            for exercise, both in shared.items()
+            if any(is_rare(hash((exercise, run))) for run in both)
+        )
+    )
 
 
 def runs(code):
     """The fingerprints of a program: each run of tokens with its names numbered, as a hash."""
     tokens = _tokens(code)
-    return {hash(_numbered(tokens[i:i + RUN])) for i in range(len(tokens) - RUN + 1)}
+    return {hash(_numbered(tokens[i : i + RUN])) for i in range(len(tokens) - RUN + 1)}
 
 
 def _tokens(code):
-    """(kind, text) of each token that means something; a program that cannot be read gives those up to the fault."""
+    """(kind, text) of each token that means something; a program that cannot be read gives those up
+    to the fault.
+    """
     found = []
     try:
         for token in tokenize.generate_tokens(io.StringIO(code).readline):
-            if token.type in SKIPPED or token.string in ("(", ")") or token.type == tokenize.STRING and (not found or found[-1][0] == "layout"):  # a docstring
+            if (
+                token.type in SKIPPED
+                or token.string in ("(", ")")
+                or token.type == tokenize.STRING
+                and (not found or found[-1][0] == "layout")
+            ):  # a docstring
                 continue
             layout = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
-            name = token.type == tokenize.NAME and not keyword.iskeyword(token.string) and (not found or found[-1][1] != ".")
-            found.append(("layout", tokenize.tok_name[token.type]) if layout else ("name" if name else "text", token.string))
+            name = (
+                token.type == tokenize.NAME
+                and not keyword.iskeyword(token.string)
+                and (not found or found[-1][1] != ".")
+            )
+            found.append(
+                ("layout", tokenize.tok_name[token.type])
+                if layout
+                else ("name" if name else "text", token.string)
+            )
     except (tokenize.TokenError, SyntaxError):
         pass
     return found
@@ -129,4 +179,6 @@ def _tokens(code):
 
 def _numbered(tokens):
     numbers = {}
-    return tuple(numbers.setdefault(text, len(numbers)) if kind == "name" else text for kind, text in tokens)
+    return tuple(
+        numbers.setdefault(text, len(numbers)) if kind == "name" else text for kind, text in tokens
+    )

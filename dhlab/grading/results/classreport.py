@@ -1,4 +1,6 @@
-"""What a class got wrong, on one page for its teacher: marks, mistakes, what to teach again, questions that may be bad, code that is alike."""
+"""What a class got wrong, on one page for its teacher: marks, mistakes, what to teach again,
+questions that may be bad, code that is alike.
+"""
 
 from collections import Counter
 from itertools import groupby
@@ -18,7 +20,10 @@ from .sections import question, section_of_exercise, section_of_mistake, sheet_q
 __all__ = ["class_report", "write_class_report", "headcount"]
 
 NAME = "class-report.html"
-TOP, SHOWN = 8, 5  # mistakes of the class as a whole, and of one exercise before the rest is folded away
+TOP, SHOWN = (
+    8,
+    5,
+)  # mistakes of the class as a whole, and of one exercise before the rest is folded away
 UNNAMED = "without a name: look at a few of these yourself"
 MOST_NAMES = 8  # of students whose mistake has no name
 
@@ -51,14 +56,41 @@ def class_report(results, roster=(), pairs=()):
     wrong = [mark for mark in marks if mark.status == WRONG]
     shares = [100 * graded.total / graded.of for graded in looked_at if graded.of]
     found = items(results)
-    return render("class-report.html", lang="en", shown=SHOWN, looked_at=len(looked_at), counted=headcount(results, roster), statuses=Counter(graded.status for graded in results).most_common(),
-                  cages=sorted({RISKS.get(graded.cage, graded.cage) for graded in results if graded.cage}), median=median(shares) if shares else 0, histogram=_histogram(shares),
-                  wrong=len(wrong), named=sum(mark.mistake is not None for mark in wrong), stopped=sum(mark.status == TIMED_OUT for mark in marks),
-                  top=_top(looked_at), attention=list(_attention(results, names)), lessons=_lessons(found, looked_at, names),
-                  suspects=[item.exercise for item in found if item.suspect], guesses=[(_called(g.student, names), _called(g.guess_of, names)) for g in results if g.guess_of],
-                  drawn=[(_called(g.student, names), _called(g.numbers_of, names)) for g in results if g.numbers_of and (g.student in names or not names)],  # who matches nobody stands above
-                  pairs=[{"names": [_called(student, names) for student in pair.students], "share": pair.share, "exercises": pair.exercises} for pair in pairs],
-                  students=[_row(graded, names) for graded in results])
+    return render(
+        "class-report.html",
+        lang="en",
+        shown=SHOWN,
+        looked_at=len(looked_at),
+        counted=headcount(results, roster),
+        statuses=Counter(graded.status for graded in results).most_common(),
+        cages=sorted({RISKS.get(graded.cage, graded.cage) for graded in results if graded.cage}),
+        median=median(shares) if shares else 0,
+        histogram=_histogram(shares),
+        wrong=len(wrong),
+        named=sum(mark.mistake is not None for mark in wrong),
+        stopped=sum(mark.status == TIMED_OUT for mark in marks),
+        top=_top(looked_at),
+        attention=list(_attention(results, names)),
+        lessons=_lessons(found, looked_at, names),
+        suspects=[item.exercise for item in found if item.suspect],
+        guesses=[
+            (_called(g.student, names), _called(g.guess_of, names)) for g in results if g.guess_of
+        ],
+        drawn=[
+            (_called(g.student, names), _called(g.numbers_of, names))
+            for g in results
+            if g.numbers_of and (g.student in names or not names)
+        ],  # who matches nobody stands above
+        pairs=[
+            {
+                "names": [_called(student, names) for student in pair.students],
+                "share": pair.share,
+                "exercises": pair.exercises,
+            }
+            for pair in pairs
+        ],
+        students=[_row(graded, names) for graded in results],
+    )
 
 
 def write_class_report(results, roster, folder, pairs=()):
@@ -89,39 +121,90 @@ def headcount(results, roster):
     """
     known = {student.student for student in roster}
     strangers = sum(graded.student not in known for graded in results)
-    return f"{len(results) - strangers} on the roster" + (f", {strangers} that match nobody on it" if strangers else "") if known else f"{len(results)} students"
+    return (
+        f"{len(results) - strangers} on the roster"
+        + (f", {strangers} that match nobody on it" if strangers else "")
+        if known
+        else f"{len(results)} students"
+    )
 
 
 def _histogram(shares):
     """(label, how many, share of the class) for each tenth of the points."""
     tenths = Counter(min(int(share // 10), 9) for share in shares)
-    return [(f"{10 * k} to {10 * k + 10} %", tenths[k], tenths[k] / len(shares)) for k in range(9, -1, -1)] if shares else []
+    return (
+        [
+            (f"{10 * k} to {10 * k + 10} %", tenths[k], tenths[k] / len(shares))
+            for k in range(9, -1, -1)
+        ]
+        if shares
+        else []
+    )
 
 
 def _top(looked_at):
     """The mistakes most students made, one count a student."""
-    counts = Counter(mistake for graded in looked_at for mistake in {mark.mistake for mark in graded.marks if mark.status == WRONG and mark.mistake in catalogue()})
-    return [_line(mistake, count, len(looked_at)) | {"section": section_of_mistake(mistake)} for mistake, count in counts.most_common(TOP)]
+    counts = Counter(
+        mistake
+        for graded in looked_at
+        for mistake in {
+            mark.mistake
+            for mark in graded.marks
+            if mark.status == WRONG and mark.mistake in catalogue()
+        }
+    )
+    return [
+        _line(mistake, count, len(looked_at)) | {"section": section_of_mistake(mistake)}
+        for mistake, count in counts.most_common(TOP)
+    ]
 
 
 def _line(mistake, count, of):
     known = catalogue().get(mistake)
-    return {"id": mistake or "", "title": known.title if known else UNNAMED if mistake is None else mistake, "count": count, "share": count / of}
+    return {
+        "id": mistake or "",
+        "title": known.title if known else UNNAMED if mistake is None else mistake,
+        "count": count,
+        "share": count / of,
+    }
 
 
 def _lessons(found, looked_at, names):
     lessons = groupby(found, key=lambda item: item.exercise.partition(".")[0])
-    return [{"number": number, "question": sheet_question(number), "exercises": [_exercise(item, looked_at, names) for item in own]} for number, own in lessons]
+    return [
+        {
+            "number": number,
+            "question": sheet_question(number),
+            "exercises": [_exercise(item, looked_at, names) for item in own],
+        }
+        for number, own in lessons
+    ]
 
 
 def _exercise(item, looked_at, names):
     of = item.statuses.total()
-    unnamed = [_called(graded.student, names) for graded in looked_at for mark in graded.marks if mark.exercise == item.exercise and mark.status == WRONG and mark.mistake is None]
+    unnamed = [
+        _called(graded.student, names)
+        for graded in looked_at
+        for mark in graded.marks
+        if mark.exercise == item.exercise and mark.status == WRONG and mark.mistake is None
+    ]
     known = exercises().get(item.exercise)
-    first = next((mistake for mistake, _ in item.mistakes.most_common() if mistake in catalogue()), None)
-    return {"item": item, "title": known.title if known else "", "statuses": item.statuses.most_common(), "of": of, "unnamed": unnamed[:MOST_NAMES], "more": max(0, len(unnamed) - MOST_NAMES), "section": section_of_exercise(item.exercise),
-            "bars": [_line(mistake, count, of) for mistake, count in item.mistakes.most_common()],
-            "treated": section_of_mistake(first) if first else "", "question": question(known, first) if first else ""}
+    first = next(
+        (mistake for mistake, _ in item.mistakes.most_common() if mistake in catalogue()), None
+    )
+    return {
+        "item": item,
+        "title": known.title if known else "",
+        "statuses": item.statuses.most_common(),
+        "of": of,
+        "unnamed": unnamed[:MOST_NAMES],
+        "more": max(0, len(unnamed) - MOST_NAMES),
+        "section": section_of_exercise(item.exercise),
+        "bars": [_line(mistake, count, of) for mistake, count in item.mistakes.most_common()],
+        "treated": section_of_mistake(first) if first else "",
+        "question": question(known, first) if first else "",
+    }
 
 
 def _attention(results, names):
@@ -130,12 +213,23 @@ def _attention(results, names):
         if names and graded.student not in names:
             yield _called(graded.student, names), "; ".join(graded.notes) or "not on the roster"
         elif graded.status != GRADED:
-            yield _called(graded.student, names), ": ".join([graded.status, *filter(None, ["; ".join(graded.notes)])])
+            yield (
+                _called(graded.student, names),
+                ": ".join([graded.status, *filter(None, ["; ".join(graded.notes)])]),
+            )
         for mark in graded.marks if graded.status in (GRADED, TIMED_OUT) else ():
             if mark.status in (ERROR, TIMED_OUT, NOT_ALLOWED):
-                yield _called(graded.student, names), f"{mark.exercise} {mark.status}" + (f": {mark.note}" if mark.note else "")
+                yield (
+                    _called(graded.student, names),
+                    f"{mark.exercise} {mark.status}" + (f": {mark.note}" if mark.note else ""),
+                )
 
 
 def _row(graded, names):
-    return {"graded": graded, "name": names.get(graded.student, graded.student), "link": f"feedback/{quote(graded.student)}.html", "late": duration(graded.late_days, words("en")) if graded.late_days else "",
-            "right": sum(mark.status == RIGHT for mark in graded.marks)}
+    return {
+        "graded": graded,
+        "name": names.get(graded.student, graded.student),
+        "link": f"feedback/{quote(graded.student)}.html",
+        "late": duration(graded.late_days, words("en")) if graded.late_days else "",
+        "right": sum(mark.status == RIGHT for mark in graded.marks),
+    }

@@ -1,11 +1,15 @@
-"""CSV that is safe to open in a spreadsheet: a text that would run as a formula is shown as the text it is."""
+"""CSV that is safe to open in a spreadsheet: a text that would run as a formula is shown as the
+text it is.
+"""
 
 import csv
 import io
 
 __all__ = ["csv_text"]
 
-FORMULA = tuple("=+-@\t\r\n＝＋－＠")  # what makes a spreadsheet compute; the wide forms in some of them too
+FORMULA = tuple(
+    "=+-@\t\r\n＝＋－＠"
+)  # what makes a spreadsheet compute; the wide forms in some of them too
 
 
 def csv_text(rows):
@@ -30,5 +34,7 @@ def csv_text(rows):
 def _cell(value):
     if not isinstance(value, str):
         return value
-    text = value.replace("\r\n", "\n").replace("\r", "\n")  # a bare carriage return would end the row
+    text = value.replace("\r\n", "\n").replace(
+        "\r", "\n"
+    )  # a bare carriage return would end the row
     return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text

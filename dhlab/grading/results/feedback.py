@@ -1,4 +1,6 @@
-"""What a student gets back: one page with the course's words on each exercise, and nothing of the tests."""
+"""What a student gets back: one page with the course's words on each exercise, and nothing of the
+tests.
+"""
 
 import builtins
 import re
@@ -23,15 +25,27 @@ from .pages import duration, render, words
 
 __all__ = ["feedback_page", "write_feedback", "headline"]
 
-SYMBOLS = {RIGHT: "✓", WRONG: "✗", NOT_ATTEMPTED: "○", NOT_HANDED_IN: "○", ERROR: "✗", TIMED_OUT: "✗", NOT_ALLOWED: "✗"}
-STOPS = re.compile(r"(the (?:function|cell) stops with )(\w+)(?:: .*)?\Z", re.DOTALL)  # then the program's own words, in which it may tell what it was called with
+SYMBOLS = {
+    RIGHT: "✓",
+    WRONG: "✗",
+    NOT_ATTEMPTED: "○",
+    NOT_HANDED_IN: "○",
+    ERROR: "✗",
+    TIMED_OUT: "✗",
+    NOT_ALLOWED: "✗",
+}
+STOPS = re.compile(
+    r"(the (?:function|cell) stops with )(\w+)(?:: .*)?\Z", re.DOTALL
+)  # then the program's own words, in which it may tell what it was called with
 A_CALL = "seen at "  # how the check names the numbers it called with: an input of the tests
 
 
 def feedback_page(graded, student=None):
-    """The page of one student, as HTML that stands alone: no script, nothing fetched, every text escaped.
+    """The page of one student, as HTML that stands alone: no script, nothing fetched, every text
+    escaped.
 
-    What only the teacher should see (notes, whose answer this would be) is left out, and so are the numbers the checks called with.
+    What only the teacher should see (notes, whose answer this would be) is left out, and so are the
+    numbers the checks called with.
 
     Parameters
     ----------
@@ -53,11 +67,30 @@ def feedback_page(graded, student=None):
     student = student or Student(graded.student)
     said = words(student.language)
     cards = [_card(mark, said) for mark in graded.marks]
-    no_file = sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN}) if graded.status != MISSING else []
-    sentence = said["no notebook" if graded.status == UNREADABLE and not graded.file else f"status {graded.status}"]
-    return render("feedback.html", lang=said["lang"], words=said, graded=graded, name=student.name or graded.student, cards=cards, sentence=sentence, no_file=no_file,
-                  late=duration(graded.late_days, said) if graded.penalty else "",
-                  right=sum(mark.status == RIGHT for mark in graded.marks))
+    no_file = (
+        sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN})
+        if graded.status != MISSING
+        else []
+    )
+    sentence = said[
+        (
+            "no notebook"
+            if graded.status == UNREADABLE and not graded.file
+            else f"status {graded.status}"
+        )
+    ]
+    return render(
+        "feedback.html",
+        lang=said["lang"],
+        words=said,
+        graded=graded,
+        name=student.name or graded.student,
+        cards=cards,
+        sentence=sentence,
+        no_file=no_file,
+        late=duration(graded.late_days, said) if graded.penalty else "",
+        right=sum(mark.status == RIGHT for mark in graded.marks),
+    )
 
 
 def write_feedback(graded, student, folder):
@@ -73,7 +106,8 @@ def write_feedback(graded, student, folder):
 
 
 def headline(mark):
-    """A mark's headline as the student may read it: of an error its kind, and not what the program says of it.
+    """A mark's headline as the student may read it: of an error its kind, and not what the program
+    says of it.
 
     Examples
     --------
@@ -85,13 +119,27 @@ def headline(mark):
     if not stops:
         return mark.headline
     known = getattr(builtins, stops[2], None)
-    return stops[1] + (stops[2] if isinstance(known, type) and issubclass(known, BaseException) or stops[2] == "LinAlgError" else "an error")
+    return stops[1] + (
+        stops[2]
+        if isinstance(known, type) and issubclass(known, BaseException) or stops[2] == "LinAlgError"
+        else "an error"
+    )
 
 
 def _card(mark, said):
     known = exercises().get(mark.exercise)
     mistake = catalogue().get(mark.mistake)
     place = "" if mark.place.startswith(A_CALL) else mark.place
-    lines = [(said[label], text) for label, text in (("where", place), ("why", mark.why), ("next", mark.next)) if text]
-    return {"mark": mark, "headline": headline(mark), "title": known.title if known else "", "symbol": SYMBOLS[mark.status], "lines": lines,
-            "lesson": mistake.lesson if mistake and mark.status != RIGHT else ""}
+    lines = [
+        (said[label], text)
+        for label, text in (("where", place), ("why", mark.why), ("next", mark.next))
+        if text
+    ]
+    return {
+        "mark": mark,
+        "headline": headline(mark),
+        "title": known.title if known else "",
+        "symbol": SYMBOLS[mark.status],
+        "lines": lines,
+        "lesson": mistake.lesson if mistake and mark.status != RIGHT else "",
+    }

@@ -1,4 +1,6 @@
-"""What the grader keeps on disk: a file of marks per student, written whole or not at all, and ``grades.csv`` made from them."""
+"""What the grader keeps on disk: a file of marks per student, written whole or not at all, and
+``grades.csv`` made from them.
+"""
 
 import json
 import os
@@ -31,11 +33,16 @@ class Gradebook:
 
     @contextmanager
     def alone(self):
-        """While one grader writes here, no other does. The lock ends with the process, however that ends; where the file system knows no locks there is none."""
+        """While one grader writes here, no other does. The lock ends with the process, however that
+        ends; where the file system knows no locks there is none.
+        """
         try:
             (self.folder / "marks").mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise ValueError(f"grade: {self.folder}: expected a folder for the marks, found that it cannot be made ({error.strerror}); choose another") from None
+            raise ValueError(
+                f"grade: {self.folder}: expected a folder for the marks, found that it cannot be"
+                f" made ({error.strerror}); choose another"
+            ) from None
         try:
             from fcntl import LOCK_EX, LOCK_NB, flock
         except ImportError:  # not on Windows
@@ -46,7 +53,10 @@ class Gradebook:
             flock(marks, LOCK_EX | LOCK_NB)
         except BlockingIOError:
             os.close(marks)
-            raise ValueError(f"grade: {self.folder}: expected a folder that nobody else writes to, found that another grader is at work in it; wait for it, or choose another") from None
+            raise ValueError(
+                f"grade: {self.folder}: expected a folder that nobody else writes to, found that"
+                " another grader is at work in it; wait for it, or choose another"
+            ) from None
         except OSError:
             pass
         try:
@@ -60,7 +70,11 @@ class Gradebook:
 
     def students(self):
         """Everybody whose marks stand here."""
-        return [unquote(path.stem) for path in sorted((self.folder / "marks").glob("*.json")) if not path.name.startswith(".")]
+        return [
+            unquote(path.stem)
+            for path in sorted((self.folder / "marks").glob("*.json"))
+            if not path.name.startswith(".")
+        ]
 
     def read(self, student):
         """What was graded before, or None; ValueError when the file holds no marks of ours."""
@@ -71,14 +85,28 @@ class Gradebook:
         try:
             return Graded.from_dict(json.loads(text))
         except (ValueError, TypeError, KeyError, AttributeError):
-            raise ValueError(f"grade: {path}: expected marks that dhlab wrote, found something else; move it away, and run again to grade this student anew") from None
+            raise ValueError(
+                f"grade: {path}: expected marks that dhlab wrote, found something else; move it"
+                " away, and run again to grade this student anew"
+            ) from None
 
     def check_ours(self, students):
-        """ValueError when a file stands in the way that dhlab did not write; nothing has been written then."""
-        sheet, pages = self.folder / "grades.csv", [self.folder / "class-report.html", *(self.folder / "feedback" / f"{student}.html" for student in students)]
+        """ValueError when a file stands in the way that dhlab did not write; nothing has been
+        written then.
+        """
+        sheet, pages = (
+            self.folder / "grades.csv",
+            [
+                self.folder / "class-report.html",
+                *(self.folder / "feedback" / f"{student}.html" for student in students),
+            ],
+        )
         for path, sign in [(sheet, ",".join(HEAD)), *((page, OURS) for page in pages)]:
             if path.exists() and sign not in self._beginning(path):
-                raise ValueError(f"grade: {path}: expected a place for what dhlab writes, found a file that it did not write; move it away, or give another --out")
+                raise ValueError(
+                    f"grade: {path}: expected a place for what dhlab writes, found a file that it"
+                    " did not write; move it away, or give another --out"
+                )
         for student in self.students():
             self.read(student)
 
@@ -92,31 +120,70 @@ class Gradebook:
 
     def write(self, graded):
         """Write one student's marks, whole or not at all."""
-        files.write_text(self.path(graded.student), json.dumps(graded.to_dict(), ensure_ascii=False, indent=1) + "\n", overwrite=True)
+        files.write_text(
+            self.path(graded.student),
+            json.dumps(graded.to_dict(), ensure_ascii=False, indent=1) + "\n",
+            overwrite=True,
+        )
 
     def write_grades(self, results, roster=()):
-        """``grades.csv``: a line with a status for each student, and the points of each exercise."""
+        """``grades.csv``: a line with a status for each student, and the points of each
+        exercise.
+        """
         names = {student.student: student.name for student in roster}
-        exercises = list(dict.fromkeys(mark.exercise for graded in results for mark in graded.marks))
-        exercises.sort(key=lambda key: (key.partition(".")[0], int(key.partition(".")[2]) if key.partition(".")[2].isdigit() else 0, key))
+        exercises = list(
+            dict.fromkeys(mark.exercise for graded in results for mark in graded.marks)
+        )
+        exercises.sort(
+            key=lambda key: (
+                key.partition(".")[0],
+                int(key.partition(".")[2]) if key.partition(".")[2].isdigit() else 0,
+                key,
+            )
+        )
         head = [*HEAD, *exercises, "handed_in", "file", "cage", "notes"]
-        files.write_text(self.folder / "grades.csv", csv_text([head, *(self._row(graded, names, exercises) for graded in results)]), overwrite=True)
+        files.write_text(
+            self.folder / "grades.csv",
+            csv_text([head, *(self._row(graded, names, exercises) for graded in results)]),
+            overwrite=True,
+        )
 
     @staticmethod
     def _row(graded, names, exercises):
-        points = {mark.exercise: _plain(mark.points) for mark in graded.marks if mark.status != NOT_HANDED_IN}
-        numbers = map(_plain, (graded.total, graded.points, graded.of, graded.late_days, graded.penalty))
-        return [graded.student, names.get(graded.student, ""), graded.status, *numbers, *(points.get(exercise) for exercise in exercises),
-                handed_in(graded.marks), graded.file, graded.cage, " | ".join(graded.notes)]
+        points = {
+            mark.exercise: _plain(mark.points)
+            for mark in graded.marks
+            if mark.status != NOT_HANDED_IN
+        }
+        numbers = map(
+            _plain, (graded.total, graded.points, graded.of, graded.late_days, graded.penalty)
+        )
+        return [
+            graded.student,
+            names.get(graded.student, ""),
+            graded.status,
+            *numbers,
+            *(points.get(exercise) for exercise in exercises),
+            handed_in(graded.marks),
+            graded.file,
+            graded.cage,
+            " | ".join(graded.notes),
+        ]
 
 
 def handed_in(marks):
-    """When the latest answer of each lesson came, and how that is known: "2026-11-17 10:03, zip"; with the lessons where they differ."""
+    """When the latest answer of each lesson came, and how that is known: "2026-11-17 10:03, zip";
+    with the lessons where they differ.
+    """
     latest = {}
     for mark in marks:
         if mark.handed_in:
             latest[mark.lesson] = max(latest.get(mark.lesson, ""), mark.handed_in)
-    return next(iter(latest.values())) if len(set(latest.values())) == 1 else "; ".join(f"{lesson}: {when}" for lesson, when in sorted(latest.items()))
+    return (
+        next(iter(latest.values()))
+        if len(set(latest.values())) == 1
+        else "; ".join(f"{lesson}: {when}" for lesson, when in sorted(latest.items()))
+    )
 
 
 def _plain(number):

@@ -1,4 +1,6 @@
-"""How hard an exercise was, and whether it tells those who know from those who do not: classical item analysis."""
+"""How hard an exercise was, and whether it tells those who know from those who do not: classical
+item analysis.
+"""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -26,7 +28,8 @@ class Item:
     difficulty : float
         The mean share of the points, 1 when everybody has all of them.
     discrimination : float or None
-        The correlation with the points of all the other exercises; None with fewer than ten students, or when one of the two does not vary.
+        The correlation with the points of all the other exercises; None with fewer than ten
+        students, or when one of the two does not vary.
     """
 
     exercise: str
@@ -41,24 +44,40 @@ class Item:
         if self.discrimination is None:
             return ""
         if self.difficulty > EASY:
-            return "Nearly everybody is right: fine as practice, but it tells nothing of who understands."
+            return (
+                "Nearly everybody is right: fine as practice, but it tells nothing of who"
+                " understands."
+            )
         if self.suspect and self.discrimination < 0:
-            return "Those who do well elsewhere do worse here: is the question misleading, or its answer wrong?"
+            return (
+                "Those who do well elsewhere do worse here: is the question misleading, or its"
+                " answer wrong?"
+            )
         if self.difficulty < HARD:
             return "Nearly nobody is right: was it taught, and does the text say what is asked?"
-        return "It hardly tells those who know from those who do not: read its text again." if self.suspect else ""
+        return (
+            "It hardly tells those who know from those who do not: read its text again."
+            if self.suspect
+            else ""
+        )
 
     @property
     def suspect(self):
         """Whether the question itself, not the class, may be at fault."""
         wrong = self.statuses.total() - self.statuses[RIGHT]
-        return self.discrimination is not None and self.discrimination < FLAT and self.difficulty <= EASY and wrong >= ENOUGH_WRONG
+        return (
+            self.discrimination is not None
+            and self.discrimination < FLAT
+            and self.difficulty <= EASY
+            and wrong >= ENOUGH_WRONG
+        )
 
 
 def items(results):
     """The items of a class, in the order of the exercises.
 
-    Students whose work could not be looked at are left out, and so is who did not hand in the exercise's lesson.
+    Students whose work could not be looked at are left out, and so is who did not hand in the
+    exercise's lesson.
 
     Parameters
     ----------
@@ -76,17 +95,37 @@ def items(results):
     (0.5, True)
     """
     looked_at = [graded for graded in results if graded.status in (GRADED, TIMED_OUT)]
-    order = dict.fromkeys(mark.exercise for graded in looked_at for mark in graded.marks if mark.status != NOT_HANDED_IN)
-    return [_item(exercise, looked_at) for exercise in sorted(order, key=lambda exercise: exercise.partition(".")[0])]
+    order = dict.fromkeys(
+        mark.exercise
+        for graded in looked_at
+        for mark in graded.marks
+        if mark.status != NOT_HANDED_IN
+    )
+    return [
+        _item(exercise, looked_at)
+        for exercise in sorted(order, key=lambda exercise: exercise.partition(".")[0])
+    ]
 
 
 def _item(exercise, looked_at):
-    pairs = [(mark, graded) for graded in looked_at for mark in graded.marks if mark.exercise == exercise and mark.status != NOT_HANDED_IN]
+    pairs = [
+        (mark, graded)
+        for graded in looked_at
+        for mark in graded.marks
+        if mark.exercise == exercise and mark.status != NOT_HANDED_IN
+    ]
     marks = [mark for mark, _ in pairs]
-    shares = np.array([mark.points / mark.of if mark.of else mark.status == RIGHT for mark in marks], dtype=float)
+    shares = np.array(
+        [mark.points / mark.of if mark.of else mark.status == RIGHT for mark in marks], dtype=float
+    )
     rest = np.array([_share_of_others(mark, graded) for mark, graded in pairs], dtype=float)
-    return Item(exercise, Counter(mark.status for mark in marks), Counter(mark.mistake for mark in marks if mark.status == WRONG),
-                float(shares.mean()), _correlation(shares, rest))
+    return Item(
+        exercise,
+        Counter(mark.status for mark in marks),
+        Counter(mark.mistake for mark in marks if mark.status == WRONG),
+        float(shares.mean()),
+        _correlation(shares, rest),
+    )
 
 
 def _share_of_others(mark, graded):

@@ -1,10 +1,32 @@
-"""``Mark`` and ``Graded``: what the grader says of one exercise, and of one student's submission; as dataclasses and as JSON."""
+"""``Mark`` and ``Graded``: what the grader says of one exercise, and of one student's submission;
+as dataclasses and as JSON.
+"""
 
 from dataclasses import asdict, dataclass, fields
 
-__all__ = ["Mark", "Graded", "RIGHT", "WRONG", "NOT_ATTEMPTED", "ERROR", "TIMED_OUT", "NOT_ALLOWED", "NOT_HANDED_IN", "GRADED", "UNREADABLE", "MISSING"]
+__all__ = [
+    "Mark",
+    "Graded",
+    "RIGHT",
+    "WRONG",
+    "NOT_ATTEMPTED",
+    "ERROR",
+    "TIMED_OUT",
+    "NOT_ALLOWED",
+    "NOT_HANDED_IN",
+    "GRADED",
+    "UNREADABLE",
+    "MISSING",
+]
 
-RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = "right", "wrong", "not attempted", "error", "timed out", "not allowed"
+RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = (
+    "right",
+    "wrong",
+    "not attempted",
+    "error",
+    "timed out",
+    "not allowed",
+)
 NOT_HANDED_IN = "not handed in"
 GRADED, UNREADABLE, MISSING = "graded", "unreadable", "missing"
 OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED, NOT_HANDED_IN)
@@ -20,7 +42,8 @@ class Mark:
     exercise : str
         Its id, such as "05.2".
     status : str
-        "right", "wrong", "not attempted", "error", "timed out", "not allowed" (it calls what it was to write) or "not handed in" (no file of its lesson).
+        "right", "wrong", "not attempted", "error", "timed out", "not allowed" (it calls what it was
+        to write) or "not handed in" (no file of its lesson).
     points, of : float
         Earned, and possible.
     mistake : str or None
@@ -30,7 +53,8 @@ class Mark:
     note : str
         What only the teacher needs: a limit that was reached, an error that was met.
     file, handed_in : str
-        The file the answer came from; when that was handed in, in the course's time zone, and how that is known.
+        The file the answer came from; when that was handed in, in the course's time zone, and how
+        that is known.
     late_days, penalty : float
         Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
 
@@ -63,7 +87,10 @@ class Mark:
 
     def __post_init__(self):
         if self.status not in OF_MARK:
-            raise ValueError(f"Mark: expected a status of {', '.join(OF_MARK)}, found {self.status!r}; use one of these words")
+            raise ValueError(
+                f"Mark: expected a status of {', '.join(OF_MARK)}, found {self.status!r}; use one"
+                " of these words"
+            )
 
     def to_dict(self):
         """A dict of text and numbers."""
@@ -84,7 +111,8 @@ class Graded:
     student : str
         The id of the roster, or the one read off the file's name.
     file : str
-        Where the submission was found, in words relative to the folder that was graded; empty when there is none.
+        Where the submission was found, in words relative to the folder that was graded; empty when
+        there is none.
     status : str
         "graded", "not attempted", "unreadable", "timed out" or "missing".
     marks : tuple of Mark
@@ -92,7 +120,8 @@ class Graded:
     variant : int
         Whose numbers the answers were compared with.
     late_days, penalty : float
-        The most days that one of its exercises is late, and the share of all points, 0 to 1, that is taken off.
+        The most days that one of its exercises is late, and the share of all points, 0 to 1, that
+        is taken off.
     cage : str
         The level the submission ran at.
     seconds : float
@@ -100,11 +129,13 @@ class Graded:
     notes : tuple of str
         Sentences for the teacher.
     guess_of : str or None
-        Another student for whose variant the wrong answers are right, where chance does not explain it.
+        Another student for whose variant the wrong answers are right, where chance does not explain
+        it.
     numbers_of : str or None
         Another student whose numbers the notebook itself draws.
     fingerprint : str
-        Of what was handed in and how it was to be graded: a later run grades again when it has changed.
+        Of what was handed in and how it was to be graded: a later run grades again when it has
+        changed.
 
     Examples
     --------
@@ -131,7 +162,10 @@ class Graded:
 
     def __post_init__(self):
         if self.status not in OF_STUDENT:
-            raise ValueError(f"Graded: expected a status of {', '.join(OF_STUDENT)}, found {self.status!r}; use one of these words")
+            raise ValueError(
+                f"Graded: expected a status of {', '.join(OF_STUDENT)}, found {self.status!r}; use"
+                " one of these words"
+            )
 
     @property
     def points(self):
@@ -149,15 +183,28 @@ class Graded:
         return round(self.points * (1 - self.penalty), 2)
 
     def to_dict(self):
-        """A dict of text, numbers and lists, with ``points``, ``of`` and ``total`` for whoever reads the file."""
-        return asdict(self) | {"marks": [mark.to_dict() for mark in self.marks], "notes": list(self.notes),
-                               "points": self.points, "of": self.of, "total": self.total}
+        """A dict of text, numbers and lists, with ``points``, ``of`` and ``total`` for whoever
+        reads the file.
+        """
+        return asdict(self) | {
+            "marks": [mark.to_dict() for mark in self.marks],
+            "notes": list(self.notes),
+            "points": self.points,
+            "of": self.of,
+            "total": self.total,
+        }
 
     @classmethod
     def from_dict(cls, given):
         """The Graded of such a dict."""
         known = _known(cls, given)
-        return cls(**known | {"marks": tuple(map(Mark.from_dict, known["marks"])), "notes": tuple(known.get("notes", ()))})
+        return cls(
+            **known
+            | {
+                "marks": tuple(map(Mark.from_dict, known["marks"])),
+                "notes": tuple(known.get("notes", ())),
+            }
+        )
 
 
 def _known(cls, given):

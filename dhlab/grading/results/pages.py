@@ -1,4 +1,6 @@
-"""HTML pages from templates: one file each, everything escaped, nothing fetched and no script run by whoever opens it."""
+"""HTML pages from templates: one file each, everything escaped, nothing fetched and no script run
+by whoever opens it.
+"""
 
 import unicodedata
 from functools import cache
@@ -8,13 +10,16 @@ from ...formats import plainyaml
 
 __all__ = ["render", "words", "duration", "OURS"]
 
-OURS = '<meta name="generator" content="dhlab">'  # in every page, so that no other is ever overwritten
+OURS = (  # in every page, so that no other is ever overwritten
+    '<meta name="generator" content="dhlab">'
+)
 HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
 
 
 def render(template, **values):
-    """A page from ``templates/``; every value is escaped, and a name that the template does not know stops it.
+    """A page from ``templates/``; every value is escaped, and a name that the template does not
+    know stops it.
 
     Examples
     --------
@@ -29,19 +34,33 @@ def _environment():
     try:
         import jinja2
     except ImportError:
-        raise ValueError('expected Jinja2 for the pages, found that it is not installed; run: pip install "dhlab-kinematics[teach]"') from None
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
-                                     trim_blocks=True, lstrip_blocks=True, finalize=_readable)
+        raise ValueError(
+            "expected Jinja2 for the pages, found that it is not installed; run: pip install"
+            ' "dhlab-kinematics[teach]"'
+        ) from None
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        finalize=_readable,
+    )
     environment.filters["number"] = lambda value: f"{round(value, 2):g}"
     environment.filters["percent"] = lambda value: f"{100 * value:.0f}"
     return environment
 
 
 def _readable(value):
-    """A text without control characters and without those that turn the direction of writing, and not too long."""
+    """A text without control characters and without those that turn the direction of writing, and
+    not too long.
+    """
     if type(value) is not str:
         return value
-    shown = "".join(c if c == "\n" or not unicodedata.category(c).startswith("C") else "·" for c in value[:LONGEST])
+    shown = "".join(
+        c if c == "\n" or not unicodedata.category(c).startswith("C") else "·"
+        for c in value[:LONGEST]
+    )
     return shown + "…" * (len(value) > LONGEST)
 
 
@@ -55,13 +74,18 @@ def duration(days, said):
     """
     minutes = max(1, round(days * 1440))
     parts = [(minutes // 1440, "day"), (minutes // 60 % 24, "hour"), (minutes % 60, "minute")]
-    shown = [f"{count} {said[unit]}" for count, unit in (parts[:2] if minutes >= 1440 else parts[1:]) if count]
+    shown = [
+        f"{count} {said[unit]}"
+        for count, unit in (parts[:2] if minutes >= 1440 else parts[1:])
+        if count
+    ]
     return " ".join(shown)
 
 
 @cache
 def words(language):
-    """The words of a feedback page by key, and the language they are in; English where the language has none.
+    """The words of a feedback page by key, and the language they are in; English where the language
+    has none.
 
     Examples
     --------

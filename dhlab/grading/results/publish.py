@@ -11,7 +11,8 @@ from .feedback import write_feedback
 
 __all__ = ["publish"]
 
-LARGEST = 2_000_000  # bytes of a notebook that is looked at for copies; lessons without pictures are far smaller
+# bytes of a notebook that is looked at for copies; lessons without pictures are far smaller
+LARGEST = 2_000_000
 
 
 def publish(planned, results, roster, out):
@@ -35,7 +36,11 @@ def publish(planned, results, roster, out):
     for graded in results:
         write_feedback(graded, known.get(graded.student, Student(graded.student)), folder)
     codes = {student: _code(mine) for student, mine in planned.found.items() if mine.notebooks}
-    given = {exercise: code for path in sorted(handed_out().glob("*.ipynb")) for exercise, code in answers(json.loads(path.read_text(encoding="utf-8"))).items()}
+    given = {
+        exercise: code
+        for path in sorted(handed_out().glob("*.ipynb"))
+        for exercise, code in answers(json.loads(path.read_text(encoding="utf-8"))).items()
+    }
     return write_class_report(results, roster, out, alike(codes, given))
 
 

@@ -1,4 +1,6 @@
-"""Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons and the teacher's sheets."""
+"""Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons
+and the teacher's sheets.
+"""
 
 import json
 import re
@@ -18,7 +20,10 @@ CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
 @cache
 def _lessons():
     """(title, {exercise: section}, {mistake: section}) of each lesson, by number."""
-    return {path.name[:2]: _read(json.loads(path.read_text(encoding="utf-8"))) for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))}
+    return {
+        path.name[:2]: _read(json.loads(path.read_text(encoding="utf-8")))
+        for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))
+    }
 
 
 def _read(notebook):
@@ -66,7 +71,9 @@ def section_of_mistake(mistake):
 
 
 def question(exercise, mistake):
-    """What to ask a class in which many made this mistake in this exercise: a wrong option in their own words, or what the mistake looks like."""
+    """What to ask a class in which many made this mistake in this exercise: a wrong option in their
+    own words, or what the mistake looks like.
+    """
     if isinstance(exercise, Choice):
         claims = [option.text for option in exercise.options.values() if option.mistake == mistake]
         if claims:
@@ -84,6 +91,10 @@ def sheet_question(lesson):
     """
     for folder in (PACKAGE / "teacher", PACKAGE.parent / "solutions" / "teacher"):
         for path in sorted(folder.glob(f"{lesson}-*.md")):
-            found = re.search(r"^## To discuss\n+(.*?)(?=^## |\Z)", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+            found = re.search(
+                r"^## To discuss\n+(.*?)(?=^## |\Z)",
+                path.read_text(encoding="utf-8"),
+                re.MULTILINE | re.DOTALL,
+            )
             return found[1].strip() if found else ""
     return ""

@@ -1,4 +1,6 @@
-"""What stands of an earlier run: marks of other lessons, and of work that is not among what is graded now. No mark is ever lost."""
+"""What stands of an earlier run: marks of other lessons, and of work that is not among what is
+graded now. No mark is ever lost.
+"""
 
 from dataclasses import replace
 
@@ -14,8 +16,9 @@ NO_FILE = "no file was found"
 def together(before, new, only=""):
     """The marks of one student from an earlier run and from this one, as one Graded.
 
-    This run's marks count, but for exercises that it did not grade, lessons of which no file was handed in this time, and files that cannot be
-    read: there the earlier ones stand, and a note says so.
+    This run's marks count, but for exercises that it did not grade, lessons of which no file was
+    handed in this time, and files that cannot be read: there the earlier ones stand, and a note
+    says so.
 
     Parameters
     ----------
@@ -31,7 +34,13 @@ def together(before, new, only=""):
     if before is None:
         return new
     old, fresh = ({mark.exercise: mark for mark in graded.marks} for graded in (before, new))
-    lost = {key for key, mark in fresh.items() if key in old and old[key].status != NOT_HANDED_IN and (mark.status == NOT_HANDED_IN or new.status == UNREADABLE)}
+    lost = {
+        key
+        for key, mark in fresh.items()
+        if key in old
+        and old[key].status != NOT_HANDED_IN
+        and (mark.status == NOT_HANDED_IN or new.status == UNREADABLE)
+    }
     stand = {key: mark for key, mark in old.items() if key not in fresh or key in lost}
     if not stand:
         return new
@@ -39,14 +48,34 @@ def together(before, new, only=""):
     if only:
         return _with(before, marks)
     worked = new.status in (GRADED, TIMED_OUT) or before.status == MISSING
-    files = [name for name in before.file.split("; ") if name in {mark.file for mark in stand.values()}]
+    files = [
+        name for name in before.file.split("; ") if name in {mark.file for mark in stand.values()}
+    ]
     notes = [note for note in before.notes if not note.endswith(STAND) and NO_FILE not in note]
-    fresh_notes = [note for note in new.notes if not (NO_FILE in note and note[7:9] in {old[key].lesson for key in lost})]
+    fresh_notes = [
+        note
+        for note in new.notes
+        if not (NO_FILE in note and note[7:9] in {old[key].lesson for key in lost})
+    ]
     why = "the file cannot be read" if new.status == UNREADABLE else "no file this time"
-    fresh_notes += ["the file handed in this time cannot be read"] if new.status == UNREADABLE and not lost else []
-    return replace(_with(new, marks), status=new.status if worked else before.status, file="; ".join(dict.fromkeys([*files, *filter(None, new.file.split("; "))])),
-                   cage=new.cage or before.cage, guess_of=new.guess_of or before.guess_of, numbers_of=new.numbers_of or before.numbers_of,
-                   notes=tuple(dict.fromkeys([*notes, *fresh_notes, *_standing([old[key] for key in sorted(lost)], why)])))
+    fresh_notes += (
+        ["the file handed in this time cannot be read"]
+        if new.status == UNREADABLE and not lost
+        else []
+    )
+    return replace(
+        _with(new, marks),
+        status=new.status if worked else before.status,
+        file="; ".join(dict.fromkeys([*files, *filter(None, new.file.split("; "))])),
+        cage=new.cage or before.cage,
+        guess_of=new.guess_of or before.guess_of,
+        numbers_of=new.numbers_of or before.numbers_of,
+        notes=tuple(
+            dict.fromkeys(
+                [*notes, *fresh_notes, *_standing([old[key] for key in sorted(lost)], why)]
+            )
+        ),
+    )
 
 
 def left_standing(before):
@@ -58,8 +87,13 @@ def left_standing(before):
 
 def lateness(marks):
     """(days late at most, share of all points that lateness takes off) of some marks."""
-    points, lost = sum(mark.points for mark in marks), sum(mark.points * mark.penalty for mark in marks)
-    return max((mark.late_days for mark in marks), default=0.0), round(lost / points, 6) if points else 0.0
+    points, lost = (
+        sum(mark.points for mark in marks),
+        sum(mark.points * mark.penalty for mark in marks),
+    )
+    return max((mark.late_days for mark in marks), default=0.0), (
+        round(lost / points, 6) if points else 0.0
+    )
 
 
 def _with(graded, marks):

@@ -1,4 +1,6 @@
-"""The arm itself: links as thick lines along the DH path, joints as cylinders and boxes on their axes."""
+"""The arm itself: links as thick lines along the DH path, joints as cylinders and boxes on their
+axes.
+"""
 
 import numpy as np
 
@@ -21,7 +23,8 @@ def dh_path(convention, chain):
     Returns
     -------
     array (2 n + 1, 3)
-        Origins at the even places; between them the corner, on z_{i-1} (standard) or on x_{i-1} (Craig).
+        Origins at the even places; between them the corner, on z_{i-1} (standard) or on x_{i-1}
+        (Craig).
 
     Examples
     --------
@@ -38,7 +41,9 @@ def dh_path(convention, chain):
 
 
 def joint_places(convention, chain):
-    """Where each joint is drawn, in the middle of its d: centres and axis directions, both (n, 3)."""
+    """Where each joint is drawn, in the middle of its d: centres and axis directions, both (n,
+    3).
+    """
     path = dh_path(convention, chain)
     if convention == "standard":
         return (path[:-2:2] + path[1::2]) / 2, chain[:-1, :3, 2]
@@ -46,13 +51,19 @@ def joint_places(convention, chain):
 
 
 def add_arm(scene, arm, chain, size):
-    """Add links and joints at these frames (n + 1, 4, 4); ``size`` is the arm's spread in metres."""
+    """Add links and joints at these frames (n + 1, 4, 4); ``size`` is the arm's spread in
+    metres.
+    """
     _add_path(scene, dh_path(arm.table.convention, chain), size / 12)
     centres, axes = joint_places(arm.table.convention, chain)
     for group in coincident(centres):
-        for rank, k in enumerate(group):  # joints at one place: ever longer and thinner, so that all are seen
+        for rank, k in enumerate(
+            group
+        ):  # joints at one place: ever longer and thinner, so that all are seen
             radius, length = 0.024 * size * 0.78**rank, 0.075 * size * 1.3**rank
-            add_joint(scene, arm.table.joints[k], centres[k], axes[k], radius, length, f"joint:{k + 1}")
+            add_joint(
+                scene, arm.table.joints[k], centres[k], axes[k], radius, length, f"joint:{k + 1}"
+            )
 
 
 def add_joint(scene, letter, centre, axis, radius, length, gid):
@@ -105,6 +116,8 @@ def _add_box(scene, centre, axis, radius, length, gid):
 def _add_prism(scene, ring, axis, length, radius, gid):
     """What is seen of a solid: its outline, and on it the end that faces the viewer."""
     half = axis * length / 2
-    scene.add(Face(np.vstack([ring - half, ring + half]), JOINT, INK, outline=True, lift=radius, gid=gid))
+    scene.add(
+        Face(np.vstack([ring - half, ring + half]), JOINT, INK, outline=True, lift=radius, gid=gid)
+    )
     for sense in (1, -1):
         scene.add(Face(ring + sense * half, JOINT_CAP, INK, normal=sense * axis, lift=radius))

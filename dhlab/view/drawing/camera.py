@@ -1,4 +1,6 @@
-"""Where one looks from. The projection is orthographic: parallel axes stay parallel and equal lengths equal, which kinematics needs."""
+"""Where one looks from. The projection is orthographic: parallel axes stay parallel and equal
+lengths equal, which kinematics needs.
+"""
 
 from dataclasses import dataclass
 
@@ -9,7 +11,9 @@ __all__ = ["Camera", "orbit", "best_orbit", "clearest_side", "PLANES", "widest_p
 
 @dataclass(frozen=True)
 class Camera:
-    """``right`` and ``up`` of the picture and the direction ``toward`` the viewer, unit vectors (3,) in the world."""
+    """``right`` and ``up`` of the picture and the direction ``toward`` the viewer, unit vectors
+    (3,) in the world.
+    """
 
     right: np.ndarray
     up: np.ndarray
@@ -33,7 +37,9 @@ def orbit(elevation=24.0, azimuth=-58.0):
 
 
 def best_orbit(directions):
-    """The camera near the usual one from which these directions (k, 3) are long on the picture and far from each other."""
+    """The camera near the usual one from which these directions (k, 3) are long on the picture and
+    far from each other.
+    """
     directions = np.unique(np.round(directions, 6), axis=0)
     cameras = [orbit(e, a) for a in range(-60, 91, 10) for e in (24, 34, 16)]
     cameras += [orbit(e, a) for a in range(-70, -151, -10) for e in (24, 34, 16)]
@@ -41,14 +47,18 @@ def best_orbit(directions):
 
 
 def _clarity(tips):
-    """The smallest gap between any two arrow tips, the arrows' common root included; what exceeds 0.45 is clear enough."""
+    """The smallest gap between any two arrow tips, the arrows' common root included; what exceeds
+    0.45 is clear enough.
+    """
     tips = np.vstack([np.zeros(2), tips])
     gaps = np.linalg.norm(tips[:, None] - tips[None], axis=-1)
     return min(0.45, gaps[np.triu_indices(len(tips), 1)].min())
 
 
 def clearest_side(camera, line, sides, obstacles):
-    """The shift out of ``sides`` (k, 3) that takes a line (m, 3) furthest from the obstacles (j, 3) on the picture; far shifts count less."""
+    """The shift out of ``sides`` (k, 3) that takes a line (m, 3) furthest from the obstacles (j, 3)
+    on the picture; far shifts count less.
+    """
     reach = np.linalg.norm(sides, axis=-1).max()
     obstacles = camera.flat(obstacles)
 
@@ -60,13 +70,16 @@ def clearest_side(camera, line, sides, obstacles):
     return max(sides, key=room)
 
 
-PLANES = {"x-z": Camera(*np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])),
-          "y-z": Camera(*np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])),
-          "x-y": Camera(*np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1]]))}
+PLANES = {
+    "x-z": Camera(*np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])),
+    "y-z": Camera(*np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])),
+    "x-y": Camera(*np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1]])),
+}
 
 
 def widest_plane(points):
-    """The name of the plane of two world axes over which points (k, 3) spread most; x-z when in doubt.
+    """The name of the plane of two world axes over which points (k, 3) spread most; x-z when in
+    doubt.
 
     Examples
     --------
@@ -74,6 +87,8 @@ def widest_plane(points):
     'y-z'
     """
     spread = np.ptp(np.asarray(points, dtype=float), axis=0)
-    areas = {name: np.prod(camera.flat(spread) + 0.1 * spread.max()) for name, camera in PLANES.items()}
+    areas = {
+        name: np.prod(camera.flat(spread) + 0.1 * spread.max()) for name, camera in PLANES.items()
+    }
     best = max(areas.values())
     return next(name for name, area in areas.items() if area >= best * (1 - 1e-6))

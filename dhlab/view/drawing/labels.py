@@ -1,4 +1,5 @@
-"""Labels that keep out of each other's way: each tries places around its anchor and takes the one that hides least.
+"""Labels that keep out of each other's way: each tries places around its anchor and takes the one
+that hides least.
 
 All coordinates here are page points from the panel's lower left corner.
 """
@@ -37,14 +38,23 @@ def place_labels(scene, panel):
     sizes = [_size(text) for text in texts]
     ink = _ink(scene, panel)
     own = [_own_points(label, panel) for label in labels]
-    choices = [_places(label, size, points, panel) for label, size, points in zip(labels, sizes, own)]
-    choices = [(boxes, costs + _doubt(k, boxes, labels, own) + _hidden(boxes, ink, panel.size)) for k, (boxes, costs) in enumerate(choices)]
+    choices = [
+        _places(label, size, points, panel) for label, size, points in zip(labels, sizes, own)
+    ]
+    choices = [
+        (boxes, costs + _doubt(k, boxes, labels, own) + _hidden(boxes, ink, panel.size))
+        for k, (boxes, costs) in enumerate(choices)
+    ]
     taken = [None] * len(texts)
-    order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))  # those with least choice first
+    order = sorted(
+        range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0])
+    )  # those with least choice first
     for sweep in range(3):  # the second and third time each one knows where all others are
         for k in order:
             boxes, costs = choices[k]
-            others = np.array([box for j, box in enumerate(taken) if box is not None and j != k]).reshape(-1, 4)
+            others = np.array(
+                [box for j, box in enumerate(taken) if box is not None and j != k]
+            ).reshape(-1, 4)
             taken[k] = boxes[np.argmin(costs + _overlap(boxes, others))]
     for k, (label, text, box) in enumerate(zip(labels, texts, taken)):
         doubtful = _doubt(k, box[None], labels, own)[0] > 0
@@ -56,7 +66,10 @@ def _once(labels, panel):
     """The labels, without those that say of almost the same point what another one says already."""
     kept = {}
     for label in labels:
-        at, same = panel.to_page(panel.camera.flat(label.anchor)), kept.setdefault((label.text, label.color, label.gid), [])
+        at, same = (
+            panel.to_page(panel.camera.flat(label.anchor)),
+            kept.setdefault((label.text, label.color, label.gid), []),
+        )
         if all(np.hypot(*(at - there)) >= SAME for there, _ in same):
             same.append((at, label))
     chosen = {id(label) for same in kept.values() for _, label in same}
@@ -65,8 +78,22 @@ def _once(labels, panel):
 
 def _text(label, panel):
     content = f"${label.text}$" if label.math else label.text
-    return panel.axes.text(0, 0, content, color=label.color, fontsize=label.size, family=FONT, math_fontfamily="dejavusans", parse_math=label.math,
-                           usetex=False, ha="center", va="center", path_effects=halo(), zorder=LAYERS["mark"] + 1, gid=label.gid)
+    return panel.axes.text(
+        0,
+        0,
+        content,
+        color=label.color,
+        fontsize=label.size,
+        family=FONT,
+        math_fontfamily="dejavusans",
+        parse_math=label.math,
+        usetex=False,
+        ha="center",
+        va="center",
+        path_effects=halo(),
+        zorder=LAYERS["mark"] + 1,
+        gid=label.gid,
+    )
 
 
 def _size(text):
@@ -93,7 +120,10 @@ def _along(path):
     """A path (k, 2) filled with points so near each other that no letter fits between."""
     if len(path) == 1:
         return path
-    pieces = [np.linspace(start, end, max(2, int(np.ceil(np.hypot(*(end - start)) / SPACING)) + 1)) for start, end in zip(path[:-1], path[1:])]
+    pieces = [
+        np.linspace(start, end, max(2, int(np.ceil(np.hypot(*(end - start)) / SPACING)) + 1))
+        for start, end in zip(path[:-1], path[1:])
+    ]
     return np.vstack(pieces)
 
 
@@ -106,7 +136,9 @@ def _own_points(label, panel):
 
 
 def _places(label, size, own, panel):
-    """Boxes (k, 4) left, bottom, right, top to choose from, and how far each is from what the label wants."""
+    """Boxes (k, 4) left, bottom, right, top to choose from, and how far each is from what the label
+    wants.
+    """
     wanted = _wanted(label, panel.camera)
     if label.fixed is not None:
         centre = own[0] + wanted * (label.fixed + np.abs(wanted) @ size / 2)
@@ -119,16 +151,26 @@ def _places(label, size, own, panel):
             for angle in ANGLES:
                 ray = np.array([np.cos(base + angle), np.sin(base + angle)])
                 centres.append(point + ray * (gap + _half(size, ray)))
-                costs.append(0.12 * gap + (straying * (1 - np.cos(angle)) if back == 0 else 4.0 + back))
+                costs.append(
+                    0.12 * gap + (straying * (1 - np.cos(angle)) if back == 0 else 4.0 + back)
+                )
     return np.hstack([np.array(centres) - size / 2, np.array(centres) + size / 2]), np.array(costs)
 
 
 def _doubt(k, boxes, labels, own):
-    """A price on boxes (m, 4) nearer to what another label of the same kind names than to what label k names; less with a line to it."""
-    rivals = [own[j] for j, label in enumerate(labels) if j != k and label.gid == labels[k].gid and label.fixed is None]
+    """A price on boxes (m, 4) nearer to what another label of the same kind names than to what
+    label k names; less with a line to it.
+    """
+    rivals = [
+        own[j]
+        for j, label in enumerate(labels)
+        if j != k and label.gid == labels[k].gid and label.fixed is None
+    ]
     if labels[k].fixed is not None or not rivals:
         return np.zeros(len(boxes))
-    return (8.0 if labels[k].far else 25.0) * (_distance(boxes, np.vstack(rivals)) < _distance(boxes, own[k]) + 3.0)
+    return (8.0 if labels[k].far else 25.0) * (
+        _distance(boxes, np.vstack(rivals)) < _distance(boxes, own[k]) + 3.0
+    )
 
 
 def _distance(boxes, points):
@@ -138,7 +180,9 @@ def _distance(boxes, points):
 
 
 def _wanted(label, camera: Camera):
-    """The unit direction (2,) on the page in which a label wants to stand; up when it does not care."""
+    """The unit direction (2,) on the page in which a label wants to stand; up when it does not
+    care.
+    """
     flat = np.zeros(2) if label.toward is None else camera.flat(label.toward)
     length = np.linalg.norm(flat)
     return flat / length if length > 1e-9 else np.array([0.0, 1.0])
@@ -151,16 +195,22 @@ def _half(size, ray):
 
 
 def _hidden(boxes, ink, page):
-    """The price of the lines that each box (k, 4) would cover, and of what of it lies beyond the panel."""
+    """The price of the lines that each box (k, 4) would cover, and of what of it lies beyond the
+    panel.
+    """
     x, y, weight = ink.T
     inside = (x > boxes[:, :1]) & (x < boxes[:, 2:3]) & (y > boxes[:, 1:2]) & (y < boxes[:, 3:])
-    outside = np.clip(2 - boxes[:, :2], 0, None).sum(axis=1) + np.clip(boxes[:, 2:] - page + 2, 0, None).sum(axis=1)
+    outside = np.clip(2 - boxes[:, :2], 0, None).sum(axis=1) + np.clip(
+        boxes[:, 2:] - page + 2, 0, None
+    ).sum(axis=1)
     return 0.8 * inside @ weight + 100 * outside
 
 
 def _overlap(boxes, others):
     """The price of the other labels (j, 4) that each box (k, 4) would cover."""
-    shared = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + 2) - np.maximum(boxes[:, None, :2], others[None, :, :2] - 2)
+    shared = np.minimum(boxes[:, None, 2:], others[None, :, 2:] + 2) - np.maximum(
+        boxes[:, None, :2], others[None, :, :2] - 2
+    )
     return 0.9 * np.prod(np.clip(shared, 0, None), axis=-1).sum(axis=1)
 
 
@@ -172,4 +222,6 @@ def _put(label, text, box, panel, doubtful):
     distance = np.hypot(*(nearest - anchor))
     if label.far and (distance > 11 or doubtful and distance > 3):
         ends = panel.from_page(np.array([anchor, nearest]))
-        panel.axes.add_line(Line2D(*ends.T, color=QUIET, linewidth=0.7, zorder=LAYERS["mark"] + 0.5))
+        panel.axes.add_line(
+            Line2D(*ends.T, color=QUIET, linewidth=0.7, zorder=LAYERS["mark"] + 0.5)
+        )

@@ -1,4 +1,6 @@
-"""The four moves of one row of a table as things to draw: theta and alpha are arcs, d and a are measured lengths."""
+"""The four moves of one row of a table as things to draw: theta and alpha are arcs, d and a are
+measured lengths.
+"""
 
 from dataclasses import dataclass
 
@@ -13,13 +15,20 @@ from .style import AXES, INK, QUIET, SIZES
 __all__ = ["Move", "moves_of", "add_move", "add_link_and_axes"]
 
 NOTHING = 1e-9  # radians or metres; a smaller parameter is 0 and not drawn
-MATRICES = {"theta": transform.rot_z, "d": transform.trans_z, "a": transform.trans_x, "alpha": transform.rot_x}
+MATRICES = {
+    "theta": transform.rot_z,
+    "d": transform.trans_z,
+    "a": transform.trans_x,
+    "alpha": transform.rot_x,
+}
 ORDERS = {"standard": ("theta", "d", "a", "alpha"), "craig": ("alpha", "a", "theta", "d")}
 
 
 @dataclass(frozen=True)
 class Move:
-    """One parameter: ``start`` and ``end`` are the frames (4, 4) before and after it, ``row`` its index, ``axis`` the index it turns about."""
+    """One parameter: ``start`` and ``end`` are the frames (4, 4) before and after it, ``row`` its
+    index, ``axis`` the index it turns about.
+    """
 
     kind: str
     value: float
@@ -49,11 +58,17 @@ class Move:
     @property
     def amount(self):
         """The value as a person writes it."""
-        return f"{number(np.rad2deg(self.value), 4)}°" if self.is_turn else f"{number(self.value, 4)} m"
+        return (
+            f"{number(np.rad2deg(self.value), 4)}°"
+            if self.is_turn
+            else f"{number(self.value, 4)} m"
+        )
 
 
 def moves_of(table, i, q):
-    """The four moves of row i (1-based) in the order of its convention, from frame {i-1} at the world's origin."""
+    """The four moves of row i (1-based) in the order of its convention, from frame {i-1} at the
+    world's origin.
+    """
     values = dict(zip(("theta", "d", "a", "alpha"), table.rows[i - 1]))
     values["d" if table.joints[i - 1] == "P" else "theta"] += q
     moves, pose = [], np.eye(4)
@@ -67,17 +82,27 @@ def moves_of(table, i, q):
 
 
 def add_move(scene: Scene, move, length, camera):
-    """Draw one move; ``length`` is a triad's. A length is put where there is room among what the scene holds so far."""
+    """Draw one move; ``length`` is a triad's. A length is put where there is room among what the
+    scene holds so far.
+    """
     color = AXES["xyz".index(move.letter)].color
     symbol = {"theta": r"\theta", "alpha": r"\alpha"}.get(move.kind, move.kind)
     unit = "°" if move.is_turn else r"\ \mathrm{m}"
     text = rf"{symbol}_{{{move.row}}} = {move.amount.rstrip('°m ')}{unit}"
-    anchor, toward = _add_arc(scene, move, length, color) if move.is_turn else _add_length(scene, move, length, color, camera)
-    scene.add(Label(anchor, text, toward, color, SIZES["value"], math=True, gid=f"{move.kind}-label"))
+    anchor, toward = (
+        _add_arc(scene, move, length, color)
+        if move.is_turn
+        else _add_length(scene, move, length, color, camera)
+    )
+    scene.add(
+        Label(anchor, text, toward, color, SIZES["value"], math=True, gid=f"{move.kind}-label")
+    )
 
 
 def _add_arc(scene, move, length, color):
-    """The arc from the old direction of the other axis to the new one, with the two rays it lies between."""
+    """The arc from the old direction of the other axis to the new one, with the two rays it lies
+    between.
+    """
     k = 0 if move.kind == "theta" else 2  # theta turns x, alpha turns z
     origin, old = move.start[:3, 3], move.start[:3, k]
     side = np.cross(move.direction, old)
@@ -85,25 +110,44 @@ def _add_arc(scene, move, length, color):
     angles = np.linspace(0, move.value, max(24, int(abs(move.value) * 40)))[:, None]
     arc = origin + radius * (np.cos(angles) * old + np.sin(angles) * side)
     for end in (old, move.end[:3, k]):
-        scene.add(Stroke(np.array([origin, origin + 1.05 * length * end]), QUIET, 0.9, (0, (3, 2)), "aid"))
-    scene.add(Face(np.vstack([origin, arc]), color, layer="shadow", alpha=0.13),
-              Stroke(arc, color, 1.5, layer="mark", head=8.0, casing=0.5, gid=f"{move.kind}-arc"))
+        scene.add(
+            Stroke(np.array([origin, origin + 1.05 * length * end]), QUIET, 0.9, (0, (3, 2)), "aid")
+        )
+    scene.add(
+        Face(np.vstack([origin, arc]), color, layer="shadow", alpha=0.13),
+        Stroke(arc, color, 1.5, layer="mark", head=8.0, casing=0.5, gid=f"{move.kind}-arc"),
+    )
     middle = arc[len(arc) // 2]
     return middle, middle - origin
 
 
 def _add_length(scene, move, length, color, camera):
-    """A measured length beside the link, as on a drawing: two thin lines out, an arrow between them; a close to the link, which is no x axis."""
+    """A measured length beside the link, as on a drawing: two thin lines out, an arrow between
+    them; a close to the link, which is no x axis.
+    """
     ends = np.array([move.start[:3, 3], move.end[:3, 3]])
     across = [move.start[:3, k] for k in range(3) if k != "xyz".index(move.letter)]
-    sides = [reach * length * sense * axis for axis in across for sense in (1, -1) for reach in ((0.12, 0.18) if move.kind == "a" else (0.3, 0.45, 0.6))]
+    sides = [
+        reach * length * sense * axis
+        for axis in across
+        for sense in (1, -1)
+        for reach in ((0.12, 0.18) if move.kind == "a" else (0.3, 0.45, 0.6))
+    ]
     line = ends[0] + np.linspace(0.1, 0.9, 15)[:, None] * (ends[1] - ends[0])
     shift = clearest_side(camera, line, sides, _samples(scene))
     for end in ends:
         scene.add(Stroke(np.array([end, end + 1.15 * shift]), QUIET, 0.8, layer="aid"))
-    scene.add(Stroke(ends + shift, color, 1.5, layer="mark", head=8.0, casing=0.5, gid=f"{move.kind}-length"))
+    scene.add(
+        Stroke(
+            ends + shift, color, 1.5, layer="mark", head=8.0, casing=0.5, gid=f"{move.kind}-length"
+        )
+    )
     if move.kind == "a" and np.linalg.norm(camera.flat(ends[1] - ends[0])) > 1.2 * length:
-        scene.add(Label(ends.mean(axis=0), "common normal", -shift, QUIET, SIZES["tick"], gid="normal-label"))
+        scene.add(
+            Label(
+                ends.mean(axis=0), "common normal", -shift, QUIET, SIZES["tick"], gid="normal-label"
+            )
+        )
     return (ends + shift).mean(axis=0), shift
 
 
@@ -111,7 +155,13 @@ def _samples(scene):
     """Points (k, 3) along all lines of a scene."""
     lines = [item.points for item in scene.items if isinstance(item, Stroke)]
     steps = np.linspace(0, 1, 20)[:, None]
-    return np.vstack([start + steps * (end - start) for points in lines for start, end in zip(points[:-1], points[1:])])
+    return np.vstack(
+        [
+            start + steps * (end - start)
+            for points in lines
+            for start, end in zip(points[:-1], points[1:])
+        ]
+    )
 
 
 def add_link_and_axes(scene, moves, length):

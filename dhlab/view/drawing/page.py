@@ -1,4 +1,6 @@
-"""The page: views side by side, each as large as fits, the page as large as they need; a figure that pyplot never hears of."""
+"""The page: views side by side, each as large as fits, the page as large as they need; a figure
+that pyplot never hears of.
+"""
 
 from dataclasses import dataclass
 
@@ -14,7 +16,11 @@ from .style import FONT, INK, QUIET, SIZES
 
 __all__ = ["View", "compose"]
 
-WIDTH, HEIGHT, TALL = 560.0, 420.0, 500.0  # page points: views side by side, and one above the other
+WIDTH, HEIGHT, TALL = (
+    560.0,
+    420.0,
+    500.0,
+)  # page points: views side by side, and one above the other
 LEAST_WIDTH, EDGE, GAP = 340.0, 8.0, 12.0
 DPI = 150
 
@@ -26,7 +32,12 @@ class View:
     scene: Scene
     camera: Camera
     title: str = ""
-    frame: tuple = (38.0, 14.0, 28.0, 20.0)  # page points kept free left, below, right, above: room for labels
+    frame: tuple = (
+        38.0,
+        14.0,
+        28.0,
+        20.0,
+    )  # page points kept free left, below, right, above: room for labels
 
     def margins(self):
         """The room for labels, and above for the title."""
@@ -43,7 +54,9 @@ class View:
     def scale(self, room):
         """Page points per metre at which the scene and its labels fill a room (2,) of the page."""
         left, bottom, right, top = self.margins()
-        return np.min((np.asarray(room) - [left + right, bottom + top]) / np.diff(self.box(), axis=0)[0])
+        return np.min(
+            (np.asarray(room) - [left + right, bottom + top]) / np.diff(self.box(), axis=0)[0]
+        )
 
     def size(self, scale):
         """Width and height (2,) on the page at a scale, labels included."""
@@ -57,7 +70,8 @@ def compose(views, title=""):
     Parameters
     ----------
     views : list of View
-        The second stands beside the first, or below it where that lets the first be much larger (flat, wide arms).
+        The second stands beside the first, or below it where that lets the first be much larger
+        (flat, wide arms).
     title : str
         May have several lines.
 
@@ -68,12 +82,24 @@ def compose(views, title=""):
     """
     scales, corners, area = _arrange(views)
     head = 8.0 + 17.0 * len(title.splitlines())
-    page = np.array([max(area[0], _title_width(title), LEAST_WIDTH), area[1] + head]) + 2 * EDGE * np.array([1, 0.5])
+    page = np.array(
+        [max(area[0], _title_width(title), LEAST_WIDTH), area[1] + head]
+    ) + 2 * EDGE * np.array([1, 0.5])
     figure = Figure(figsize=page / 72, dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
     for k, line in enumerate(title.splitlines()):
-        figure.text(0.5, 1 - (8 + 17 * k) / page[1], line, ha="center", va="top", family=FONT, fontsize=SIZES["note" if k else "title"],
-                    color=QUIET if k else INK, parse_math=False, usetex=False)
+        figure.text(
+            0.5,
+            1 - (8 + 17 * k) / page[1],
+            line,
+            ha="center",
+            va="top",
+            family=FONT,
+            fontsize=SIZES["note" if k else "title"],
+            color=QUIET if k else INK,
+            parse_math=False,
+            usetex=False,
+        )
     shift = np.array([(page[0] - area[0]) / 2, EDGE])
     for view, scale, corner in zip(views, scales, corners):
         _draw(figure, view, scale, corner + shift, page)
@@ -93,19 +119,33 @@ def _beside(large, small):
     scales = [large.scale((0.63 * WIDTH - GAP, HEIGHT)), small.scale((0.37 * WIDTH, HEIGHT))]
     (w1, h1), (w2, h2) = large.size(scales[0]), small.size(scales[1])
     height = max(h1, h2)
-    return scales, [np.array([0, (height - h1) / 2]), np.array([w1 + GAP, (height - h2) / 2])], np.array([w1 + GAP + w2, height])
+    return (
+        scales,
+        [np.array([0, (height - h1) / 2]), np.array([w1 + GAP, (height - h2) / 2])],
+        np.array([w1 + GAP + w2, height]),
+    )
 
 
 def _below(large, small):
     scales = [large.scale((WIDTH, 0.64 * TALL)), small.scale((0.8 * WIDTH, 0.36 * TALL - GAP))]
     (w1, h1), (w2, h2) = large.size(scales[0]), small.size(scales[1])
     width = max(w1, w2)
-    return scales, [np.array([(width - w1) / 2, h2 + GAP]), np.array([(width - w2) / 2, 0])], np.array([width, h1 + GAP + h2])
+    return (
+        scales,
+        [np.array([(width - w1) / 2, h2 + GAP]), np.array([(width - w2) / 2, 0])],
+        np.array([width, h1 + GAP + h2]),
+    )
 
 
 def _title_width(title):
     """Roughly: the letters of this type are about 0.6 of its size wide."""
-    return max((0.6 * SIZES["note" if k else "title"] * len(line) for k, line in enumerate(title.splitlines())), default=0)
+    return max(
+        (
+            0.6 * SIZES["note" if k else "title"] * len(line)
+            for k, line in enumerate(title.splitlines())
+        ),
+        default=0,
+    )
 
 
 def _draw(figure, view, scale, lower, page):
@@ -113,11 +153,26 @@ def _draw(figure, view, scale, lower, page):
     size = view.size(scale)
     axes = figure.add_axes([*(lower / page), *(size / page)])
     corner = view.box()[0] - view.margins()[:2] / scale
-    axes.set(xlim=(corner[0], corner[0] + size[0] / scale), ylim=(corner[1], corner[1] + size[1] / scale), aspect="equal")
+    axes.set(
+        xlim=(corner[0], corner[0] + size[0] / scale),
+        ylim=(corner[1], corner[1] + size[1] / scale),
+        aspect="equal",
+    )
     axes.axis("off")
     panel = Panel(axes, view.camera, scale, corner, size)
     paint(view.scene, panel)
     place_labels(view.scene, panel)
     if view.title:
-        axes.text(0.5, 1.0, view.title, transform=axes.transAxes, ha="center", va="top", family=FONT, fontsize=SIZES["note"], color=QUIET,
-                  parse_math=False, usetex=False)
+        axes.text(
+            0.5,
+            1.0,
+            view.title,
+            transform=axes.transAxes,
+            ha="center",
+            va="top",
+            family=FONT,
+            fontsize=SIZES["note"],
+            color=QUIET,
+            parse_math=False,
+            usetex=False,
+        )

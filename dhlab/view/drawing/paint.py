@@ -1,4 +1,6 @@
-"""From a scene to matplotlib artists: projected, sorted by depth, arrow heads and labels in points of the page."""
+"""From a scene to matplotlib artists: projected, sorted by depth, arrow heads and labels in points
+of the page.
+"""
 
 from dataclasses import dataclass
 
@@ -16,7 +18,9 @@ __all__ = ["Panel", "paint"]
 
 @dataclass
 class Panel:
-    """One view on the page: its axes are in metres, ``scale`` page points each, and show ``lower`` (2,) at the lower left."""
+    """One view on the page: its axes are in metres, ``scale`` page points each, and show ``lower``
+    (2,) at the lower left.
+    """
 
     axes: Axes
     camera: Camera
@@ -46,8 +50,20 @@ def paint(scene, panel):
 
 def _dot(dot, panel, zorder):
     x, y = panel.camera.flat(dot.point)
-    panel.axes.add_line(Line2D([x], [y], marker="o", markersize=dot.size, markerfacecolor=dot.color, markeredgecolor="white",
-                               markeredgewidth=0.6, linestyle="none", zorder=zorder, gid=dot.gid))
+    panel.axes.add_line(
+        Line2D(
+            [x],
+            [y],
+            marker="o",
+            markersize=dot.size,
+            markerfacecolor=dot.color,
+            markeredgecolor="white",
+            markeredgewidth=0.6,
+            linestyle="none",
+            zorder=zorder,
+            gid=dot.gid,
+        )
+    )
 
 
 def _face(face, panel, zorder):
@@ -56,18 +72,48 @@ def _face(face, panel, zorder):
     flat = panel.camera.flat(face.points)
     if face.outline:
         flat = flat[ConvexHull(flat).vertices]
-    panel.axes.add_patch(Polygon(flat, closed=True, facecolor=face.fill, edgecolor=face.edge, linewidth=0.7, alpha=face.alpha,
-                                 joinstyle="round", zorder=zorder, gid=face.gid))
+    panel.axes.add_patch(
+        Polygon(
+            flat,
+            closed=True,
+            facecolor=face.fill,
+            edgecolor=face.edge,
+            linewidth=0.7,
+            alpha=face.alpha,
+            joinstyle="round",
+            zorder=zorder,
+            gid=face.gid,
+        )
+    )
 
 
 def _stroke(stroke, panel, zorder):
     flat = panel.camera.flat(stroke.points)
     if stroke.casing:
-        panel.axes.add_line(Line2D(*flat.T, color="white", linewidth=stroke.width + 2 * stroke.casing, solid_capstyle="butt", zorder=zorder - 1e-3))
+        panel.axes.add_line(
+            Line2D(
+                *flat.T,
+                color="white",
+                linewidth=stroke.width + 2 * stroke.casing,
+                solid_capstyle="butt",
+                zorder=zorder - 1e-3,
+            )
+        )
     shaft = _arrow_head(stroke, flat, panel, zorder) if stroke.head else flat
     cap = "butt" if stroke.head else "round"
-    panel.axes.add_line(Line2D(*shaft.T, color=stroke.color, linewidth=stroke.width, linestyle=stroke.dash, solid_capstyle=cap,
-                               dash_capstyle="butt", solid_joinstyle="round", zorder=zorder, gid=stroke.gid))
+    panel.axes.add_line(
+        Line2D(
+            *shaft.T,
+            color=stroke.color,
+            linewidth=stroke.width,
+            linestyle=stroke.dash,
+            solid_capstyle=cap,
+            dash_capstyle="butt",
+            solid_joinstyle="round",
+            zorder=zorder,
+            gid=stroke.gid,
+        )
+    )
 
 
 def _arrow_head(stroke, flat, panel, zorder):
@@ -80,7 +126,15 @@ def _arrow_head(stroke, flat, panel, zorder):
     cut = along[-1] - length
     foot = np.array([np.interp(cut, along, flat[:, k]) for k in range(2)])
     half = _side(flat[-1] - foot) * 0.38 * length
-    panel.axes.add_patch(Polygon([flat[-1], foot + half, foot - half], closed=True, facecolor=stroke.color, edgecolor="none", zorder=zorder + 1e-4))
+    panel.axes.add_patch(
+        Polygon(
+            [flat[-1], foot + half, foot - half],
+            closed=True,
+            facecolor=stroke.color,
+            edgecolor="none",
+            zorder=zorder + 1e-4,
+        )
+    )
     return np.vstack([flat[along < cut], foot + 0.15 * (flat[-1] - foot)])
 
 

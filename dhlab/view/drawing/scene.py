@@ -1,4 +1,6 @@
-"""What is to be drawn, in metres and in space, before anyone has decided where it is looked at from or how large it becomes."""
+"""What is to be drawn, in metres and in space, before anyone has decided where it is looked at from
+or how large it becomes.
+"""
 
 from dataclasses import dataclass, field
 
@@ -8,12 +10,21 @@ from .style import INK, SIZES
 
 __all__ = ["Scene", "Stroke", "Face", "Dot", "Label", "LAYERS"]
 
-LAYERS = {"floor": 0, "shadow": 1, "body": 2, "aid": 3, "frame": 4, "mark": 5}  # later ones lie on top; within one, the nearer
+LAYERS = {
+    "floor": 0,
+    "shadow": 1,
+    "body": 2,
+    "aid": 3,
+    "frame": 4,
+    "mark": 5,
+}  # later ones lie on top; within one, the nearer
 
 
 @dataclass
 class Stroke:
-    """A line through ``points`` (k, 3); ``width`` and ``head`` (an arrow's, 0 for none) in points of the page."""
+    """A line through ``points`` (k, 3); ``width`` and ``head`` (an arrow's, 0 for none) in points
+    of the page.
+    """
 
     points: np.ndarray
     color: str = INK
@@ -53,7 +64,9 @@ class Dot:
 
 @dataclass
 class Label:
-    """A text that wants to stand near ``anchor`` (3,), off in the direction ``toward`` (3,); where exactly is found out later."""
+    """A text that wants to stand near ``anchor`` (3,), off in the direction ``toward`` (3,); where
+    exactly is found out later.
+    """
 
     anchor: np.ndarray
     text: str
@@ -63,7 +76,9 @@ class Label:
     math: bool = False
     far: bool = False  # may stand further off, joined by a thin line
     fixed: float = None  # exactly this many points off, whatever is there
-    root: np.ndarray = None  # (3,) where the arrow begins whose tip is the anchor; the label may stand beside it
+    root: np.ndarray = (
+        None  # (3,) where the arrow begins whose tip is the anchor; the label may stand beside it
+    )
     gid: str = None
 
 
@@ -81,9 +96,16 @@ class Scene:
 
     def points(self):
         """Every point (k, 3) that must be inside the picture."""
-        points = [np.atleast_2d(item.point if isinstance(item, Dot) else item.points) for item in self.items]
+        points = [
+            np.atleast_2d(item.point if isinstance(item, Dot) else item.points)
+            for item in self.items
+        ]
         return np.vstack(points + [np.atleast_2d(label.anchor) for label in self.labels])
 
     def named(self):
         """The points (k, 3) of the items that have a name."""
-        return {item.gid: np.atleast_2d(item.point if isinstance(item, Dot) else item.points) for item in self.items if item.gid}
+        return {
+            item.gid: np.atleast_2d(item.point if isinstance(item, Dot) else item.points)
+            for item in self.items
+            if item.gid
+        }

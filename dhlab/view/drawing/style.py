@@ -1,16 +1,40 @@
-"""How things are drawn: one place for ink, widths and type, chosen to be told apart in colour, by a colour-blind eye and in grey print."""
+"""How things are drawn: one place for ink, widths and type, chosen to be told apart in colour, by a
+colour-blind eye and in grey print.
+"""
 
 import re
 from dataclasses import dataclass
 
 from matplotlib import patheffects
 
-__all__ = ["AXES", "AxisStyle", "POSES", "INK", "QUIET", "FLOOR", "SHADOW", "LINK", "JOINT", "JOINT_CAP", "SIZES", "FONT", "halo", "axis_name"]
+__all__ = [
+    "AXES",
+    "AxisStyle",
+    "POSES",
+    "INK",
+    "QUIET",
+    "FLOOR",
+    "SHADOW",
+    "LINK",
+    "JOINT",
+    "JOINT_CAP",
+    "SIZES",
+    "FONT",
+    "halo",
+    "axis_name",
+]
 
 INK, QUIET, FLOOR, SHADOW = "#22262b", "#6b737c", "#d9dde1", "#e6e8eb"
 LINK, JOINT, JOINT_CAP = "#a3abb4", "#7b858f", "#d3d8dd"
 FONT = "DejaVu Sans"  # comes with matplotlib, so a picture is the same everywhere
-SIZES = {"title": 11.5, "note": 9.5, "name": 10.5, "axis": 11.0, "tick": 9.0, "value": 11.5}  # points, on a page 8 inches wide
+SIZES = {
+    "title": 11.5,
+    "note": 9.5,
+    "name": 10.5,
+    "axis": 11.0,
+    "tick": 9.0,
+    "value": 11.5,
+}  # points, on a page 8 inches wide
 
 
 @dataclass(frozen=True)
@@ -23,10 +47,21 @@ class AxisStyle:
     dash: object
 
 
-AXES = (AxisStyle("x", "#c23b00", 1.6, "-"), AxisStyle("y", "#00734f", 1.6, (0, (2.6, 1.3))), AxisStyle("z", "#17479e", 2.9, "-"))
+AXES = (
+    AxisStyle("x", "#c23b00", 1.6, "-"),
+    AxisStyle("y", "#00734f", 1.6, (0, (2.6, 1.3))),
+    AxisStyle("z", "#17479e", 2.9, "-"),
+)
 
-# colour and line style of the first, second, ... configuration in one picture; each differs from the others in both
-POSES = (("#22262b", "-"), ("#17479e", (0, (4, 1.4))), ("#c23b00", (0, (1.2, 1.0))), ("#6b737c", (0, (5, 1.2, 1.2, 1.2))), ("#00734f", (0, (2.2, 2.2))))
+# colour and line style of the first, second, ... configuration in one picture; each differs from
+# the others in both
+POSES = (
+    ("#22262b", "-"),
+    ("#17479e", (0, (4, 1.4))),
+    ("#c23b00", (0, (1.2, 1.0))),
+    ("#6b737c", (0, (5, 1.2, 1.2, 1.2))),
+    ("#00734f", (0, (2.2, 2.2))),
+)
 
 
 def halo(width=2.6):
@@ -35,7 +70,8 @@ def halo(width=2.6):
 
 
 def axis_name(letter, name):
-    """An axis as mathematical text, its frame as the subscript; a name that is no plain word or number is left out.
+    """An axis as mathematical text, its frame as the subscript; a name that is no plain word or
+    number is left out.
 
     Examples
     --------

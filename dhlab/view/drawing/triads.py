@@ -52,26 +52,63 @@ def add_triads(scene, poses, names, length, *, titles=None, subscripts=True):
         for k in reversed(group):  # the longer ones below
             _add_axes(scene, poses[k], names[k], lengths[k])
         for letters, tip, axis, color in _axis_labels(poses, names, group, lengths, subscripts):
-            scene.add(Label(tip, letters, axis, color, SIZES["axis"], math=True, root=poses[group[0], :3, 3], gid="axis-label"))
+            scene.add(
+                Label(
+                    tip,
+                    letters,
+                    axis,
+                    color,
+                    SIZES["axis"],
+                    math=True,
+                    root=poses[group[0], :3, 3],
+                    gid="axis-label",
+                )
+            )
         origin = poses[group[0], :3, 3]
         away = -poses[group, :3, :3].sum(axis=(0, 2))
-        scene.add(Dot(origin, 5.0, layer="mark"), Label(origin, ", ".join(titles[k] for k in group), away, INK, far=True, gid="frame-label"))
+        scene.add(
+            Dot(origin, 5.0, layer="mark"),
+            Label(
+                origin, ", ".join(titles[k] for k in group), away, INK, far=True, gid="frame-label"
+            ),
+        )
 
 
 def _add_axes(scene, pose, name, length):
     for style, axis in zip(AXES, pose[:3, :3].T):
         ends = np.array([pose[:3, 3], pose[:3, 3] + length * axis])
-        scene.add(Stroke(ends, style.color, style.width, style.dash, "frame", head=4.5 + 1.5 * style.width, casing=0.6, gid=f"{style.letter}-axis:{name}"))
+        scene.add(
+            Stroke(
+                ends,
+                style.color,
+                style.width,
+                style.dash,
+                "frame",
+                head=4.5 + 1.5 * style.width,
+                casing=0.6,
+                gid=f"{style.letter}-axis:{name}",
+            )
+        )
 
 
 def _axis_labels(poses, names, group, lengths, subscripts):
-    """Axes of one group that lie on each other get one label, at the longest: (letters, tip, axis, colour), in ink where the colours differ."""
+    """Axes of one group that lie on each other get one label, at the longest: (letters, tip, axis,
+    colour), in ink where the colours differ.
+    """
     entries = [(k, style, axis) for k in group for style, axis in zip(AXES, poses[k, :3, :3].T)]
     while entries:
         _, _, first = entries[0]
         together = [entry for entry in entries if entry[2] @ first > PARALLEL]
         entries = [entry for entry in entries if entry[2] @ first <= PARALLEL]
-        letters = dict.fromkeys(axis_name(style.letter, names[k]) if subscripts else style.letter for k, style, _ in together)
+        letters = dict.fromkeys(
+            axis_name(style.letter, names[k]) if subscripts else style.letter
+            for k, style, _ in together
+        )
         tip = poses[group[0], :3, 3] + max(lengths[k] for k, _, _ in together) * first
         colors = {style.color for _, style, _ in together}
-        yield ",\\,".join(letters), tip, first, colors.pop() if len(colors) == 1 else INK  # x on another frame's z is neither's colour
+        yield (
+            ",\\,".join(letters),
+            tip,
+            first,
+            colors.pop() if len(colors) == 1 else INK,
+        )  # x on another frame's z is neither's colour

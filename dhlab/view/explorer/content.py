@@ -8,8 +8,16 @@ __all__ = ["Numbers", "arm_data", "pose_data"]
 
 def arm_data(arm):
     """An arm as JSON: radians and metres, matrices row by row."""
-    return {"name": arm.name, "convention": arm.table.convention, "joints": arm.table.joints, "rows": arm.table.rows.tolist(), "base": pose_data(arm.base),
-            "tool": pose_data(arm.tool), "sign": arm.sign.tolist(), "limits": None if arm.limits is None else [pair and list(pair) for pair in arm.limits]}
+    return {
+        "name": arm.name,
+        "convention": arm.table.convention,
+        "joints": arm.table.joints,
+        "rows": arm.table.rows.tolist(),
+        "base": pose_data(arm.base),
+        "tool": pose_data(arm.tool),
+        "sign": arm.sign.tolist(),
+        "limits": None if arm.limits is None else [pair and list(pair) for pair in arm.limits],
+    }
 
 
 def pose_data(T):
@@ -22,7 +30,11 @@ class Numbers(TraitType):
 
     def __init__(self, **keywords):
         super().__init__(np.zeros(0), **keywords)
-        self.tag(sync=True, to_json=lambda value, widget: value.tolist(), from_json=lambda value, widget: value)
+        self.tag(
+            sync=True,
+            to_json=lambda value, widget: value.tolist(),
+            from_json=lambda value, widget: value,
+        )
 
     def validate(self, obj, value):
         """The numbers as an array, or a sentence."""
@@ -32,7 +44,10 @@ class Numbers(TraitType):
         except ValueError:  # ragged
             array = np.array(None)
         if array.dtype.kind not in "iuf" or array.shape != (count,) or not np.isfinite(array).all():
-            raise ValueError(f"explorer.{self.name}: expected {count} finite numbers (radians, metres for lengths), found {value!r}")
+            raise ValueError(
+                f"explorer.{self.name}: expected {count} finite numbers (radians, metres for"
+                f" lengths), found {value!r}"
+            )
         array = array.astype(float)
         array.flags.writeable = False
         return array

@@ -1,4 +1,6 @@
-"""``dhlab.explore``: one call, five modes; what each needs is checked here and handed on as numbers."""
+"""``dhlab.explore``: one call, five modes; what each needs is checked here and handed on as
+numbers.
+"""
 
 import inspect
 
@@ -20,13 +22,15 @@ def explore(arm, mode="arm", **needs):
     arm : Arm or DHTable
         In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them.
     mode : "arm", "link", "conventions", "compare" or "place"
-        The whole arm with its frames; the four numbers of one row and the moves they stand for; standard and Craig frames together; predicted
-        against measured, or two arms; joint axes on which frames are to be placed.
+        The whole arm with its frames; the four numbers of one row and the moves they stand for;
+        standard and Craig frames together; predicted against measured, or two arms; joint axes on
+        which frames are to be placed.
     **needs
-        ``q`` (n,): where the arm stands at first, in every mode but "place" and "compare" with poses; zeros when left out.
-        "link": ``joint``, the row, from 1.
-        "compare": ``q`` (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as many joints.
-        "place": ``convention``, "standard" or "craig" (the arm's when left out); ``end`` (4, 4) with a list of axes.
+        ``q`` (n,): where the arm stands at first, in every mode but "place" and "compare" with
+        poses; zeros when left out. "link": ``joint``, the row, from 1. "compare": ``q`` (m, n) and
+        ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as many joints.
+        "place": ``convention``, "standard" or "craig" (the arm's when left out); ``end`` (4, 4)
+        with a list of axes.
 
     Returns
     -------
@@ -50,10 +54,16 @@ def explore(arm, mode="arm", **needs):
     """
     if mode not in MODES:
         raise ValueError(f"explore: expected one of the modes {', '.join(MODES)}, found {mode!r}")
-    known = [name for name, given in inspect.signature(MODES[mode]).parameters.items() if given.kind is given.KEYWORD_ONLY]
+    known = [
+        name
+        for name, given in inspect.signature(MODES[mode]).parameters.items()
+        if given.kind is given.KEYWORD_ONLY
+    ]
     for name in needs:
         if name not in known:
-            raise ValueError(f'explore: mode "{mode}" takes {", ".join(known)}, found {name!r}; leave it out')
+            raise ValueError(
+                f'explore: mode "{mode}" takes {", ".join(known)}, found {name!r}; leave it out'
+            )
     return MODES[mode](arm, **needs)
 
 
@@ -61,13 +71,36 @@ def _at(arm, q):
     """One configuration (n,), zeros when none is given."""
     q = arm._checked(np.zeros(len(arm)) if q is None else q)
     if q.ndim != 1:
-        raise ValueError(f'explore: expected one configuration of {len(arm)} values for q, found shape {q.shape}; several go with poses, in mode "compare"')
+        raise ValueError(
+            f"explore: expected one configuration of {len(arm)} values for q, found shape"
+            f' {q.shape}; several go with poses, in mode "compare"'
+        )
     return q
 
 
-def _explorer(mode, arm, title, still, data=None, *, alt=None, q=(), row=(0, 0, 0, 0), convention="standard", step=0, placing=None):
+def _explorer(
+    mode,
+    arm,
+    title,
+    still,
+    data=None,
+    *,
+    alt=None,
+    q=(),
+    row=(0, 0, 0, 0),
+    convention="standard",
+    step=0,
+    placing=None,
+):
     data = {"mode": mode, "title": title, "alt": alt or title, **(data or {})}
-    return Explorer(mode, arm, data, still, state={"q": q, "row": row, "convention": convention, "step": step}, placing=placing)
+    return Explorer(
+        mode,
+        arm,
+        data,
+        still,
+        state={"q": q, "row": row, "convention": convention, "step": step},
+        placing=placing,
+    )
 
 
 def _name(arm):
@@ -77,68 +110,142 @@ def _name(arm):
 def _arm(arm, *, q=None):
     arm = as_arm(arm, "explore")
     q = _at(arm, q)
-    return _explorer("arm", arm, _name(arm), lambda: stills.arm(arm, q), {"arm": arm_data(arm)}, q=q, convention=arm.table.convention)
+    return _explorer(
+        "arm",
+        arm,
+        _name(arm),
+        lambda: stills.arm(arm, q),
+        {"arm": arm_data(arm)},
+        q=q,
+        convention=arm.table.convention,
+    )
 
 
 def _link(arm, *, q=None, joint=1):
     arm = as_arm(arm, "explore")
     q, n = _at(arm, q), len(arm)
     if isinstance(joint, bool) or not isinstance(joint, (int, np.integer)) or not 1 <= joint <= n:
-        raise ValueError(f"explore: expected a joint from 1 to {n}, found {joint!r}; rows are counted from 1")
+        raise ValueError(
+            f"explore: expected a joint from 1 to {n}, found {joint!r}; rows are counted from 1"
+        )
     variable = float((arm.sign * q)[joint - 1])
     row = arm.table.rows[joint - 1].copy()
     row[int(arm.table.prismatic[joint - 1])] += variable
     reach = max(0.1, *(1.25 * abs(row[1:3])), float(np.abs(arm.table.rows[:, 1:3]).max()))
-    return _explorer("link", arm, f"{_name(arm)}: row {joint}", lambda: stills.link(arm.table, int(joint), variable),
-                     {"index": int(joint), "reach": reach, "steps": (0, 4)}, q=q, row=row, convention=arm.table.convention, step=4)
+    return _explorer(
+        "link",
+        arm,
+        f"{_name(arm)}: row {joint}",
+        lambda: stills.link(arm.table, int(joint), variable),
+        {"index": int(joint), "reach": reach, "steps": (0, 4)},
+        q=q,
+        row=row,
+        convention=arm.table.convention,
+        step=4,
+    )
 
 
 def _conventions(arm, *, q=None):
     arm = as_arm(arm, "explore")
     q = _at(arm, q)
     arms = {name: arm.to(name) for name in ("standard", "craig")}
-    return _explorer("conventions", arm, f"{_name(arm)}: standard and Craig frames", lambda: stills.conventions(arm, q),
-                     {"arms": {name: arm_data(one) for name, one in arms.items()}}, q=q, convention=arm.table.convention)
+    return _explorer(
+        "conventions",
+        arm,
+        f"{_name(arm)}: standard and Craig frames",
+        lambda: stills.conventions(arm, q),
+        {"arms": {name: arm_data(one) for name, one in arms.items()}},
+        q=q,
+        convention=arm.table.convention,
+    )
 
 
 def _compare(arm, *, q=None, poses=None, other=None):
     arm = as_arm(arm, "explore")
     if (poses is None) == (other is None):
-        raise ValueError('explore: mode "compare" expected either poses (with their q) or other, a second arm; give one of the two')
+        raise ValueError(
+            'explore: mode "compare" expected either poses (with their q) or other, a second arm;'
+            " give one of the two"
+        )
     if other is None:
         return _measured(arm, q, poses)
     other = as_arm(other, "explore")
     if len(other) != len(arm):
-        raise ValueError(f"explore: expected a second arm of {len(arm)} joints, found {len(other)}; only arms of as many joints can be moved together")
+        raise ValueError(
+            f"explore: expected a second arm of {len(arm)} joints, found {len(other)}; only arms of"
+            " as many joints can be moved together"
+        )
     q = _at(arm, q)
-    return _explorer("compare", arm, f"{_name(arm)} and {_name(other)}", lambda: stills.two(arm, other, q), {"arm": arm_data(arm), "other": arm_data(other)}, q=q,
-                     convention=arm.table.convention)
+    return _explorer(
+        "compare",
+        arm,
+        f"{_name(arm)} and {_name(other)}",
+        lambda: stills.two(arm, other, q),
+        {"arm": arm_data(arm), "other": arm_data(other)},
+        q=q,
+        convention=arm.table.convention,
+    )
 
 
 def _measured(arm, q, poses):
     from ..pictures.compared import _given as checked
+
     q, T, p, turns = checked(arm, q, poses)
     full = np.array(T) if turns is None else np.asarray(poses, dtype=float)
     full[:, :3, 3] = p
-    data = {"arm": arm_data(arm), "qs": q.tolist(), "poses": [pose_data(pose) for pose in full], "positions": turns is None, "steps": (1, len(q))}
+    data = {
+        "arm": arm_data(arm),
+        "qs": q.tolist(),
+        "poses": [pose_data(pose) for pose in full],
+        "positions": turns is None,
+        "steps": (1, len(q)),
+    }
     worst = int(np.argmax(np.linalg.norm(p - T[:, :3, 3], axis=1)))
-    return _explorer("compare", arm, f"{_name(arm)}: predicted against measured", lambda: stills.measured(arm, q, poses), data, q=q[worst], step=worst + 1,
-                     convention=arm.table.convention)
+    return _explorer(
+        "compare",
+        arm,
+        f"{_name(arm)}: predicted against measured",
+        lambda: stills.measured(arm, q, poses),
+        data,
+        q=q[worst],
+        step=worst + 1,
+        convention=arm.table.convention,
+    )
 
 
 def _place(arm, *, end=None, convention=None):
     from .placing import Placing, axes_of
+
     name = "Frames on bare axes"
     if not isinstance(arm, (list, tuple)):
         arm = as_arm(arm, "explore")
         if end is not None:
-            raise ValueError("explore: end goes with a list of axes; an arm brings its own, leave it out")
+            raise ValueError(
+                "explore: end goes with a list of axes; an arm brings its own, leave it out"
+            )
         convention, name = convention or arm.table.convention, f"{_name(arm)}: place the frames"
         arm, end = axes_of(arm)
     elif end is None:
-        raise ValueError("explore: expected end, the end pose (4, 4) at the zero pose, with a list of axes; found none")
+        raise ValueError(
+            "explore: expected end, the end pose (4, 4) at the zero pose, with a list of axes;"
+            " found none"
+        )
     placing = Placing(arm, end, convention or "standard")
-    return _explorer("place", None, name, lambda: stills.place(placing), placing.data(), convention=placing.placement.convention, placing=placing)
+    return _explorer(
+        "place",
+        None,
+        name,
+        lambda: stills.place(placing),
+        placing.data(),
+        convention=placing.placement.convention,
+        placing=placing,
+    )
 
 
-MODES = {"arm": _arm, "link": _link, "conventions": _conventions, "compare": _compare, "place": _place}
+MODES = {
+    "arm": _arm,
+    "link": _link,
+    "conventions": _conventions,
+    "compare": _compare,
+    "place": _place,
+}

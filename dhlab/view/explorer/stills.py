@@ -38,17 +38,46 @@ def place(placing):
 def two(first, second, q):
     """Two arms at one configuration, each as a line from origin to origin."""
     scene, rows, ends = Scene(), [], []
-    titles = first.name or "first", second.name if second.name != first.name and second.name else "second"
+    titles = (
+        first.name or "first",
+        (second.name if second.name != first.name and second.name else "second"),
+    )
     for one, color, title in ((second, SECOND, titles[1]), (first, LINK, titles[0])):
         chain = one.frames(q)
         end = chain[-1] @ one.tool
         path = np.vstack([dh_path(one.table.convention, chain), end[:3, 3]])
-        scene.add(Stroke(path, color, 4.0, casing=1.0), *(Dot(point, 4.0, color, "aid") for point in path[::2]), Label(path[-1], title, far=True))
-        rows = words.frame_rows(np.concatenate([chain, [end]]), [f"{{{i}}} {title}" for i in range(len(chain))] + [f"end {title}"]) + rows
+        scene.add(
+            Stroke(path, color, 4.0, casing=1.0),
+            *(Dot(point, 4.0, color, "aid") for point in path[::2]),
+            Label(path[-1], title, far=True),
+        )
+        rows = (
+            words.frame_rows(
+                np.concatenate([chain, [end]]),
+                [f"{{{i}}} {title}" for i in range(len(chain))] + [f"end {title}"],
+            )
+            + rows
+        )
         ends.append(end)
-    add_triads(scene, np.array(ends), ["2", "1"], 0.12 * spread(scene.points()), titles=["", ""], subscripts=False)
+    add_triads(
+        scene,
+        np.array(ends),
+        ["2", "1"],
+        0.12 * spread(scene.points()),
+        titles=["", ""],
+        subscripts=False,
+    )
     camera = orbit()
     add_floor(scene, camera, floor_height(scene.points()))
     apart = 1000 * np.linalg.norm(ends[0][:3, 3] - ends[1][:3, 3])
-    alt = f"Two arms at q = {words.configuration(first.table.joints, q)}, drawn over each other as lines. Their ends are {apart:.2f} mm apart."
-    return Picture(compose([View(scene, camera)], f"{titles[0]} (grey) and {titles[1]} (gold)"), alt, words.FRAME_HEADINGS, rows, TABLE)
+    alt = (
+        f"Two arms at q = {words.configuration(first.table.joints, q)}, drawn over each other as"
+        f" lines. Their ends are {apart:.2f} mm apart."
+    )
+    return Picture(
+        compose([View(scene, camera)], f"{titles[0]} (grey) and {titles[1]} (gold)"),
+        alt,
+        words.FRAME_HEADINGS,
+        rows,
+        TABLE,
+    )

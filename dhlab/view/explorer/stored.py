@@ -1,4 +1,6 @@
-"""Notebooks on their way to a file: what only a running kernel can show is taken out, and the explorer's ``text/html`` stays."""
+"""Notebooks on their way to a file: what only a running kernel can show is taken out, and the
+explorer's ``text/html`` stays.
+"""
 
 __all__ = ["without_widgets"]
 
@@ -6,7 +8,8 @@ LIVE = "application/vnd.jupyter.widget-view+json"
 
 
 def without_widgets(notebook):
-    """Take the live views, which name a kernel's objects by random ids, out of a notebook's outputs, and their state out of its metadata.
+    """Take the live views, which name a kernel's objects by random ids, out of a notebook's
+    outputs, and their state out of its metadata.
 
     Parameters
     ----------

@@ -1,4 +1,6 @@
-"""``Explorer``: what :func:`dhlab.explore` returns, a widget in a notebook and a picture that moves on a page."""
+"""``Explorer``: what :func:`dhlab.explore` returns, a widget in a notebook and a picture that moves
+on a page.
+"""
 
 from pathlib import Path
 
@@ -16,7 +18,8 @@ MODULE = Path(__file__).with_name("explorer.js")
 
 
 class Explorer(anywidget.AnyWidget):
-    """A 3D view whose state can be read and set from Python; hands on its sliders change the same state.
+    """A 3D view whose state can be read and set from Python; hands on its sliders change the same
+    state.
 
     Attributes
     ----------
@@ -31,11 +34,13 @@ class Explorer(anywidget.AnyWidget):
     convention : str
         Mode "link": the order in which the four moves are made; else the arm's.
     step : int
-        Which move is done (mode "link", 0 to 4), which pose is shown ("compare", from 1), how far a worked placement is ("place").
+        Which move is done (mode "link", 0 to 4), which pose is shown ("compare", from 1), how far a
+        worked placement is ("place").
 
     Notes
     -----
-    ``explorer.observe(f, "q")`` calls ``f`` with ``change.new`` whenever q changes, from whichever side; "row", "convention" and "step" likewise.
+    ``explorer.observe(f, "q")`` calls ``f`` with ``change.new`` whenever q changes, from whichever
+    side; "row", "convention" and "step" likewise.
 
     Examples
     --------
@@ -71,15 +76,25 @@ class Explorer(anywidget.AnyWidget):
 
     @property
     def table(self):
-        """The numbers as they are shown, joint variables included, as a DHTable; in mode "link" one row, in mode "place" None until it is finished."""
+        """The numbers as they are shown, joint variables included, as a DHTable; in mode "link" one
+        row, in mode "place" None until it is finished.
+        """
         if self.mode == "link":
-            return DHTable(self.convention, *self.row[:, None], self._arm.table.joints[self._data["index"] - 1])
+            return DHTable(
+                self.convention, *self.row[:, None], self._arm.table.joints[self._data["index"] - 1]
+            )
         arm = self.arm
         if arm is None or self.mode == "place":
             return arm and arm.table
         moved, table = arm.sign * self.q, arm.table
-        return DHTable(table.convention, table.theta + np.where(table.prismatic, 0, moved), table.d + np.where(table.prismatic, moved, 0), table.a,
-                       table.alpha, table.joints)
+        return DHTable(
+            table.convention,
+            table.theta + np.where(table.prismatic, 0, moved),
+            table.d + np.where(table.prismatic, moved, 0),
+            table.a,
+            table.alpha,
+            table.joints,
+        )
 
     def place(self, step, value, point=None):
         """Mode "place": make a step as hands would, and see it in the view.
@@ -98,7 +113,10 @@ class Explorer(anywidget.AnyWidget):
         Judgement
         """
         if self.placing is None:
-            raise ValueError(f'explorer.place: expected mode "place", found {self.mode!r}; open one with dhlab.explore(arm, mode="place")')
+            raise ValueError(
+                f'explorer.place: expected mode "place", found {self.mode!r}; open one with'
+                ' dhlab.explore(arm, mode="place")'
+            )
         judgement = self.placing.make(step, value, point)
         self._answer = self.placing.answer(judgement)
         return judgement
@@ -107,7 +125,9 @@ class Explorer(anywidget.AnyWidget):
     def _checked_step(self, proposal):
         low, high = self._data.get("steps", (0, 0))
         if not low <= proposal.value <= high:
-            raise ValueError(f"explorer.step: expected a number from {low} to {high}, found {proposal.value}")
+            raise ValueError(
+                f"explorer.step: expected a number from {low} to {high}, found {proposal.value}"
+            )
         return proposal.value
 
     @observe("step")
@@ -117,7 +137,9 @@ class Explorer(anywidget.AnyWidget):
             self.q = self._data["qs"][change.new - 1]
 
     def _heard(self, message):
-        """What the view asks for: the still picture, where it has no WebGL; a new start; a step taken back; a step that hands made."""
+        """What the view asks for: the still picture, where it has no WebGL; a new start; a step
+        taken back; a step that hands made.
+        """
         if message.get("still"):
             self.send({"still": self._still()._repr_mimebundle_()["text/html"]})
         elif message.get("again") or message.get("back"):
@@ -128,12 +150,24 @@ class Explorer(anywidget.AnyWidget):
 
     def state(self):
         """What a page without a kernel starts from."""
-        return {"q": self.q.tolist(), "row": self.row.tolist(), "convention": self.convention, "step": self.step, "_answer": self._answer}
+        return {
+            "q": self.q.tolist(),
+            "row": self.row.tolist(),
+            "convention": self.convention,
+            "step": self.step,
+            "_answer": self._answer,
+        }
 
     def __repr__(self):
         return f"<Explorer, mode {self.mode}: {self._data['title']}>"
 
     def _repr_mimebundle_(self, *, still=None, **keywords):
-        live, still = super()._repr_mimebundle_(**keywords), still or self._still()._repr_mimebundle_()
-        stored = {"text/html": wrapped(still["text/html"], self._data, self.state()), "text/plain": still["text/plain"]}
+        live, still = (
+            super()._repr_mimebundle_(**keywords),
+            still or self._still()._repr_mimebundle_(),
+        )
+        stored = {
+            "text/html": wrapped(still["text/html"], self._data, self.state()),
+            "text/plain": still["text/plain"],
+        }
         return ({**live[0], **stored}, live[1]) if isinstance(live, tuple) else {**live, **stored}

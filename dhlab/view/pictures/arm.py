@@ -57,7 +57,9 @@ def frames(poses, names=None, *, title=None):
     height = floor_height(scene.points())
     add_drops(scene, origins[[group[0] for group in coincident(origins)]], height)
     add_floor(scene, camera, height)
-    alt = f"{len(chain)} frame{'s' if len(chain) > 1 else ''} in space. " + words.frame_sentences(chain, shown)
+    alt = f"{len(chain)} frame{'s' if len(chain) > 1 else ''} in space. " + words.frame_sentences(
+        chain, shown
+    )
     return _picture([View(scene, camera)], title or "", alt, words.frame_rows(chain, shown))
 
 
@@ -85,9 +87,10 @@ def arm(arm, q=None, *, frames=True, side=True):
 
     Notes
     -----
-    A link goes along z_{i-1} by d, then along x_i by a (standard), or along x_{i-1} by a, then along z_i by d (Craig). A joint is
-    drawn in the middle of its d: a cylinder for a revolute joint, a box for a prismatic one. Where exactly on its axis a joint sits
-    is nothing a table says.
+    A link goes along z_{i-1} by d, then along x_i by a (standard), or along x_{i-1} by a, then
+    along z_i by d (Craig). A joint is drawn in the middle of its d: a cylinder for a revolute
+    joint, a box for a prismatic one. Where exactly on its axis a joint sits is nothing a table
+    says.
 
     Examples
     --------
@@ -111,7 +114,12 @@ def arm(arm, q=None, *, frames=True, side=True):
     if side:
         views.append(_side_view(arm, chain, poses, titles, size))
     values = words.configuration(arm.table.joints, q).replace("-", "−")
-    return _picture(views, f"{arm.name or 'Arm'}\nq = ({values})", words.arm_sentences(arm, q, poses, titles), words.frame_rows(poses, titles))
+    return _picture(
+        views,
+        f"{arm.name or 'Arm'}\nq = ({values})",
+        words.arm_sentences(arm, q, poses, titles),
+        words.frame_rows(poses, titles),
+    )
 
 
 def _add_body(scene, arm, chain, poses, size):
@@ -121,21 +129,27 @@ def _add_body(scene, arm, chain, poses, size):
 
 
 def _side_view(arm, chain, poses, titles, size):
-    """The body without triads, with the names of the frames at the origins; those behind each other share a label."""
+    """The body without triads, with the names of the frames at the origins; those behind each other
+    share a label.
+    """
     plane = widest_plane(np.vstack([dh_path(arm.table.convention, chain), poses[:, :3, 3]]))
     camera, scene = PLANES[plane], Scene()
     _add_body(scene, arm, chain, poses, size)
     flat = camera.flat(poses[:, :3, 3])
     for group in coincident(np.round(flat / (0.02 * size))):
         origin = poses[group[0], :3, 3]
-        scene.add(Dot(origin, 4.5), Label(origin, ", ".join(titles[k] for k in group), far=True, gid="side-label"))
+        scene.add(
+            Dot(origin, 4.5),
+            Label(origin, ", ".join(titles[k] for k in group), far=True, gid="side-label"),
+        )
     add_wall(scene, camera, plane)
     kind = "view from above" if plane == "x-y" else "side view"
     return View(scene, camera, f"{kind}, {plane.replace('-', '–')} plane", (40.0, 34.0, 24.0, 20.0))
 
 
 def poses(arm, qs, *, names=None):
-    """Several configurations of one arm in one picture, told apart by line style and colour, named at the end.
+    """Several configurations of one arm in one picture, told apart by line style and colour, named
+    at the end.
 
     Parameters
     ----------
@@ -172,16 +186,33 @@ def poses(arm, qs, *, names=None):
     scene, camera = Scene(), orbit()
     paths = [_path_to_end(arm, chain, end) for chain, end in zip(chains, ends)]
     for path, name, (color, dash) in zip(paths, names, POSES):
-        scene.add(Stroke(path, color, 3.0, dash, casing=1.0, gid=f"pose:{name}"), *(Dot(point, 5.5, color, "aid") for point in path[::2]))
-    add_triads(scene, ends, names, 0.14 * spread(np.vstack(paths)) or 0.1, titles=names, subscripts=False)
+        scene.add(
+            Stroke(path, color, 3.0, dash, casing=1.0, gid=f"pose:{name}"),
+            *(Dot(point, 5.5, color, "aid") for point in path[::2]),
+        )
+    add_triads(
+        scene, ends, names, 0.14 * spread(np.vstack(paths)) or 0.1, titles=names, subscripts=False
+    )
     height = floor_height(scene.points())
     for path in paths:
         add_shadow(scene, path, height, 3.0)
     add_floor(scene, camera, height)
-    alt = f"{words.who(arm)} in {len(chains)} configuration{'s' if len(chains) > 1 else ''}, drawn over each other. "
-    alt += " ".join(f"In configuration {name} its end is at {words.place(end[:3, 3])}, its z axis {words.direction(end[:3, 2])}."
-                    for name, end in zip(names, ends))
-    return _picture([View(scene, camera)], arm.name or "", alt, words.frame_rows(ends, names), "End frames, in the world frame")
+    alt = (
+        f"{words.who(arm)} in {len(chains)} configuration{'s' if len(chains) > 1 else ''}, drawn"
+        " over each other. "
+    )
+    alt += " ".join(
+        f"In configuration {name} its end is at {words.place(end[:3, 3])}, its z axis"
+        f" {words.direction(end[:3, 2])}."
+        for name, end in zip(names, ends)
+    )
+    return _picture(
+        [View(scene, camera)],
+        arm.name or "",
+        alt,
+        words.frame_rows(ends, names),
+        "End frames, in the world frame",
+    )
 
 
 def _path_to_end(arm, chain, end):

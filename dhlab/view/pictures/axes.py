@@ -1,4 +1,6 @@
-"""Bare joint axes in space, before anybody has placed a frame: lines with their directions, the common normals between them, the tool."""
+"""Bare joint axes in space, before anybody has placed a frame: lines with their directions, the
+common normals between them, the tool.
+"""
 
 import numpy as np
 
@@ -22,23 +24,27 @@ __all__ = ["axes"]
 HEADINGS = ("axis", "kind", "a point (m)", "direction", "to the next axis")
 KINDS = {"R": "turns", "P": "slides", "tool": "end"}
 AXIS_DASH = (0, (9, 2, 2, 2))
-# of the arm's size: how far a line goes past what lies on it, and below the floor; how much further one on another's; an arrow of a frame
+# of the arm's size: how far a line goes past what lies on it, and below the floor; how much further
+# one on another's; an arrow of a frame
 BEYOND, BELOW, STEP, TRIAD = 0.22, 0.04, 0.09, 0.15
 
 
 def axes(axes, end, frames=None, *, normals=True, title=None):
-    """Joint axes as lines, arrow heads in the direction of positive motion, with the tool's frame at the end.
+    """Joint axes as lines, arrow heads in the direction of positive motion, with the tool's frame
+    at the end.
 
     Parameters
     ----------
     axes : list
-        As :func:`dhlab.assign_frames` takes them: per joint (point, direction) or (point, direction, "R" | "P").
+        As :func:`dhlab.assign_frames` takes them: per joint (point, direction) or (point,
+        direction, "R" | "P").
     end : array (4, 4)
         The end pose at q = 0.
     frames : dict of int to array (4, 4), optional
         Frames already placed, such as ``frames`` of a :class:`dhlab.placing.Placement`.
     normals : bool
-        Draw the common normals of neighbouring axes as thin lines; of parallel ones, one of the many.
+        Draw the common normals of neighbouring axes as thin lines; of parallel ones, one of the
+        many.
     title : str, optional
 
     Returns
@@ -62,7 +68,10 @@ def axes(axes, end, frames=None, *, normals=True, title=None):
      tool  end    0, 0, 0      (0, 0, 1)
     """
     bare = Placement(axes, end)
-    given = [(np.array(entry[0], dtype=float), axis.z, axis.letter) for entry, axis in zip(axes, bare.axes)]
+    given = [
+        (np.array(entry[0], dtype=float), axis.z, axis.letter)
+        for entry, axis in zip(axes, bare.axes)
+    ]
     given.append((bare.end[:3, 3], bare.end[:3, 2], "tool"))
     pairs = _pairs(given, bare.reach)
     size = max(spread(np.array([p for p, *_ in given])), 0.5 * bare.reach)
@@ -72,31 +81,65 @@ def axes(axes, end, frames=None, *, normals=True, title=None):
     if normals:
         _add_normals(scene, pairs, size)
     names = {**{i: str(i) for i in frames or {}}, "tool": "tool"}
-    add_triads(scene, np.array([*(frames or {}).values(), bare.end]), list(names.values()), TRIAD * size, titles=[*(f"{{{i}}}" for i in frames or {}), "tool"])
+    add_triads(
+        scene,
+        np.array([*(frames or {}).values(), bare.end]),
+        list(names.values()),
+        TRIAD * size,
+        titles=[*(f"{{{i}}}" for i in frames or {}), "tool"],
+    )
     add_drops(scene, [p for p, *_ in given], height)
     add_floor(scene, camera, height)
     rows = [_row(k, *line, pairs) for k, line in enumerate(given, 1)]
-    picture = Picture(compose([View(scene, camera)], title or ""), _alt(given, pairs, frames), HEADINGS, rows, "Joint axes at q = 0, in the base frame",
-                      scene.named())
+    picture = Picture(
+        compose([View(scene, camera)], title or ""),
+        _alt(given, pairs, frames),
+        HEADINGS,
+        rows,
+        "Joint axes at q = 0, in the base frame",
+        scene.named(),
+    )
     picture.summary = "The axes as a table"
     return picture
 
 
 def _pairs(given, reach):
-    """How each line lies to the next: Geometry, or None beside a sliding joint, whose line may be anywhere."""
+    """How each line lies to the next: Geometry, or None beside a sliding joint, whose line may be
+    anywhere.
+    """
     found = []
     for k, ((p, w, one), (q, z, other)) in enumerate(zip(given[:-1], given[1:]), 1):
-        anchor = found[-1].feet[1] if found and found[-1] is not None and found[-1].feet is not None else p
-        found.append(None if "P" in (one, other) else geometry(k, ("", ""), reach, z, (q, z), (p, w), anchor=anchor))
+        anchor = (
+            found[-1].feet[1]
+            if found and found[-1] is not None and found[-1].feet is not None
+            else p
+        )
+        found.append(
+            None
+            if "P" in (one, other)
+            else geometry(k, ("", ""), reach, z, (q, z), (p, w), anchor=anchor)
+        )
     return found
 
 
 def _add_lines(scene, given, pairs, size, height):
     tool, along, _ = given[-1]
-    tips = [tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)]  # no arrow head on the tool's frame
+    tips = [
+        tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)
+    ]  # no arrow head on the tool's frame
     for k, (p, z, letter) in enumerate(given[:-1], 1):
-        beside = [(pairs[k - 1], 0), (pairs[k - 2] if k > 1 else None, 1)]  # the normals that leave this axis and arrive on it
-        on_it = [p, *(pair.feet[side] for pair, side in beside if pair is not None and pair.feet is not None)]
+        beside = [
+            (pairs[k - 1], 0),
+            (pairs[k - 2] if k > 1 else None, 1),
+        ]  # the normals that leave this axis and arrive on it
+        on_it = [
+            p,
+            *(
+                pair.feet[side]
+                for pair, side in beside
+                if pair is not None and pair.feet is not None
+            ),
+        ]
         stops = np.clip([(point - p) @ z for point in on_it], -size, size)
         used = p + np.outer([stops.min(), stops.max()], z)
         start, tip, foot = _to_floor(used, z, BEYOND * size, height, BELOW * size)
@@ -105,13 +148,26 @@ def _add_lines(scene, given, pairs, size, height):
         tips.append(tip)
         if foot is not None:
             scene.add(Dot(foot, 4.0, QUIET, "aid", gid=f"foot:{k}"))
-        scene.add(Stroke(np.array([start, tip]), INK, 1.3, AXIS_DASH, "body", head=9.0, casing=0.8, gid=f"axis:{k}"),
-                  Label(tip, f"joint {k}", z, INK, root=start, gid="axis-label"))
+        scene.add(
+            Stroke(
+                np.array([start, tip]),
+                INK,
+                1.3,
+                AXIS_DASH,
+                "body",
+                head=9.0,
+                casing=0.8,
+                gid=f"axis:{k}",
+            ),
+            Label(tip, f"joint {k}", z, INK, root=start, gid="axis-label"),
+        )
         add_joint(scene, letter, p, z, 0.022 * size, 0.08 * size, f"joint:{k}")
 
 
 def _to_floor(used, z, beyond, floor, below):
-    """The ends of a line that goes past its used part (2, 3), only a little below the floor, and where it meets the floor (None where it does not)."""
+    """The ends of a line that goes past its used part (2, 3), only a little below the floor, and
+    where it meets the floor (None where it does not).
+    """
     start, tip = used[0] - beyond * z, used[1] + beyond * z
     lowest, level = (start, tip)[int(z[2] < 0)], min(floor, *used[:, 2]) - below
     if lowest[2] >= level:
@@ -122,15 +178,27 @@ def _to_floor(used, z, beyond, floor, below):
 
 def _add_normals(scene, pairs, size):
     for k, pair in enumerate(pairs, 1):
-        if pair is None or pair.feet is None or np.abs(pair.feet - nearest_on(*pair.other, pair.feet[0])).max() > 2 * size:
+        if (
+            pair is None
+            or pair.feet is None
+            or np.abs(pair.feet - nearest_on(*pair.other, pair.feet[0])).max() > 2 * size
+        ):
             continue
-        scene.add(Stroke(pair.feet, QUIET, 1.1, (0, (3, 2)), "aid", casing=0.6, gid=f"normal:{k}"), *(Dot(foot, 4.0, QUIET, "aid") for foot in pair.feet))
+        scene.add(
+            Stroke(pair.feet, QUIET, 1.1, (0, (3, 2)), "aid", casing=0.6, gid=f"normal:{k}"),
+            *(Dot(foot, 4.0, QUIET, "aid") for foot in pair.feet),
+        )
 
 
 def _row(k, p, z, letter, pairs):
     last = k > len(pairs)
-    return ["tool" if last else str(k), KINDS[letter], ", ".join(number(v, 4) for v in p), "(" + ", ".join(number(v, 3) for v in z) + ")",
-            "" if last else _relation(pairs[k - 1])]
+    return [
+        "tool" if last else str(k),
+        KINDS[letter],
+        ", ".join(number(v, 4) for v in p),
+        "(" + ", ".join(number(v, 3) for v in z) + ")",
+        "" if last else _relation(pairs[k - 1]),
+    ]
 
 
 def _relation(pair):
@@ -141,13 +209,23 @@ def _relation(pair):
         return "one line" if pair.case == "same line" else "one line, opposite senses"
     apart = number(np.linalg.norm(pair.feet[1] - pair.feet[0]), 4)
     angle = number(np.rad2deg(np.arccos(np.clip(pair.line[1] @ pair.other[1], -1, 1))), 2)
-    return {"skew": f"skew: {apart} m apart, {angle}° between them", "meet": f"they meet, {angle}° between them", "parallel": f"parallel: {apart} m apart",
-            "antiparallel": f"parallel, opposite senses: {apart} m apart"}[pair.case]
+    return {
+        "skew": f"skew: {apart} m apart, {angle}° between them",
+        "meet": f"they meet, {angle}° between them",
+        "parallel": f"parallel: {apart} m apart",
+        "antiparallel": f"parallel, opposite senses: {apart} m apart",
+    }[pair.case]
 
 
 def _alt(given, pairs, frames):
     n = len(given) - 1
     kinds = words.joint_words("".join(letter for *_, letter in given[:-1]))
-    told = " ".join(f"Axis {k} to {f'axis {k + 1}' if k < n else 'the z axis of the tool'}: {_relation(pair)}." for k, pair in enumerate(pairs, 1))
+    told = " ".join(
+        f"Axis {k} to {f'axis {k + 1}' if k < n else 'the z axis of the tool'}: {_relation(pair)}."
+        for k, pair in enumerate(pairs, 1)
+    )
     placed = f" Frames placed: {words.listed(f'{{{i}}}' for i in frames)}." if frames else ""
-    return f"The bare axes of {kinds} at q = 0, with the tool at {words.place(given[-1][0])}. {told}{placed}"
+    return (
+        f"The bare axes of {kinds} at q = 0, with the tool at {words.place(given[-1][0])}."
+        f" {told}{placed}"
+    )

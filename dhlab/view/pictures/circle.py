@@ -24,7 +24,8 @@ FINE = 121  # configurations along the model's arc
 
 
 def circle(arm, q, points, *, title=None):
-    """Measured points of one joint's sweep and the arc that the arm's table draws at the same joint values, each with its axis.
+    """Measured points of one joint's sweep and the arc that the arm's table draws at the same joint
+    values, each with its axis.
 
     Parameters
     ----------
@@ -38,7 +39,8 @@ def circle(arm, q, points, *, title=None):
     Returns
     -------
     Picture
-        The table holds both circles: axis in the sense of increasing q, centre, radius, first and last point.
+        The table holds both circles: axis in the sense of increasing q, centre, radius, first and
+        last point.
 
     Raises
     ------
@@ -68,8 +70,14 @@ def circle(arm, q, points, *, title=None):
     _add(scene, arm, q[len(q) // 2], points, arc, found, model)
     add_floor(scene, camera, floor_height(scene.points()))
     rows = [_row("measured", found, points), _row("the table's", model, arc)]
-    picture = Picture(compose([View(scene, camera)], _title(title, arm, found)), _alt(arm, found, model, points, arc), HEADINGS, rows,
-                      f"Joint {found.joint} moved alone", scene.named())
+    picture = Picture(
+        compose([View(scene, camera)], _title(title, arm, found)),
+        _alt(arm, found, model, points, arc),
+        HEADINGS,
+        rows,
+        f"Joint {found.joint} moved alone",
+        scene.named(),
+    )
     picture.summary = "The two circles as a table"
     return picture
 
@@ -78,47 +86,97 @@ def _only_circle(report):
     """The one circle of a report, or a sentence."""
     if len(report.circles) != 1 or report.left_out:
         joints = ", ".join(str(circle.joint) for circle in report.circles)
-        raise ValueError(f"view.circle: expected one sweep of one joint, found sweeps of joint {joints} and {report.left_out} other measurements; "
-                         "hand in the rows of one sweep")
-    circle, = report.circles
+        raise ValueError(
+            f"view.circle: expected one sweep of one joint, found sweeps of joint {joints} and"
+            f" {report.left_out} other measurements; hand in the rows of one sweep"
+        )
+    (circle,) = report.circles
     if circle.fault:
-        raise ValueError(f"view.circle: expected a joint that draws a circle, found joint {circle.joint}: {circle.fault}; choose another joint")
+        raise ValueError(
+            f"view.circle: expected a joint that draws a circle, found joint {circle.joint}:"
+            f" {circle.fault}; choose another joint"
+        )
     return circle
 
 
 def _camera(axis):
     """The usual view, or one to its side when the circle would be seen from its edge."""
-    return max((orbit(azimuth=a) for a in (-58, -42, -74, -26, -90)), key=lambda camera: min(abs(camera.toward @ axis), ROUND))
+    return max(
+        (orbit(azimuth=a) for a in (-58, -42, -74, -26, -90)),
+        key=lambda camera: min(abs(camera.toward @ axis), ROUND),
+    )
 
 
 def _add(scene, arm, q, points, arc, found, model):
     chain = arm.frames(q)
     path = np.vstack([dh_path(arm.table.convention, chain), (chain[-1] @ arm.tool)[:3, 3]])
-    scene.add(Stroke(path, FAINT, 4.5, gid="arm"), *(Dot(point, 5.0, FAINT, "body") for point in path[::2]), Dot(path[0], 9.0, FAINT, "body", gid="base"))
-    scene.add(Stroke(arc, MODEL, 1.8, DASH, "frame", head=9.0, casing=0.8, gid="model"), Dot(arc[0], 5.0, MODEL, "mark"))
+    scene.add(
+        Stroke(path, FAINT, 4.5, gid="arm"),
+        *(Dot(point, 5.0, FAINT, "body") for point in path[::2]),
+        Dot(path[0], 9.0, FAINT, "body", gid="base"),
+    )
+    scene.add(
+        Stroke(arc, MODEL, 1.8, DASH, "frame", head=9.0, casing=0.8, gid="model"),
+        Dot(arc[0], 5.0, MODEL, "mark"),
+    )
     for k, point in enumerate(points):
-        scene.add(Dot(point, 7.5, INK, "frame", gid=f"measured:{k + 1}"), Dot(point, 5.2, "white" if k else INK, "frame"))
+        scene.add(
+            Dot(point, 7.5, INK, "frame", gid=f"measured:{k + 1}"),
+            Dot(point, 5.2, "white" if k else INK, "frame"),
+        )
     length = 0.3 * spread(np.vstack([path, arc, points]))
-    for circle, name, color, dash, width in ((found, "measured axis", INK, "-", 2.6), (model, "the table's axis", MODEL, DASH, 1.6)):
+    for circle, name, color, dash, width in (
+        (found, "measured axis", INK, "-", 2.6),
+        (model, "the table's axis", MODEL, DASH, 1.6),
+    ):
         tip = circle.centre + length * circle.axis
-        scene.add(Stroke(np.array([circle.centre, tip]), color, width, dash, "mark", head=9.0, casing=0.6, gid=f"axis:{name}"),
-                  Label(tip, name, circle.axis, color, far=True, gid="axis-name"))
+        scene.add(
+            Stroke(
+                np.array([circle.centre, tip]),
+                color,
+                width,
+                dash,
+                "mark",
+                head=9.0,
+                casing=0.6,
+                gid=f"axis:{name}",
+            ),
+            Label(tip, name, circle.axis, color, far=True, gid="axis-name"),
+        )
 
 
 def _row(name, circle, points):
     def point(v):
         return ", ".join(number(x, 4) for x in v)
-    return [name, f"({', '.join(number(v, 3) for v in circle.axis)})", point(circle.centre), number(circle.radius, 4), point(points[0]), point(points[-1])]
+
+    return [
+        name,
+        f"({', '.join(number(v, 3) for v in circle.axis)})",
+        point(circle.centre),
+        number(circle.radius, 4),
+        point(points[0]),
+        point(points[-1]),
+    ]
 
 
 def _title(title, arm, found):
     name = title if title is not None else f"{arm.name or 'Arm'}: joint {found.joint} moved alone"
-    return f"{name}\n○ measured, the first one filled   - - what the table draws, to the arrow's tip   (arm in grey, as the table has it)"
+    return (
+        f"{name}\n○ measured, the first one filled   - - what the table draws, to the arrow's tip  "
+        " (arm in grey, as the table has it)"
+    )
 
 
 def _alt(arm, found, model, points, arc):
-    angle = np.rad2deg(np.arctan2(np.linalg.norm(np.cross(found.axis, model.axis)), found.axis @ model.axis))
+    angle = np.rad2deg(
+        np.arctan2(np.linalg.norm(np.cross(found.axis, model.axis)), found.axis @ model.axis)
+    )
     apart = 1000 * np.linalg.norm(points[[0, -1]] - arc[[0, -1]], axis=1)
-    return (f"{words.who(arm)}; joint {found.joint} is moved alone. Its {len(points)} measured points lie on a circle of {number(1000 * found.radius, 1)} mm about an axis "
-            f"{words.direction(found.axis)}; the table draws one of {number(1000 * model.radius, 1)} mm about an axis {words.direction(model.axis)}. The axes differ by "
-            f"{number(angle, 1)}°. The first points are {number(apart[0], 1)} mm apart, the last ones {number(apart[1], 1)} mm.")
+    return (
+        f"{words.who(arm)}; joint {found.joint} is moved alone. Its {len(points)} measured points"
+        f" lie on a circle of {number(1000 * found.radius, 1)} mm about an axis"
+        f" {words.direction(found.axis)}; the table draws one of {number(1000 * model.radius, 1)}"
+        f" mm about an axis {words.direction(model.axis)}. The axes differ by {number(angle, 1)}°."
+        f" The first points are {number(apart[0], 1)} mm apart, the last ones"
+        f" {number(apart[1], 1)} mm."
+    )

@@ -19,14 +19,20 @@ __all__ = ["compared"]
 FAINT = "#c9ced4"
 ERROR = AXES[0].color
 HEADINGS = ("pose", "measured x, y, z (m)", "predicted x, y, z (m)", "error (mm)")
-NUMBERED = 14      # with more poses only the worst are numbered
-SMALL, SEEN = 0.015, 0.08  # of the picture's size: where even the longest line is shorter, all are drawn longer, to this at least
+NUMBERED = 14  # with more poses only the worst are numbered
+SMALL, SEEN = (
+    0.015,
+    0.08,
+    # of the picture's size: where even the longest line is shorter, all are drawn longer, to this at
+    # least
+)
 FACTORS = [step * 10**k for k in range(6) for step in (1, 2, 5)][2:]
-NOTHING = 1e-9     # m, rad
+NOTHING = 1e-9  # m, rad
 
 
 def compared(arm, q, measured, *, title=None):
-    """Measured end points as open circles, predicted ones as dots, a line between the two, and the arm where it is furthest off.
+    """Measured end points as open circles, predicted ones as dots, a line between the two, and the
+    arm where it is furthest off.
 
     Parameters
     ----------
@@ -49,7 +55,8 @@ def compared(arm, q, measured, *, title=None):
 
     Notes
     -----
-    A line is as long as the error. Where even the longest could hardly be seen, all are drawn 5, 10, 20, … times as long, and the title says so.
+    A line is as long as the error. Where even the longest could hardly be seen, all are drawn 5,
+    10, 20, … times as long, and the title says so.
 
     Examples
     --------
@@ -70,23 +77,39 @@ def compared(arm, q, measured, *, title=None):
     factor = _longer(errors.max(), size)
     ends = p + factor * (T[:, :3, 3] - p)
     views = [_view(path, p, ends, errors), _side_view(path, p, ends, errors)]
-    picture = Picture(compose(views, _title(title, arm, errors, worst, factor)), _alt(arm, q, errors, turns, worst, factor), *_table(T, p, errors, turns),
-                      "Measured and predicted end points", views[0].scene.named())
+    picture = Picture(
+        compose(views, _title(title, arm, errors, worst, factor)),
+        _alt(arm, q, errors, turns, worst, factor),
+        *_table(T, p, errors, turns),
+        "Measured and predicted end points",
+        views[0].scene.named(),
+    )
     picture.summary = "The numbers as a table"
     return picture
 
 
 def _given(arm, q, measured):
-    """q (m, n), predicted poses, measured positions and the angle between measured and predicted (m,) or None."""
+    """q (m, n), predicted poses, measured positions and the angle between measured and predicted
+    (m,) or None.
+    """
     require_arm(arm, "view.compared")
     T, measured = arm.forward(q), np.asarray(measured, dtype=float)
-    if T.ndim != 3 or measured.shape not in ((len(T), 3), (len(T), 4, 4)) or not len(T) or not np.isfinite(measured).all():
-        raise ValueError(f"view.compared: expected q (m, {len(arm)}) and as many finite poses (m, 4, 4) or positions (m, 3), "
-                         f"found shapes {np.shape(q)} and {measured.shape}")
+    if (
+        T.ndim != 3
+        or measured.shape not in ((len(T), 3), (len(T), 4, 4))
+        or not len(T)
+        or not np.isfinite(measured).all()
+    ):
+        raise ValueError(
+            f"view.compared: expected q (m, {len(arm)}) and as many finite poses (m, 4, 4) or"
+            f" positions (m, 3), found shapes {np.shape(q)} and {measured.shape}"
+        )
     q = np.asarray(q, dtype=float)
     if measured.ndim == 2:
         return q, T, measured, None
-    turns = Rotation.from_matrix(np.swapaxes(T[:, :3, :3], -1, -2) @ measured[:, :3, :3]).magnitude()
+    turns = Rotation.from_matrix(
+        np.swapaxes(T[:, :3, :3], -1, -2) @ measured[:, :3, :3]
+    ).magnitude()
     return q, T, measured[:, :3, 3], turns
 
 
@@ -103,16 +126,24 @@ def _longer(largest, size):
 
 
 def _add(scene, path, p, ends, numbered):
-    scene.add(Stroke(path, FAINT, 4.5, gid="arm"), *(Dot(point, 5.0, FAINT, "body") for point in path[::2]), Dot(path[0], 9.0, FAINT, "body", gid="base"))
+    scene.add(
+        Stroke(path, FAINT, 4.5, gid="arm"),
+        *(Dot(point, 5.0, FAINT, "body") for point in path[::2]),
+        Dot(path[0], 9.0, FAINT, "body", gid="base"),
+    )
     for k, (found, end) in enumerate(zip(p, ends), 1):
-        scene.add(Stroke(np.array([found, end]), ERROR, 1.3, layer="mark", gid=f"error:{k}"),
-                  Dot(found, 8.0, INK, "frame", gid=f"measured:{k}"), Dot(found, 5.6, "white", "frame"), Dot(end, 4.4, INK, "mark", gid=f"predicted:{k}"))
+        scene.add(
+            Stroke(np.array([found, end]), ERROR, 1.3, layer="mark", gid=f"error:{k}"),
+            Dot(found, 8.0, INK, "frame", gid=f"measured:{k}"),
+            Dot(found, 5.6, "white", "frame"),
+            Dot(end, 4.4, INK, "mark", gid=f"predicted:{k}"),
+        )
         if k - 1 in numbered:
             scene.add(Label(found, str(k), far=True, gid="pose-number"))
 
 
 def _numbered(errors):
-    return set(np.argsort(-errors)[:len(errors) if len(errors) <= NUMBERED else 5].tolist())
+    return set(np.argsort(-errors)[: len(errors) if len(errors) <= NUMBERED else 5].tolist())
 
 
 def _view(path, p, ends, errors):
@@ -134,21 +165,45 @@ def _side_view(path, p, ends, errors):
 def _title(title, arm, errors, worst, factor):
     name = title if title is not None else f"{arm.name or 'Arm'}: predicted against measured"
     long = f", lines drawn {factor} times as long" if factor > 1 else ""
-    return f"{name}\n○ measured   ● predicted   largest error {number(1e3 * errors.max(), 2)} mm at pose {worst + 1} (arm in grey){long}"
+    return (
+        f"{name}\n○ measured   ● predicted   largest error {number(1e3 * errors.max(), 2)} mm at"
+        f" pose {worst + 1} (arm in grey){long}"
+    )
 
 
 def _alt(arm, q, errors, turns, worst, factor):
-    many = f"{len(errors)} measured end points and where the table puts them" if len(errors) > 1 else "1 measured end point and where the table puts it"
-    angles = "" if turns is None else f" The axes are turned by up to {number(np.rad2deg(turns.max()), 2)}°, {number(np.rad2deg(turns.mean()), 2)}° on average."
+    many = (
+        f"{len(errors)} measured end points and where the table puts them"
+        if len(errors) > 1
+        else "1 measured end point and where the table puts it"
+    )
+    angles = (
+        ""
+        if turns is None
+        else (
+            f" The axes are turned by up to {number(np.rad2deg(turns.max()), 2)}°,"
+            f" {number(np.rad2deg(turns.mean()), 2)}° on average."
+        )
+    )
     long = f" The lines are drawn {factor} times as long as the errors." if factor > 1 else ""
-    return (f"{words.who(arm)}. Drawn are {many}, joined by lines. The error is {number(1e3 * errors.max(), 2)} mm at the most and {number(1e3 * errors.mean(), 2)} mm "
-            f"on average.{angles} The arm is drawn in grey at the worst, pose {worst + 1}: q = {words.configuration(arm.table.joints, q[worst])}.{long}")
+    return (
+        f"{words.who(arm)}. Drawn are {many}, joined by lines. The error is"
+        f" {number(1e3 * errors.max(), 2)} mm at the most and {number(1e3 * errors.mean(), 2)} mm"
+        f" on average.{angles} The arm is drawn in grey at the worst, pose {worst + 1}: q ="
+        f" {words.configuration(arm.table.joints, q[worst])}.{long}"
+    )
 
 
 def _table(T, p, errors, turns):
     def point(v):
         return ", ".join(number(x, 4) for x in v)
-    rows = [[str(k), point(found), point(pose[:3, 3]), number(1e3 * error, 2)] for k, (found, pose, error) in enumerate(zip(p, T, errors), 1)]
+
+    rows = [
+        [str(k), point(found), point(pose[:3, 3]), number(1e3 * error, 2)]
+        for k, (found, pose, error) in enumerate(zip(p, T, errors), 1)
+    ]
     if turns is None:
         return HEADINGS, rows
-    return (*HEADINGS, "error (deg)"), [[*row, number(np.rad2deg(turn), 2)] for row, turn in zip(rows, turns)]
+    return (*HEADINGS, "error (deg)"), [
+        [*row, number(np.rad2deg(turn), 2)] for row, turn in zip(rows, turns)
+    ]

@@ -1,4 +1,6 @@
-"""How near an arm comes to a singularity along a path: the condition number of its Jacobian, configuration by configuration."""
+"""How near an arm comes to a singularity along a path: the condition number of its Jacobian,
+configuration by configuration.
+"""
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -14,14 +16,17 @@ from ..picture import Picture
 
 __all__ = ["condition"]
 
-SINGULAR = 1e6  # a condition number above this is drawn as a line without end: between 1e6 and infinity only rounding decides
-ROWS = 9        # of the table, besides the singular ones and their neighbours
+# a condition number above this is drawn as a line without end: between 1e6 and infinity only
+# rounding decides
+SINGULAR = 1e6
+ROWS = 9  # of the table, besides the singular ones and their neighbours
 CURVE, LOST = AXES[2].color, AXES[0].color
 HEADINGS = ("condition number", "smallest singular value", "rank")
 
 
 def condition(arm, qs, joint, *, title=None):
-    """The condition number of the Jacobian along a path, on a logarithmic scale, against the value of one joint.
+    """The condition number of the Jacobian along a path, on a logarithmic scale, against the value
+    of one joint.
 
     Parameters
     ----------
@@ -44,8 +49,9 @@ def condition(arm, qs, joint, *, title=None):
 
     Notes
     -----
-    The condition number is the largest singular value of the Jacobian divided by the smallest. It mixes metres with radians, so its size
-    depends on the unit of length; where it goes to infinity does not.
+    The condition number is the largest singular value of the Jacobian divided by the smallest. It
+    mixes metres with radians, so its size depends on the unit of length; where it goes to infinity
+    does not.
 
     Examples
     --------
@@ -64,12 +70,20 @@ def condition(arm, qs, joint, *, title=None):
     qs, along = _given(arm, qs, joint)
     sizes = np.linalg.svd(arm.jacobian(qs), compute_uv=False)
     if len(arm) < 6:
-        raise ValueError(f"view.condition: expected an arm of six joints or more, found {len(arm)}: with fewer some direction is lost everywhere")
+        raise ValueError(
+            f"view.condition: expected an arm of six joints or more, found {len(arm)}: with fewer"
+            " some direction is lost everywhere"
+        )
     with np.errstate(divide="ignore"):
         numbers = sizes[:, 0] / sizes[:, -1]
-    picture = Picture(_figure(arm, along, numbers, joint, title), _alt(arm, along, numbers, joint),
-                      (f"joint {joint} ({_unit(arm, joint)[1]})", *HEADINGS), _rows(along, numbers, sizes), "Condition number of the Jacobian along the path",
-                      {"curve": np.column_stack([along, numbers])})
+    picture = Picture(
+        _figure(arm, along, numbers, joint, title),
+        _alt(arm, along, numbers, joint),
+        (f"joint {joint} ({_unit(arm, joint)[1]})", *HEADINGS),
+        _rows(along, numbers, sizes),
+        "Condition number of the Jacobian along the path",
+        {"curve": np.column_stack([along, numbers])},
+    )
     picture.summary = "The numbers as a table"
     return picture
 
@@ -85,11 +99,17 @@ def _given(arm, qs, joint):
     if joint not in range(1, len(arm) + 1):
         raise ValueError(f"view.condition: expected a joint from 1 to {len(arm)}, found {joint!r}")
     if arm.forward(qs).shape[:-2] != (len(qs),) or len(qs) < 2:
-        raise ValueError(f"view.condition: expected a path (m, {len(arm)}) of two configurations at least, found shape {np.shape(qs)}")
+        raise ValueError(
+            f"view.condition: expected a path (m, {len(arm)}) of two configurations at least, found"
+            f" shape {np.shape(qs)}"
+        )
     qs = np.asarray(qs, dtype=float)
     along = qs[:, joint - 1] * _unit(arm, joint)[0]
     if np.ptp(along) < 1e-9:
-        raise ValueError(f"view.condition: expected joint {joint} to move along the path, found one value throughout; name the joint that moves")
+        raise ValueError(
+            f"view.condition: expected joint {joint} to move along the path, found one value"
+            " throughout; name the joint that moves"
+        )
     return qs, along
 
 
@@ -102,16 +122,40 @@ def _figure(arm, along, numbers, joint, title):
     axes.semilogy(along, np.where(lost, np.nan, numbers), color=CURVE, linewidth=2.0, gid="curve")
     for value in along[lost]:
         axes.axvline(value, color=LOST, linewidth=1.2, linestyle=(0, (4, 2)), gid="singular")
-        axes.annotate("singular", (value, top), (5, -12), textcoords="offset points", color=LOST, family=FONT, fontsize=SIZES["tick"])
+        axes.annotate(
+            "singular",
+            (value, top),
+            (5, -12),
+            textcoords="offset points",
+            color=LOST,
+            family=FONT,
+            fontsize=SIZES["tick"],
+        )
     axes.set(xlim=(along.min(), along.max()), ylim=(0.7 * numbers.min(), top))
-    axes.set_xlabel(f"joint {joint} ({_unit(arm, joint)[1]})", color=INK, family=FONT, fontsize=SIZES["tick"])
+    axes.set_xlabel(
+        f"joint {joint} ({_unit(arm, joint)[1]})", color=INK, family=FONT, fontsize=SIZES["tick"]
+    )
     axes.set_ylabel("condition number", color=INK, family=FONT, fontsize=SIZES["tick"])
-    axes.yaxis.set(major_locator=LogLocator(subs=(1, 2, 5)), minor_locator=NullLocator(), major_formatter=StrMethodFormatter("{x:g}"))
+    axes.yaxis.set(
+        major_locator=LogLocator(subs=(1, 2, 5)),
+        minor_locator=NullLocator(),
+        major_formatter=StrMethodFormatter("{x:g}"),
+    )
     axes.grid(True, color=FLOOR, linewidth=0.8)
     axes.tick_params(labelsize=SIZES["tick"], labelcolor=INK, color=QUIET)
     axes.spines[["top", "right"]].set_visible(False)
     name = title if title is not None else f"{arm.name or 'Arm'}: how near to a singularity"
-    figure.text(0.5, 0.97, name, ha="center", va="top", family=FONT, fontsize=SIZES["title"], color=INK, parse_math=False)
+    figure.text(
+        0.5,
+        0.97,
+        name,
+        ha="center",
+        va="top",
+        family=FONT,
+        fontsize=SIZES["title"],
+        color=INK,
+        parse_math=False,
+    )
     return figure
 
 
@@ -124,7 +168,15 @@ def _rows(along, numbers, sizes):
     lost = np.flatnonzero(numbers > SINGULAR)
     evenly = np.linspace(0, len(along) - 1, min(ROWS, len(along))).round().astype(int)
     chosen = {int(k) for k in [*evenly, *lost - 1, *lost, *lost + 1] if 0 <= k < len(along)}
-    return [[number(along[k], 3), _shown(numbers[k]), number(sizes[k, -1], 4), str(int((sizes[k] * SINGULAR > sizes[k, 0]).sum()))] for k in sorted(chosen)]
+    return [
+        [
+            number(along[k], 3),
+            _shown(numbers[k]),
+            number(sizes[k, -1], 4),
+            str(int((sizes[k] * SINGULAR > sizes[k, 0]).sum())),
+        ]
+        for k in sorted(chosen)
+    ]
 
 
 def _alt(arm, along, numbers, joint):
@@ -132,7 +184,16 @@ def _alt(arm, along, numbers, joint):
     best = int(np.argmin(numbers))
     lost = [f"{number(value, 2)}{unit}" for value in along[numbers > SINGULAR]]
     worst = int(np.argmax(numbers))
-    end = f"The arm is singular at joint {joint} = {words.listed(lost)}: there the number has no end." if lost else \
-        f"It is highest, {_shown(numbers[worst])}, at {number(along[worst], 2)}{unit}; the path meets no singularity."
-    return (f"{words.who(arm)}. The condition number of its Jacobian, on a logarithmic scale, while joint {joint} goes from {number(along[0], 2)}{unit} "
-            f"to {number(along[-1], 2)}{unit}. It is lowest, {_shown(numbers[best])}, at {number(along[best], 2)}{unit}. {end}")
+    end = (
+        f"The arm is singular at joint {joint} = {words.listed(lost)}: there the number has no end."
+        if lost
+        else (
+            f"It is highest, {_shown(numbers[worst])}, at {number(along[worst], 2)}{unit}; the path"
+            " meets no singularity."
+        )
+    )
+    return (
+        f"{words.who(arm)}. The condition number of its Jacobian, on a logarithmic scale, while"
+        f" joint {joint} goes from {number(along[0], 2)}{unit} to {number(along[-1], 2)}{unit}. It"
+        f" is lowest, {_shown(numbers[best])}, at {number(along[best], 2)}{unit}. {end}"
+    )

@@ -1,4 +1,6 @@
-"""One arm twice, in the same configuration: with its standard frames and with Craig's, and where the two part."""
+"""One arm twice, in the same configuration: with its standard frames and with Craig's, and where
+the two part.
+"""
 
 import numpy as np
 
@@ -17,13 +19,22 @@ from ..picture import Picture
 
 __all__ = ["conventions"]
 
-HEADINGS = ("frame", "standard: x, y, z (m)", "its z axis", "is the axis of", "Craig: x, y, z (m)", "its z axis", "is the axis of")
+HEADINGS = (
+    "frame",
+    "standard: x, y, z (m)",
+    "its z axis",
+    "is the axis of",
+    "Craig: x, y, z (m)",
+    "its z axis",
+    "is the axis of",
+)
 NAMES = {"standard": "standard", "craig": "Craig"}
 PARTED = np.deg2rad(0.01)  # axes nearer than this are one direction to every eye
 
 
 def conventions(arm, q=None):
-    """The same arm side by side in both conventions: standard frames on the left, Craig's on the right.
+    """The same arm side by side in both conventions: standard frames on the left, Craig's on the
+    right.
 
     Parameters
     ----------
@@ -35,7 +46,8 @@ def conventions(arm, q=None):
     Returns
     -------
     Picture
-        On the right a dotted arrow leads from each frame's origin to where the standard one of the same number is.
+        On the right a dotted arrow leads from each frame's origin to where the standard one of the
+        same number is.
 
     Raises
     ------
@@ -65,8 +77,18 @@ def conventions(arm, q=None):
         _add_copy(scene, arms[name], shift @ chains[name], size, NAMES[name])
     _add_ways(scene, aside @ chains["craig"], aside @ chains["standard"])
     values = words.configuration(arm.table.joints, q).replace("-", "−")
-    figure = compose([View(scene, camera, frame=(38.0, 26.0, 38.0, 20.0))], f"{arm.name or 'Arm'} in both conventions\nq = ({values})")
-    picture = Picture(figure, _alt(arm, q, **chains), HEADINGS, _rows(**chains), "The frames of both conventions, in the world frame", scene.named())
+    figure = compose(
+        [View(scene, camera, frame=(38.0, 26.0, 38.0, 20.0))],
+        f"{arm.name or 'Arm'} in both conventions\nq = ({values})",
+    )
+    picture = Picture(
+        figure,
+        _alt(arm, q, **chains),
+        HEADINGS,
+        _rows(**chains),
+        "The frames of both conventions, in the world frame",
+        scene.named(),
+    )
     picture.summary = "The frames of both as a table"
     return picture
 
@@ -89,14 +111,22 @@ def _add_copy(scene, arm, chain, size, name):
     low = floor_height(path)
     add_shadow(scene, path, low)
     foot = np.array([*path[0, :2], low])
-    scene.add(Dot(foot, 3.0, QUIET, "shadow"), Label(foot, name, np.array([0, 0, -1.0]), INK, SIZES["title"], fixed=22.0, gid="convention"))
+    scene.add(
+        Dot(foot, 3.0, QUIET, "shadow"),
+        Label(
+            foot, name, np.array([0, 0, -1.0]), INK, SIZES["title"], fixed=22.0, gid="convention"
+        ),
+    )
 
 
 def _add_ways(scene, craig, standard):
     """From each of Craig's origins to the standard one of the same number."""
     for i, ends in enumerate(zip(craig[:, :3, 3], standard[:, :3, 3])):
         if np.linalg.norm(ends[1] - ends[0]) > NEAR:
-            scene.add(Stroke(np.array(ends), INK, 1.4, (0, (1, 1.6)), "mark", head=7.0, gid=f"way:{i}"), Dot(ends[1], 4.0, "white", "mark"))
+            scene.add(
+                Stroke(np.array(ends), INK, 1.4, (0, (1, 1.6)), "mark", head=7.0, gid=f"way:{i}"),
+                Dot(ends[1], 4.0, "white", "mark"),
+            )
 
 
 def _rows(standard, craig):
@@ -104,7 +134,12 @@ def _rows(standard, craig):
     joint = ["no joint", *(f"joint {i}" for i in range(1, n + 1)), "no joint"]
 
     def cells(pose, k):
-        return [", ".join(number(v, 4) for v in pose[:3, 3]), "(" + ", ".join(number(v, 3) for v in pose[:3, 2]) + ")", joint[k]]
+        return [
+            ", ".join(number(v, 4) for v in pose[:3, 3]),
+            "(" + ", ".join(number(v, 3) for v in pose[:3, 2]) + ")",
+            joint[k],
+        ]
+
     return [[f"{{{i}}}", *cells(standard[i], i + 1), *cells(craig[i], i)] for i in range(n + 1)]
 
 
@@ -113,14 +148,28 @@ def _alt(arm, q, standard, craig):
     parted = [part for part in parts if part]
     same = [f"{{{i}}}" for i, part in enumerate(parts) if not part]
     agree = f" The same in both: {words.listed(same)}." if same else ""
-    differ = f" Seen from the standard frame of the same number, Craig's {words.listed(parted)}." if parted else ""
-    return (f"{words.who(arm)}, drawn twice at q = {words.configuration(arm.table.joints, q)}: with its standard frames on the left, with Craig's on the right. "
-            f"The links are the same.{agree}{differ}")
+    differ = (
+        f" Seen from the standard frame of the same number, Craig's {words.listed(parted)}."
+        if parted
+        else ""
+    )
+    return (
+        f"{words.who(arm)}, drawn twice at q = {words.configuration(arm.table.joints, q)}: with its"
+        " standard frames on the left, with Craig's on the right. The links are the"
+        f" same.{agree}{differ}"
+    )
 
 
 def _parting(i, standard, craig):
     """How Craig's frame i differs from the standard one, or ""."""
     away = np.linalg.norm(craig[:3, 3] - standard[:3, 3])
     turn = np.arccos(np.clip(craig[:3, 2] @ standard[:3, 2], -1, 1))
-    found = [text for text, seen in ((f"{number(away, 4)} m away", away > NEAR), (f"turned by {number(np.rad2deg(turn), 1)}°", turn > PARTED)) if seen]
+    found = [
+        text
+        for text, seen in (
+            (f"{number(away, 4)} m away", away > NEAR),
+            (f"turned by {number(np.rad2deg(turn), 1)}°", turn > PARTED),
+        )
+        if seen
+    ]
     return f"{{{i}}} is {' and '.join(found)}" if found else ""

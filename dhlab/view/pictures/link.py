@@ -1,4 +1,6 @@
-"""The picture of one row: two frames and the four parameters that lead from the first to the second."""
+"""The picture of one row: two frames and the four parameters that lead from the first to the
+second.
+"""
 
 import numpy as np
 
@@ -17,7 +19,8 @@ CONVENTIONS = {"standard": "the standard convention", "craig": "Craig's conventi
 
 
 def link(table, i, q=0.0):
-    """Row i of a table, its parameters drawn as what they are: theta and alpha arcs about z and x, d and a lengths along them.
+    """Row i of a table, its parameters drawn as what they are: theta and alpha arcs about z and x,
+    d and a lengths along them.
 
     Parameters
     ----------
@@ -30,7 +33,8 @@ def link(table, i, q=0.0):
     Returns
     -------
     Picture
-        Frame {i-1} stands upright at the origin. Parameters that are 0 are in the table only, in the order in which they act.
+        Frame {i-1} stands upright at the origin. Parameters that are 0 are in the table only, in
+        the order in which they act.
 
     Raises
     ------
@@ -59,26 +63,54 @@ def link(table, i, q=0.0):
     add_link_and_axes(scene, moves, length)
     add_triads(scene, np.array([first, last]), [str(i - 1), str(i)], 0.85 * length)
     camera = best_orbit(_directions(moves))
-    for move in sorted(moves, key=lambda move: not move.is_turn):  # lengths go where the arcs leave room
+    for move in sorted(
+        moves, key=lambda move: not move.is_turn
+    ):  # lengths go where the arcs leave room
         if not move.is_nothing:
             add_move(scene, move, length, camera)
     convention = CONVENTIONS[table.convention]
-    figure = compose([View(scene, camera, frame=(56.0, 20.0, 56.0, 20.0))], f"Row {i}: from {{{i - 1}}} to {{{i}}}, in {convention}")
-    rows = [[f"{move.kind}_{move.row}", f"{'turn about' if move.is_turn else 'shift along'} {move.letter}_{move.axis}", move.amount] for move in moves]
+    figure = compose(
+        [View(scene, camera, frame=(56.0, 20.0, 56.0, 20.0))],
+        f"Row {i}: from {{{i - 1}}} to {{{i}}}, in {convention}",
+    )
+    rows = [
+        [
+            f"{move.kind}_{move.row}",
+            f"{'turn about' if move.is_turn else 'shift along'} {move.letter}_{move.axis}",
+            move.amount,
+        ]
+        for move in moves
+    ]
     caption = f"Row {i}, from {{{i - 1}}} to {{{i}}}, in {convention}"
-    picture = Picture(figure, _sentences(moves, i, convention), ("parameter", "what it is", "value"), rows, caption, scene.named())
+    picture = Picture(
+        figure,
+        _sentences(moves, i, convention),
+        ("parameter", "what it is", "value"),
+        rows,
+        caption,
+        scene.named(),
+    )
     picture.summary = "The row as a table"
     return picture
 
 
 def _checked(table, i, q):
     if not isinstance(table, DHTable):
-        raise ValueError(f"view.link: expected a DHTable first, found {type(table).__name__}; of an arm give arm.table")
+        raise ValueError(
+            f"view.link: expected a DHTable first, found {type(table).__name__}; of an arm give"
+            " arm.table"
+        )
     if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not 1 <= i <= len(table):
-        raise ValueError(f"view.link: expected a row from 1 to {len(table)}, found {i!r}; rows are counted from 1")
+        raise ValueError(
+            f"view.link: expected a row from 1 to {len(table)}, found {i!r}; rows are counted"
+            " from 1"
+        )
     array = np.asarray(q)
     if array.shape != () or array.dtype.kind not in "iuf" or not np.isfinite(array):
-        raise ValueError(f"view.link: expected one finite number for q (radians, metres for a prismatic joint), found {q!r}")
+        raise ValueError(
+            "view.link: expected one finite number for q (radians, metres for a prismatic joint),"
+            f" found {q!r}"
+        )
     return int(i), float(array)
 
 
@@ -89,9 +121,20 @@ def _directions(moves):
 
 
 def _sentences(moves, i, convention):
-    steps = [f"{'turn' if move.is_turn else 'shift'} by {move.kind}_{move.row} = {move.amount} {'about' if move.is_turn else 'along'} {move.letter}_{move.axis}"
-             for move in moves if not move.is_nothing]
-    way = f"the way is {words.listed(steps)}" if steps else "all four parameters are 0, so the frames coincide"
+    steps = [
+        f"{'turn' if move.is_turn else 'shift'} by {move.kind}_{move.row} = {move.amount}"
+        f" {'about' if move.is_turn else 'along'} {move.letter}_{move.axis}"
+        for move in moves
+        if not move.is_nothing
+    ]
+    way = (
+        f"the way is {words.listed(steps)}"
+        if steps
+        else "all four parameters are 0, so the frames coincide"
+    )
     end = moves[-1].end
-    return (f"Row {i} in {convention}, frames {{{i - 1}}} and {{{i}}} with the parameters between them: {way}. Seen from {{{i - 1}}}, "
-            f"{{{i}}} is at {words.place(end[:3, 3])}, its x axis {words.direction(end[:3, 0])} and its z axis {words.direction(end[:3, 2])}.")
+    return (
+        f"Row {i} in {convention}, frames {{{i - 1}}} and {{{i}}} with the parameters between them:"
+        f" {way}. Seen from {{{i - 1}}}, {{{i}}} is at {words.place(end[:3, 3])}, its x axis"
+        f" {words.direction(end[:3, 0])} and its z axis {words.direction(end[:3, 2])}."
+    )

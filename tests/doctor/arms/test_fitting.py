@@ -33,10 +33,19 @@ def test_free_ends_against_least_squares(free, full):
         P = B @ own @ E
         parts = [(P[:, :3, 3] - T[:, :3, 3]) / noise[0]]
         if full:
-            parts.append(Rotation.from_matrix(np.swapaxes(P[:, :3, :3], 1, 2) @ T[:, :3, :3]).as_rotvec() / noise[1])
+            parts.append(
+                Rotation.from_matrix(np.swapaxes(P[:, :3, :3], 1, 2) @ T[:, :3, :3]).as_rotvec()
+                / noise[1]
+            )
         return np.concatenate(parts).ravel()
 
-    best = min((2 * least_squares(residual, x0, x_scale="jac", max_nfev=400).cost for x0 in rng.normal(0, 1, (12, 12))), default=np.inf)
+    best = min(
+        (
+            2 * least_squares(residual, x0, x_scale="jac", max_nfev=400).cost
+            for x0 in rng.normal(0, 1, (12, 12))
+        ),
+        default=np.inf,
+    )
     found = misfit(arm, data)
     assert found.chi2 <= best * (1 + 1e-6)
     assert found.chi2 == pytest.approx((data.residual(found.arm.forward(q)) ** 2).sum())

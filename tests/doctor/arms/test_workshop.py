@@ -1,4 +1,6 @@
-"""The doctor in a workshop: two mistakes and a tape measure, one bad line, other units, noise that is none; what it says where it cannot explain."""
+"""The doctor in a workshop: two mistakes and a tape measure, one bad line, other units, noise that
+is none; what it says where it cannot explain.
+"""
 
 from dataclasses import replace
 
@@ -16,11 +18,20 @@ def turned_joint_and_offset(right):
     rows, sign = right.table.rows, right.sign.copy()
     rows[1, 0] -= np.pi / 2
     sign[2] *= -1
-    return replace(right, table=dh.DHTable.standard(rows, angle="rad", joints=right.table.joints), sign=sign)
+    return replace(
+        right, table=dh.DHTable.standard(rows, angle="rad", joints=right.table.joints), sign=sign
+    )
 
 
 @pytest.mark.parametrize("free", [False, True])
-@pytest.mark.parametrize("wrong_of", [turned_joint_and_offset, lambda right: entry(entry(right, 2, 2, lambda a: 1.1 * a), 4, 3, np.negative)], ids=["sense and offset", "alpha and length"])
+@pytest.mark.parametrize(
+    "wrong_of",
+    [
+        turned_joint_and_offset,
+        lambda right: entry(entry(right, 2, 2, lambda a: 1.1 * a), 4, 3, np.negative),
+    ],
+    ids=["sense and offset", "alpha and length"],
+)
 def test_two_mistakes_are_found_from_positions_alone(free, wrong_of):
     """Of which at least one turns what is behind it: the tape measure sees no rotation."""
     right = dh.load("article-6r")
@@ -42,8 +53,12 @@ def test_one_bad_measurement_is_pointed_out(wrong):
     poses[4, 0, 3] += 0.1
     arm = entry(right, 4, 3, np.negative) if wrong else right
     answer = diagnose(arm, q, poses, noise=NOISE)
-    assert answer.headline.endswith("but number 5.") and any("5th line" in note and "mm in x" in note for note in answer.notes)
-    assert [f.mistake for f in answer.findings] == (["alpha-sign"] if wrong else []) and answer.verdict == ("explained" if wrong else "unexplained")
+    assert answer.headline.endswith("but number 5.") and any(
+        "5th line" in note and "mm in x" in note for note in answer.notes
+    )
+    assert [f.mistake for f in answer.findings] == (
+        ["alpha-sign"] if wrong else []
+    ) and answer.verdict == ("explained" if wrong else "unexplained")
 
 
 def test_what_is_right_all_the_same_is_said():
@@ -51,26 +66,45 @@ def test_what_is_right_all_the_same_is_said():
     q = general(right, 12, 1)
     T = noisy(right.forward(q), np.random.default_rng(2))
     lengths = right.table.rows * [1, 1.3, 0.8, 1]
-    assert "rotation is right at every pose" in diagnose(dh.Arm(dh.DHTable.standard(lengths, angle="rad")), q, T, noise=NOISE).notes[-1]
+    assert (
+        "rotation is right at every pose"
+        in diagnose(dh.Arm(dh.DHTable.standard(lengths, angle="rad")), q, T, noise=NOISE).notes[-1]
+    )
     scrambled = T.copy()
     scrambled[:, :3, :3] = Rotation.random(12, random_state=np.random.RandomState(3)).as_matrix()
     assert "position is right at every pose" in diagnose(right, q, scrambled, noise=NOISE).notes[-1]
     louder = noisy(right.forward(q), np.random.default_rng(2), (3e-3, 3 * NOISE[1]))
     assert "times the noise" in diagnose(right, q, louder, noise=NOISE).notes[-1]
-    both = from_xyz_rpy([0.1, 0.2, 0.3], [0.1, 1.0, -0.4]) @ T @ from_xyz_rpy([0.02, 0, 0.1], [0.5, 0.1, 0.2])
+    both = (
+        from_xyz_rpy([0.1, 0.2, 0.3], [0.1, 1.0, -0.4])
+        @ T
+        @ from_xyz_rpy([0.02, 0, 0.1], [0.5, 0.1, 0.2])
+    )
     assert "another base and another tool" in " ".join(diagnose(right, q, both, noise=NOISE).notes)
 
 
-@pytest.mark.parametrize("wrong_of, mistake", [
-    (lambda rows: rows * [1, 1, 1, np.pi / 180], "angle-unit"), (lambda rows: rows * [np.pi / 180, 1, 1, np.pi / 180], "angle-unit"),
-    (lambda rows: rows * [1, 0.1, 0.1, 1], "length-unit"), (lambda rows: rows, None)], ids=["alpha in radians", "all in radians", "centimetres", "right"])
+@pytest.mark.parametrize(
+    "wrong_of, mistake",
+    [
+        (lambda rows: rows * [1, 1, 1, np.pi / 180], "angle-unit"),
+        (lambda rows: rows * [np.pi / 180, 1, 1, np.pi / 180], "angle-unit"),
+        (lambda rows: rows * [1, 0.1, 0.1, 1], "length-unit"),
+        (lambda rows: rows, None),
+    ],
+    ids=["alpha in radians", "all in radians", "centimetres", "right"],
+)
 def test_a_table_in_another_unit_is_named(wrong_of, mistake):
     right = dh.load("article-6r")
     rows = right.table.rows
     rows[1, 0] = np.pi / 2
     right = dh.Arm(dh.DHTable.standard(rows, angle="rad"))
     q = general(right, 10, 1)
-    answer = diagnose(dh.Arm(dh.DHTable.standard(wrong_of(rows), angle="rad")), q, noisy(right.forward(q), np.random.default_rng(2)), noise=NOISE)
+    answer = diagnose(
+        dh.Arm(dh.DHTable.standard(wrong_of(rows), angle="rad")),
+        q,
+        noisy(right.forward(q), np.random.default_rng(2)),
+        noise=NOISE,
+    )
     assert [f.mistake for f in answer.findings] == ([mistake] if mistake else [])
 
 
@@ -81,8 +115,12 @@ def test_a_missing_length_is_no_unit_and_a_small_repair_is_not_called_by_a_name_
     q = general(right, 10, 1)
     poses = noisy(right.forward(q), np.random.default_rng(2))
     answer = diagnose(entry(right, 3, 2, lambda a: 0.0), q, poses, noise=NOISE)
-    assert [f.mistake for f in answer.findings] == ["length-value"] and "should be 45" in answer.findings[0].detail
-    two = diagnose(entry(entry(right, 2, 2, lambda a: a + 0.005), 4, 3, np.negative), q, poses, noise=NOISE)
+    assert [f.mistake for f in answer.findings] == [
+        "length-value"
+    ] and "should be 45" in answer.findings[0].detail
+    two = diagnose(
+        entry(entry(right, 2, 2, lambda a: a + 0.005), 4, 3, np.negative), q, poses, noise=NOISE
+    )
     assert {f.mistake for f in two.findings} == {"length-value", "alpha-sign"}
 
 
@@ -91,8 +129,15 @@ def test_zeros_that_are_off_are_listed():
     rows = right.table.rows
     rows[:, 0] += np.deg2rad([2, -3, 4, 1.5, -2, 3])
     q = general(right, 10, 1)
-    answer = diagnose(dh.Arm(dh.DHTable.standard(rows, angle="rad")), q, noisy(right.forward(q), np.random.default_rng(2)), noise=NOISE)
-    assert [f.mistake for f in answer.findings] == ["offset-value"] and all(f"theta{i}" in answer.findings[0].detail for i in range(2, 6))
+    answer = diagnose(
+        dh.Arm(dh.DHTable.standard(rows, angle="rad")),
+        q,
+        noisy(right.forward(q), np.random.default_rng(2)),
+        noise=NOISE,
+    )
+    assert [f.mistake for f in answer.findings] == ["offset-value"] and all(
+        f"theta{i}" in answer.findings[0].detail for i in range(2, 6)
+    )
 
 
 def test_the_size_once_repaired_is_that_of_the_mended_measurements():
@@ -101,10 +146,15 @@ def test_the_size_once_repaired_is_that_of_the_mended_measurements():
     poses = noisy(right.forward(q), np.random.default_rng(2))
     poses[:, :3, 3] = poses[:, [1, 0, 2], 3]
     answer = diagnose(right, q, poses, noise=NOISE)
-    assert answer.findings[0].place == "x and y have changed places" and answer.after[0] < 6 < 100 < answer.before[0]
+    assert (
+        answer.findings[0].place == "x and y have changed places"
+        and answer.after[0] < 6 < 100 < answer.before[0]
+    )
 
 
-@pytest.mark.parametrize("noise, words", [((4.0, 0.01), "4 mm are 0.004"), (1e-3, "expected two numbers")])
+@pytest.mark.parametrize(
+    "noise, words", [((4.0, 0.01), "4 mm are 0.004"), (1e-3, "expected two numbers")]
+)
 def test_noise_that_cannot_be_meant_is_refused(noise, words):
     right = dh.load("article-6r")
     q = general(right, 10, 1)
@@ -119,4 +169,6 @@ def test_noise_is_not_measured_by_a_table_in_another_unit(factor):
     p = right.forward(q)[:, :3, 3] + np.random.default_rng(2).normal(0, 4e-3, (10, 3))
     wrong = dh.Arm(dh.DHTable.standard(right.table.rows * [1, factor, factor, 1], angle="rad"))
     assert [f.mistake for f in diagnose(wrong, q, p, noise=4e-3).findings] == ["length-unit"]
-    assert [f.mistake for f in diagnose(right, q, p * factor, noise=4e-3 * factor).findings] == ["length-unit"]
+    assert [f.mistake for f in diagnose(right, q, p * factor, noise=4e-3 * factor).findings] == [
+        "length-unit"
+    ]

@@ -1,11 +1,16 @@
-"""Sixty wrong programs in the style of a class, written by somebody who did not know what the doctor looks for.
+"""Sixty wrong programs in the style of a class, written by somebody who did not know what the
+doctor looks for.
 
-``PROGRAMS`` holds (kind, mistakes, text): two mistakes are joined by " + ", names that describe one mistake equally well by "|"; "none" where the
-catalogue had no name for it. The doctor was then improved on those of even index; those of odd index were kept for measuring.
+``PROGRAMS`` holds (kind, mistakes, text): two mistakes are joined by " + ", names that describe one
+mistake equally well by "|"; "none" where the catalogue had no name for it. The doctor was then
+improved on those of even index; those of odd index were kept for measuring.
 """
 
 PROGRAMS = [
-    ("dh", "last-row-missing + matrix-entry-mistyped", r'''import numpy as np
+    (
+        "dh",
+        "last-row-missing + matrix-entry-mistyped",
+        r"""import numpy as np
 
 def dh_transform(th, d, a, al):
     ct, st = np.cos(th), np.sin(th)
@@ -17,8 +22,12 @@ def dh_transform(th, d, a, al):
     top = np.hstack((R, p.reshape(3, 1)))
     # homogeneous row
     return np.vstack((top, np.ones(4)))
-'''),
-    ("fk", "tool-missing|product-stops-early", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "tool-missing|product-stops-early",
+        r"""import numpy as np
 
 # modified DH as in Craig: alpha_{i-1}, a_{i-1}, d_i, theta_i
 def link(alpha_prev, a_prev, d, theta):
@@ -38,8 +47,12 @@ def forward_kinematics(rows, q):
         a_prev = rows[i, 2]
         alpha_prev = rows[i, 3]
     return T
-'''),
-    ("dh", "alpha-sign + length-unit", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "alpha-sign + length-unit",
+        r"""import numpy as np
 
 def skew(v):
     return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
@@ -55,8 +68,12 @@ def dh_transform(theta, d, a, alpha):
     out[:3, :3] = Rz @ Rx
     out[:3, 3] = Rz @ [a, 0, 0] + [0, 0, d / 1000]
     return out
-'''),
-    ("fk", "offset-on-wrong-joint", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "offset-on-wrong-joint",
+        r"""import numpy as np
 
 def dh(th, d, a, al):
     T = np.eye(4)
@@ -77,8 +94,12 @@ def forward_kinematics(rows, q):
     for th, (_, d, a, al) in zip(theta, rows):
         T = T @ dh(th, d, a, al)
     return T
-'''),
-    ("dh", "length-unit", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "length-unit",
+        r"""import numpy as np
 
 MM = 1e-3
 
@@ -99,8 +120,12 @@ class Link:
 
 def dh_transform(theta, d, a, alpha):
     return Link(theta, d, a, alpha).matrix()
-'''),
-    ("fk", "product-reversed + alpha-sign", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "product-reversed + alpha-sign",
+        r"""import numpy as np
 
 def rot_x(a):
     return np.array([[1,0,0,0],[0,np.cos(a),np.sin(a),0],[0,-np.sin(a),np.cos(a),0],[0,0,0,1]])
@@ -120,8 +145,12 @@ def forward_kinematics(rows, q):
     t, d, a, al = rows[0]
     first = rot_z(t + q[0]) @ shift(a, d) @ rot_x(al)
     return forward_kinematics(rows[1:], q[1:]) @ first
-'''),
-    ("fk", "alpha-value", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "alpha-value",
+        r"""import numpy as np
 
 def snap(alpha):
     # alpha is always 0 or +-90 degrees on a real arm, remove the numerical rubbish
@@ -140,8 +169,12 @@ def forward_kinematics(rows, q):
         return np.eye(4)
     head, tail = rows[0], rows[1:]
     return dh(head[0] + q[0], *head[1:]) @ forward_kinematics(tail, q[1:])
-'''),
-    ("fk", "offset-missing + product-stops-early", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "offset-missing + product-stops-early",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     # rotation and translation of one link
@@ -163,8 +196,12 @@ def forward_kinematics(rows, q):
         theta = q[i]
         T = T @ dh(theta, d, a, alpha)
     return T
-'''),
-    ("dh", "standard-rows-in-craig-matrix + pi-rounded", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "standard-rows-in-craig-matrix + pi-rounded",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     theta = round(theta, 1)   # avoid float noise
@@ -176,8 +213,12 @@ def dh_transform(theta, d, a, alpha):
                   [st * sa, ct * sa,  ca,  ca * d],
                   [0,       0,        0,   1]])
     return T
-'''),
-    ("fk", "elementwise-product", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "elementwise-product",
+        r"""import numpy as np
 
 def rotz(t):
     return np.array([[np.cos(t), -np.sin(t), 0, 0], [np.sin(t), np.cos(t), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
@@ -195,8 +236,12 @@ def forward_kinematics(rows, q):
     mats = np.array([dh(r[0] + x, r[1], r[2], r[3]) for r, x in zip(rows, q)])
     # multiply all of them together
     return np.prod(mats, axis=0)
-'''),
-    ("dh", "sin-cos-exchanged", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "sin-cos-exchanged",
+        r"""import numpy as np
 
 def cs(angle):
     z = np.exp(1j * angle)
@@ -209,9 +254,13 @@ def dh_transform(theta, d, a, alpha):
                      [st, ct * ca, -ct * sa, a * st],
                      [0, sa, ca, d],
                      [0, 0, 0, 1]])
-'''),
+""",
+    ),
     # none: sine taken as sqrt(1 - cos^2), so its sign is lost
-    ("dh", "none", r'''import numpy as np
+    (
+        "dh",
+        "none",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     ct = np.cos(theta)
@@ -224,8 +273,12 @@ def dh_transform(theta, d, a, alpha):
                   [0, sa, ca, d],
                   [0, 0, 0, 1]])
     return T
-'''),
-    ("fk", "one-row-for-all-joints", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "one-row-for-all-joints",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -243,8 +296,12 @@ def forward_kinematics(rows, q):
     for i in range(len(q)):
         T = T @ dh(rows[i][0] + q[i], d, a, alpha)
     return T
-'''),
-    ("dh", "sin-cos-exchanged + length-sign", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "sin-cos-exchanged + length-sign",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     # alpha only: precompute
@@ -256,8 +313,12 @@ def dh_transform(theta, d, a, alpha):
     T[2] = [0, twist['s'], twist['c'], -d]
     T[3, 3] = 1
     return np.asarray(T)
-'''),
-    ("fk", "integer-arrays", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "integer-arrays",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -276,8 +337,12 @@ def forward_kinematics(rows, q):
     for i in range(n):
         T = T @ dh(theta[i], rows[i][1], rows[i][2], rows[i][3])
     return T
-'''),
-    ("dh", "a-d-exchanged", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "a-d-exchanged",
+        r'''import numpy as np
 
 def _matrix(theta, alpha, a, d):
     """same order as in Spong's table"""
@@ -289,8 +354,12 @@ def _matrix(theta, alpha, a, d):
 
 def dh_transform(theta, d, a, alpha):
     return _matrix(theta, alpha, d, a)
-'''),
-    ("fk", "offset-counted-twice", r'''import numpy as np
+''',
+    ),
+    (
+        "fk",
+        "offset-counted-twice",
+        r"""import numpy as np
 
 def link(row, theta):
     theta = theta + row[0]      # offset
@@ -308,8 +377,12 @@ def forward_kinematics(rows, q):
     for row, theta in zip(rows, thetas):
         pose = pose @ link(row, theta)
     return pose
-'''),
-    ("dh", "pose-inverted + length-value", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "pose-inverted + length-value",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     a = a / 2           # to the middle of the link
@@ -321,8 +394,12 @@ def dh_transform(theta, d, a, alpha):
         [st * sa, -ct * sa, ca, -d * ca],
         [0, 0, 0, 1],
     ])
-'''),
-    ("dh", "mirror", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "mirror",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     z_old = np.array([0.0, 0.0, 1.0])
@@ -335,8 +412,12 @@ def dh_transform(theta, d, a, alpha):
     pos = d * z_old + a * x_new
     T = np.stack([x_new, y_new, z_new, pos], axis=1)
     return np.vstack([T, [0, 0, 0, 1]])
-'''),
-    ("fk", "offset-in-degrees|converted-to-radians-twice + rotation-transposed", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "offset-in-degrees|converted-to-radians-twice + rotation-transposed",
+        r"""import numpy as np
 
 def make_T(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -358,8 +439,12 @@ def forward_kinematics(rows, q):
     result[:3, 3] = position
     result[3, 3] = 1
     return result
-'''),
-    ("dh", "integer-arrays", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "integer-arrays",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     T = np.array([[1, 0, 0, 0],
@@ -372,8 +457,12 @@ def dh_transform(theta, d, a, alpha):
     T[1] = [st, ct*ca, -ct*sa, a*st]
     T[2, 1:] = [sa, ca, d]
     return T
-'''),
-    ("dh", "a-d-exchanged + row-vector-convention", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "a-d-exchanged + row-vector-convention",
+        r"""import numpy as np
 
 def Translation(x=0, y=0, z=0):
     return np.array([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]], dtype=float)
@@ -396,9 +485,13 @@ def dh_transform(theta, d, a, alpha):
     T = T @ Translation(x=d)
     T = T @ Rotation('x', alpha)
     return T
-'''),
+""",
+    ),
     # none: position updated with the rotation that already contains this link
-    ("fk", "none", r'''import numpy as np
+    (
+        "fk",
+        "none",
+        r"""import numpy as np
 
 def rotz(t):
     return np.array([[np.cos(t), -np.sin(t), 0, 0], [np.sin(t), np.cos(t), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
@@ -424,8 +517,12 @@ def forward_kinematics(rows, q):
     T[:3, :3] = R
     T[:3, 3] = p
     return T
-'''),
-    ("dh", "alpha-before-d", r'''from functools import reduce
+""",
+    ),
+    (
+        "dh",
+        "alpha-before-d",
+        r"""from functools import reduce
 import numpy as np
 
 def Rot(axis, ang):
@@ -445,8 +542,12 @@ def dh_transform(theta, d, a, alpha):
     # first all rotations, then all translations
     ops = [Rot("z", theta), Rot("x", alpha), Trans("z", d), Trans("x", a)]
     return reduce(np.matmul, ops)
-'''),
-    ("dh", "theta-alpha-exchanged + lengths-made-positive", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "theta-alpha-exchanged + lengths-made-positive",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     # lengths can't be negative
@@ -456,8 +557,12 @@ def dh_transform(theta, d, a, alpha):
                      [s1, c1*c2, -c1*s2, a*s1],
                      [0, s2, c2, d],
                      [0, 0, 0, 1]])
-'''),
-    ("fk", "joint-values-unused", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "joint-values-unused",
+        r"""import numpy as np
 
 def dh_matrix(params):
     theta, d, a, alpha = params
@@ -472,8 +577,12 @@ def forward_kinematics(rows, q):
     for p in table:
         T = np.dot(T, dh_matrix(p))
     return T
-'''),
-    ("fk", "link-counted-twice", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "link-counted-twice",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     # rotation and translation of one link
@@ -490,8 +599,12 @@ def forward_kinematics(rows, q):
     for j in range(len(q)):
         T = T.dot(dh(rows[j][0] + q[j], rows[j][1], rows[j][2], rows[j][3]))
     return T
-'''),
-    ("dh", "degrees-in-sin-cos|angle-unit", r'''import math
+""",
+    ),
+    (
+        "dh",
+        "degrees-in-sin-cos|angle-unit",
+        r"""import math
 import numpy as np
 
 RAD2DEG = 180 / math.pi
@@ -510,8 +623,12 @@ def dh_transform(theta, d, a, alpha):
     A[2, :] = [0, sind(alpha), cosd(alpha), d]
     A[3, :] = [0, 0, 0, 1]
     return A
-'''),
-    ("fk", "translations-not-rotated + converted-to-radians-twice|angle-unit", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "translations-not-rotated + converted-to-radians-twice|angle-unit",
+        r"""import numpy as np
 
 def quat(axis, ang):
     q = np.zeros(4)
@@ -541,8 +658,12 @@ def forward_kinematics(rows, q):
     T[:3, :3] = np.column_stack([rotate(ori, e) for e in np.eye(3)])
     T[:3, 3] = pos
     return T
-'''),
-    ("fk", "joint-reversed", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "joint-reversed",
+        r"""import numpy as np
 
 def dh(theta_i, d_i, a_i, alpha_i):
     T = np.identity(4)
@@ -566,8 +687,12 @@ def forward_kinematics(rows, q):
             ang = off + q[i]
         T = T @ dh(ang, d, a, alpha)
     return T
-'''),
-    ("dh", "matrix-entry-mistyped", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "matrix-entry-mistyped",
+        r"""import numpy as np
 from math import sin, cos
 
 def dh_transform(theta, d, a, alpha):
@@ -577,8 +702,12 @@ def dh_transform(theta, d, a, alpha):
         [sin(theta),  cos(theta)*cos(alpha),  cos(theta)*sin(alpha), a*sin(theta)],
         [0,           sin(alpha),             cos(alpha),            d],
         [0,           0,                      0,                     1]])
-'''),
-    ("dh", "last-row-missing", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "last-row-missing",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     ct = np.cos(theta)
@@ -603,8 +732,12 @@ def dh_transform(theta, d, a, alpha):
     T[2, 3] = d
     # rest is zero already :)
     return T
-'''),
-    ("dh", "shift-not-turned-by-theta|translations-not-rotated", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "shift-not-turned-by-theta|translations-not-rotated",
+        r"""import numpy as np
 
 def Rz(t):
     return np.array([[np.cos(t), -np.sin(t), 0], [np.sin(t), np.cos(t), 0], [0, 0, 1]])
@@ -617,8 +750,12 @@ def dh_transform(theta, d, a, alpha):
     # d along z and a along x
     p = np.array([[a], [0.0], [d]])
     return np.block([[R, p], [np.zeros((1, 3)), np.ones((1, 1))]])
-'''),
-    ("dh", "standard-rows-in-craig-matrix|product-reversed", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "standard-rows-in-craig-matrix|product-reversed",
+        r"""import numpy as np
 
 def rotx(al):
     return np.array([[1, 0, 0, 0],
@@ -640,8 +777,12 @@ def trans(x, y, z):
 # Craig eq. 3.5:  T = R_x(alpha_{i-1}) D_x(a_{i-1}) R_z(theta_i) D_z(d_i)
 def dh_transform(theta, d, a, alpha):
     return rotx(alpha) @ trans(a, 0, 0) @ rotz(theta) @ trans(0, 0, d)
-'''),
-    ("dh", "elementwise-product", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "elementwise-product",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     ct = np.cos(theta); st = np.sin(theta)
@@ -652,8 +793,12 @@ def dh_transform(theta, d, a, alpha):
     Rot_x = np.array([[1,0,0,0],[0,ca,-sa,0],[0,sa,ca,0],[0,0,0,1]])
     T = Rot_z*Trans_z*Trans_x*Rot_x
     return T
-'''),
-    ("fk", "atan-for-atan2", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "atan-for-atan2",
+        r'''import numpy as np
 
 
 def _normalize(angle):
@@ -681,8 +826,12 @@ def forward_kinematics(rows, q):
         theta = _normalize(offset + angle)
         transform = transform @ _link_transform(theta, d, a, alpha)
     return transform
-'''),
-    ("dh", "shift-not-turned-by-theta + alpha-in-degrees|converted-to-radians-twice|angle-unit", r'''import numpy as np
+''',
+    ),
+    (
+        "dh",
+        "shift-not-turned-by-theta + alpha-in-degrees|converted-to-radians-twice|angle-unit",
+        r"""import numpy as np
 from numpy import cos, sin, pi
 
 def dh_transform(theta, d, a, alpha):
@@ -696,8 +845,12 @@ def dh_transform(theta, d, a, alpha):
     T[1, :3] = sin(theta), cos(theta)*cos(alpha), -cos(theta)*sin(alpha)
     T[2, :3] = 0, sin(alpha), cos(alpha)
     return T
-'''),
-    ("dh", "rotation-transposed", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "rotation-transposed",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     c, s = np.cos, np.sin
@@ -711,8 +864,12 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = np.vstack((x_axis, y_axis, z_axis))
     T[:3, 3] = origin
     return T
-'''),
-    ("fk", "offset-subtracted", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "offset-subtracted",
+        r"""import numpy as np
 import math
 
 def transform(theta, d, a, alpha):
@@ -734,8 +891,12 @@ def forward_kinematics(rows, q):
         T = T @ transform(th, rows[i][1], rows[i][2], rows[i][3])
         i += 1
     return T
-'''),
-    ("dh", "matrix-entry-mistyped", r'''import math
+""",
+    ),
+    (
+        "dh",
+        "matrix-entry-mistyped",
+        r"""import math
 import numpy as np
 
 def dh_transform(theta, d, a, alpha):
@@ -746,8 +907,12 @@ def dh_transform(theta, d, a, alpha):
     row3 = [0.0, sal, cal, d]
     row4 = [0.0, 0.0, 0.0, 1.0]
     return np.array([row1, row2, row3, row4])
-'''),
-    ("dh", "state-between-calls", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "state-between-calls",
+        r"""import numpy as np
 
 steps = []
 
@@ -766,9 +931,13 @@ def dh_transform(theta, d, a, alpha):
     for M in steps:
         res = res.dot(M)
     return res
-'''),
+""",
+    ),
     # none: full angle used where the quaternion needs the half angle (both angles doubled)
-    ("dh", "none|angle-unit", r'''import numpy as np
+    (
+        "dh",
+        "none|angle-unit",
+        r"""import numpy as np
 
 def qmul(p, q):
     w1, x1, y1, z1 = p
@@ -795,8 +964,12 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = q2R(qmul(qz, qx))
     T[:3, 3] = q2R(qz) @ np.array([a, 0., d])
     return T
-'''),
-    ("fk", "joint-index-off-by-one + length-unit", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "joint-index-off-by-one + length-unit",
+        r'''import numpy as np
 
 def dh(th, d, a, al):
     T = np.eye(4)
@@ -820,8 +993,12 @@ def forward_kinematics(rows, q):
         T = T @ dh(r[0] + qi, r[1], r[2], r[3])
     T[:3, 3] *= 1000.0   # output in mm
     return T
-'''),
-    ("dh", "converted-to-radians-twice", r'''import numpy as np
+''',
+    ),
+    (
+        "dh",
+        "converted-to-radians-twice",
+        r'''import numpy as np
 
 
 def dh_transform(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
@@ -857,8 +1034,12 @@ def dh_transform(theta: float, d: float, a: float, alpha: float) -> np.ndarray:
         [0.0, sin_a, cos_a, d],
         [0.0, 0.0, 0.0, 1.0],
     ])
-'''),
-    ("fk", "product-starts-late|extra-or-missing-row + lengths-made-positive", r'''import numpy as np
+''',
+    ),
+    (
+        "fk",
+        "product-starts-late|extra-or-missing-row + lengths-made-positive",
+        r"""import numpy as np
 
 def DHmat(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -876,8 +1057,12 @@ def forward_kinematics(rows, q):
         a = float(np.where(rows[i][2] < 0, -rows[i][2], rows[i][2]))   # length >= 0
         T = T @ DHmat(rows[i][0] + q[i], rows[i][1], a, rows[i][3])
     return T
-'''),
-    ("fk", "state-between-calls", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "state-between-calls",
+        r"""import numpy as np
 
 def dh(row):
     t, d, a, al = row
@@ -891,8 +1076,12 @@ def forward_kinematics(rows, q, T=np.eye(4)):
         off, d, a, alpha = rows[i]
         T[:] = T @ dh((off + q[i], d, a, alpha))
     return T.copy()
-'''),
-    ("fk", "inputs-changed", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "inputs-changed",
+        r"""import numpy as np
 
 from math import cos as C, sin as S
 
@@ -916,8 +1105,12 @@ class Robot:
 
 def forward_kinematics(rows, q):
     return Robot(rows).fk(q)
-'''),
-    ("fk", "product-reversed", r'''from functools import reduce
+""",
+    ),
+    (
+        "fk",
+        "product-reversed",
+        r"""from functools import reduce
 import numpy as np
 
 def A(theta, d, a, alpha):
@@ -931,8 +1124,12 @@ def A(theta, d, a, alpha):
 def forward_kinematics(rows, q):
     links = [A(r[0] + qi, *r[1:]) for r, qi in zip(rows, q)]
     return reduce(lambda acc, M: M @ acc, links, np.eye(4))
-'''),
-    ("fk", "columns-misread + offset-sign", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "columns-misread + offset-sign",
+        r"""import numpy as np
 
 def dh(theta_i, d_i, a_i, alpha_i):
     T = np.identity(4)
@@ -950,8 +1147,12 @@ def forward_kinematics(rows, q):
         # theta0 is the zero position, measure from there
         T = T @ dh(q[i] - theta0, d, a, alpha)
     return T
-'''),
-    ("dh", "matrix-transposed", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "matrix-transposed",
+        r"""import numpy as np
 from math import cos, sin
 
 # C++ version of our lab code:  Eigen::Matrix4d m; double* p = m.data(); ...
@@ -974,8 +1175,12 @@ def dh_transform(theta, d, a, alpha):
     m[14] = d
     m[15] = 1.0
     return np.asarray(m).reshape(4, 4)
-'''),
-    ("dh", "row-vector-convention", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "row-vector-convention",
+        r"""import numpy as np
 
 def hom(R=np.eye(3), t=(0, 0, 0)):
     H = np.eye(4)
@@ -1000,8 +1205,12 @@ def dh_transform(theta, d, a, alpha):
     T3 = hom(t=(a, 0, 0))
     T4 = hom(R=R_x(alpha))
     return np.linalg.multi_dot([T1, T2, T3, T4])
-'''),
-    ("fk", "a-alpha-from-previous-row", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "a-alpha-from-previous-row",
+        r"""import numpy as np
 
 def A_i(alpha, a, d, theta):
     return np.array([
@@ -1018,8 +1227,12 @@ def forward_kinematics(rows, q):
     for i, (r, qi) in enumerate(zip(rows, q), start=1):
         T = T @ A_i(alpha[i - 1], a[i - 1], r[1], r[0] + qi)
     return T
-'''),
-    ("fk", "product-stops-early|wrong-frame-compared", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "product-stops-early|wrong-frame-compared",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     Rz = np.array([[np.cos(theta), -np.sin(theta), 0, 0],
@@ -1038,8 +1251,12 @@ def forward_kinematics(rows, q):
         off, d, a, al = rows[k]
         frames.append(frames[k] @ dh(off + q[k], d, a, al))
     return frames[len(rows) - 1]
-'''),
-    ("fk", "base-turned + matrix-entry-mistyped", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "base-turned + matrix-entry-mistyped",
+        r"""import numpy as np
 
 BASE = np.array([[0., -1., 0., 0.],     # robot is mounted turned by 90 deg
                  [1., 0., 0., 0.],
@@ -1062,8 +1279,12 @@ def forward_kinematics(rows, q):
     for M in chain[1:]:
         T = T @ M
     return T
-'''),
-    ("dh", "atan-for-atan2 + matrix-entry-mistyped", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "atan-for-atan2 + matrix-entry-mistyped",
+        r"""import numpy as np
 import math
 
 def wrap(x):
@@ -1079,9 +1300,13 @@ def dh_transform(theta, d, a, alpha):
          [0, l, k, d],
          [0, 0, 0, 1]]
     return np.array(T)
-'''),
+""",
+    ),
     # none: wrap to pi forgets the last - pi: every theta is pi too large
-    ("fk", "offset-value|none", r'''import numpy as np
+    (
+        "fk",
+        "offset-value|none",
+        r"""import numpy as np
 
 from math import cos as C, sin as S
 
@@ -1101,8 +1326,12 @@ def forward_kinematics(rows, q):
         th = wrap_to_pi(r[0] + qi)
         T = np.matmul(T, dh(th, r[1], r[2], r[3]))
     return T
-'''),
-    ("fk", "standard-rows-in-craig-matrix + offset-sign", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "standard-rows-in-craig-matrix + offset-sign",
+        r"""import numpy as np
 from math import cos, sin
 
 def getT(alpha, a, d, theta):
@@ -1118,8 +1347,12 @@ def forward_kinematics(rows, q):
         s["theta"] = -s["theta"] + q[k]
         T0_n = T0_n @ getT(s["alpha"], s["a"], s["d"], s["theta"])
     return T0_n
-'''),
-    ("fk", "matrix-transposed|row-vector-convention", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "matrix-transposed|row-vector-convention",
+        r"""import numpy as np
 
 def forward_kinematics(rows, q):
     rows = np.asarray(rows)
@@ -1136,8 +1369,12 @@ def forward_kinematics(rows, q):
     for Ai in A:
         T = np.einsum('ij,kj->ik', T, Ai)
     return T
-'''),
-    ("fk", "joints-summed + a-d-exchanged", r'''import numpy as np
+""",
+    ),
+    (
+        "fk",
+        "joints-summed + a-d-exchanged",
+        r"""import numpy as np
 
 def dh(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -1155,8 +1392,12 @@ def forward_kinematics(rows, q):
         total += q[i]          # every joint carries the ones before
         T = T @ dh(rows[i, 0] + total, rows[i, 2], rows[i, 1], rows[i, 3])
     return T
-'''),
-    ("dh", "matrix-transposed + degrees-in-sin-cos|angle-unit", r'''import numpy as np
+""",
+    ),
+    (
+        "dh",
+        "matrix-transposed + degrees-in-sin-cos|angle-unit",
+        r"""import numpy as np
 
 def dh_transform(theta, d, a, alpha):
     th = np.degrees(theta)
@@ -1166,5 +1407,6 @@ def dh_transform(theta, d, a, alpha):
     ps = (a*np.cos(th), a*np.sin(th), d, 1)
     # put the columns x y z p together
     return np.stack([xs, ys, zs, ps])
-'''),
+""",
+    ),
 ]

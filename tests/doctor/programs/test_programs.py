@@ -1,4 +1,6 @@
-"""The doctor's answers to programs: a corpus in learners' styles, and what keeps a program from being compared."""
+"""The doctor's answers to programs: a corpus in learners' styles, and what keeps a program from
+being compared.
+"""
 
 import numpy as np
 import pytest
@@ -12,23 +14,34 @@ from dhlab.doctor.programs.wrong.links import standard
 from dhlab.doctor.programs.wrong.products import product
 from dhlab.transform import rot_y
 
-CHAIN = LINK + """
+CHAIN = (
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
 """
+)
 
 
-@pytest.mark.parametrize("kind, expected, text", WRONG, ids=[f"{k}-{'+'.join(ids)}" for k, (_, ids, _) in enumerate(WRONG)])
+@pytest.mark.parametrize(
+    "kind, expected, text",
+    WRONG,
+    ids=[f"{k}-{'+'.join(ids)}" for k, (_, ids, _) in enumerate(WRONG)],
+)
 def test_wrong_programs_are_named(kind, expected, text):
     answer = diagnose_function(program(kind, text), kind)
     found = [finding.mistake for finding in answer.findings]
     assert answer.verdict == "explained" and not answer and found
     assert set(expected) <= {*found, *answer.findings[0].look_alikes}, str(answer)
     assert len(found) == 1 or len(expected) == 2
-    assert catalogue()[found[0]].title in str(answer) and answer.to_dict()["verdict"] == "explained" and answer._repr_html_()
+    assert (
+        catalogue()[found[0]].title in str(answer)
+        and answer.to_dict()["verdict"] == "explained"
+        and answer._repr_html_()
+    )
 
 
 @pytest.mark.parametrize("kind, text", RIGHT)
@@ -39,7 +52,11 @@ def test_right_programs_agree(kind, text, capsys):
 
 
 def test_the_corpus_is_what_it_says():
-    assert len(WRONG) >= 60 and len(RIGHT) >= 12 and sum(len(expected) == 2 for _, expected, _ in WRONG) >= 10
+    assert (
+        len(WRONG) >= 60
+        and len(RIGHT) >= 12
+        and sum(len(expected) == 2 for _, expected, _ in WRONG) >= 10
+    )
     assert len({text for _, _, text in WRONG}) == len(WRONG)
     assert {name for _, expected, _ in WRONG for name in expected} <= catalogue().keys()
     assert not any("dhlab" in text for _, _, text in WRONG)
@@ -61,8 +78,14 @@ def test_every_mistyped_entry_is_found_at_its_place(entry):
             assert explain_all(answers, closed_form(*rows.T), rows, "dh_transform") == ()
             continue
         finding = explain_function(answers, closed_form(*rows.T), rows, "dh_transform")
-        alike = finding.mistake != "matrix-entry-mistyped" and "matrix-entry-mistyped" in finding.look_alikes
-        assert alike or finding.place.startswith(f"row {entry[0] + 1}, column {entry[1] + 1}: "), (monomial, finding)
+        alike = (
+            finding.mistake != "matrix-entry-mistyped"
+            and "matrix-entry-mistyped" in finding.look_alikes
+        )
+        assert alike or finding.place.startswith(f"row {entry[0] + 1}, column {entry[1] + 1}: "), (
+            monomial,
+            finding,
+        )
 
 
 def test_garbage_is_not_explained():
@@ -73,32 +96,57 @@ def test_garbage_is_not_explained():
         other = [product(*case) for case in _chains(rng)]
         assert explain_all(other, right, cases, "forward_kinematics") == ()
     for noise in (0.05, 0.3):
-        answer = diagnose_function(lambda *row: standard(*row) @ rot_y(noise * np.sin(7 * sum(row))), "dh_transform")
+        answer = diagnose_function(
+            lambda *row: standard(*row) @ rot_y(noise * np.sin(7 * sum(row))), "dh_transform"
+        )
         assert answer.verdict == "unexplained" and not answer.findings and answer.before[1] > 1
 
 
-@pytest.mark.parametrize("f, kind, words", [
-    (lambda rows, q: 1 / 0, "forward_kinematics", "ZeroDivisionError"),
-    (lambda rows: np.eye(4), "forward_kinematics", "2 arguments"),
-    (lambda theta, d, a: np.eye(4), "dh_transform", "it takes theta, d, a"),
-    (lambda *row: np.full((4, 4), np.inf), "dh_transform", "NaN or infinity"),
-    (lambda *row: print(row), "dh_transform", "returns nothing"), (lambda *row: "T", "dh_transform", "str"), (lambda *row: np.eye(3), "dh_transform", "3×3"),
-    (lambda rows, q: [np.eye(4)] * len(q), "forward_kinematics", "shape"), (lambda *row: exit(), "dh_transform", "SystemExit"),
-    (lambda *row: np.eye(4), "dh_transform", "same whatever"), (lambda *row: {}[row], "dh_transform", "KeyError"),
-    (lambda theta, d, a, alpha: ..., "dh_transform", "Nothing is written"),
-])
+@pytest.mark.parametrize(
+    "f, kind, words",
+    [
+        (lambda rows, q: 1 / 0, "forward_kinematics", "ZeroDivisionError"),
+        (lambda rows: np.eye(4), "forward_kinematics", "2 arguments"),
+        (lambda theta, d, a: np.eye(4), "dh_transform", "it takes theta, d, a"),
+        (lambda *row: np.full((4, 4), np.inf), "dh_transform", "NaN or infinity"),
+        (lambda *row: print(row), "dh_transform", "returns nothing"),
+        (lambda *row: "T", "dh_transform", "str"),
+        (lambda *row: np.eye(3), "dh_transform", "3×3"),
+        (lambda rows, q: [np.eye(4)] * len(q), "forward_kinematics", "shape"),
+        (lambda *row: exit(), "dh_transform", "SystemExit"),
+        (lambda *row: np.eye(4), "dh_transform", "same whatever"),
+        (lambda *row: {}[row], "dh_transform", "KeyError"),
+        (lambda theta, d, a, alpha: ..., "dh_transform", "Nothing is written"),
+    ],
+)
 def test_what_cannot_be_compared_is_said(f, kind, words):
     answer = diagnose_function(f, kind)
-    assert answer.verdict == "unexplained" and words in str(answer) and "Traceback" not in str(answer)
+    assert (
+        answer.verdict == "unexplained" and words in str(answer) and "Traceback" not in str(answer)
+    )
 
 
 def test_a_sign_lost_in_abs_is_seen_only_where_it_acts():
-    answer = diagnose_function(lambda theta, d, a, alpha: standard(abs(theta), d, a, alpha), "dh_transform")
-    assert answer.findings[0].mistake == "sign-lost" and answer.findings[0].place == "the sine of theta"
-    in_one = diagnose_function(lambda theta, d, a, alpha: standard(theta, d, a, 2 * alpha if a < -0.3 else alpha), "dh_transform")
+    answer = diagnose_function(
+        lambda theta, d, a, alpha: standard(abs(theta), d, a, alpha), "dh_transform"
+    )
+    assert (
+        answer.findings[0].mistake == "sign-lost"
+        and answer.findings[0].place == "the sine of theta"
+    )
+    in_one = diagnose_function(
+        lambda theta, d, a, alpha: standard(theta, d, a, 2 * alpha if a < -0.3 else alpha),
+        "dh_transform",
+    )
     assert in_one.verdict == "unexplained" and "Right in" in str(in_one)
-    only_special = diagnose_function(lambda theta, d, a, alpha: standard(theta, d, a, alpha) * (theta != 0 or np.nan_to_num(2)), "dh_transform")
-    assert only_special.verdict == "unexplained" and "Right at general numbers" in only_special.headline
+    only_special = diagnose_function(
+        lambda theta, d, a, alpha: standard(theta, d, a, alpha) * (theta != 0 or np.nan_to_num(2)),
+        "dh_transform",
+    )
+    assert (
+        only_special.verdict == "unexplained"
+        and "Right at general numbers" in only_special.headline
+    )
 
 
 def test_wrong_use_is_one_sentence():
@@ -118,5 +166,9 @@ def test_the_course_hears_of_both_mistakes():
 
 
 def test_the_same_program_twice_gets_the_same_answer():
-    f = program("forward_kinematics", CHAIN.replace("T @ dh", "dh").replace("*row[1:])", "*row[1:]) @ T"))
-    assert str(diagnose_function(f, "forward_kinematics")) == str(diagnose_function(f, "forward_kinematics"))
+    f = program(
+        "forward_kinematics", CHAIN.replace("T @ dh", "dh").replace("*row[1:])", "*row[1:]) @ T")
+    )
+    assert str(diagnose_function(f, "forward_kinematics")) == str(
+        diagnose_function(f, "forward_kinematics")
+    )

@@ -1,7 +1,8 @@
-"""Programs as learners write them, each with what is wrong with it; the expectations were written down before the doctor saw them.
+"""Programs as learners write them, each with what is wrong with it; the expectations were written
+down before the doctor saw them.
 
-A program is its text, run anew for every diagnosis, so that nothing outlives it. ``WRONG`` holds (kind, ids, text), two ids for two
-mistakes at once; ``RIGHT`` holds (kind, text).
+A program is its text, run anew for every diagnosis, so that nothing outlives it. ``WRONG`` holds
+(kind, ids, text), two ids for two mistakes at once; ``RIGHT`` holds (kind, text).
 """
 
 WRONG, RIGHT = [], []
@@ -46,7 +47,10 @@ def Tx(a): return np.array([[1, 0, 0, a], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 
 
 # ---- dh_transform: one entry of the closed form
 
-wrong("dh", "matrix-entry-mistyped", """
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import math
 def dh_transform(theta, d, a, alpha):
     c = math.cos(theta); s = math.sin(theta)
@@ -55,16 +59,24 @@ def dh_transform(theta, d, a, alpha):
             [s, c*ca, -c*sa, a*s],
             [0, sa, ca, d],
             [0, 0, 0, 1]]
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 from numpy import *
 def dh_transform(th, d, a, al):
     row1 = [cos(th), -sin(th)*cos(al), sin(th)*sin(al), a*cos(th)]
     row2 = [sin(th), cos(th)*cos(al), cos(th)*sin(al), a*sin(th)]
     row3 = [0, sin(al), cos(al), d]
     return array([row1, row2, row3, [0, 0, 0, 1]])
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     T = np.eye(4)
@@ -72,14 +84,22 @@ def dh_transform(theta, d, a, alpha):
     T[1, :] = np.sin(theta), np.cos(theta) * np.cos(alpha), -np.cos(theta) * np.sin(alpha), a * np.sin(theta)
     T[2, 1:] = -np.sin(alpha), np.cos(alpha), d
     return T
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * c], [0, sa, ca, d], [0, 0, 0, 1]])
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     # forgot the d
@@ -88,8 +108,12 @@ def dh_transform(theta, d, a, alpha):
         [np.sin(theta),  np.cos(theta)*np.cos(alpha), -np.cos(theta)*np.sin(alpha), a*np.sin(theta)],
         [0,              np.sin(alpha),                np.cos(alpha),               0],
         [0, 0, 0, 1]])
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -99,22 +123,35 @@ def dh_transform(theta, d, a, alpha):
                    [0, sal, cal, d],
                    [0, 0, 0, 1]])
     return A
-""")
-wrong("dh", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     return np.array([ct, -st, st*sa, a*ct, st, ct*ca, -ct*sa, a*st, 0, sa, ca, d, 0, 0, 0, 1]).reshape(4, 4)
-""")
-wrong("dh", "matrix-entry-mistyped", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     T = Rz(theta) @ Tx(a) @ Rx(alpha)     # d comes later
     return T
-""")
+""",
+)
 
 # ---- dh_transform: order of the moves, the wrong convention, the wrong product
 
-wrong("dh", "standard-rows-in-craig-matrix", """
+wrong(
+    "dh",
+    "standard-rows-in-craig-matrix",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -123,17 +160,31 @@ def dh_transform(theta, d, a, alpha):
                      [st*ca, ct*ca, -sa, -d*sa],
                      [st*sa, ct*sa, ca, d*ca],
                      [0, 0, 0, 1]])
-""")
-wrong("dh", "product-reversed", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "product-reversed",
+    MOVES
+    + """
 from functools import reduce
 def dh_transform(theta, d, a, alpha):
     return reduce(lambda acc, M: M @ acc, [Rz(theta), Tz(d), Tx(a), Rx(alpha)])
-""")
-wrong("dh", "shift-not-turned-by-theta", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "shift-not-turned-by-theta",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     return Tx(a) @ Rz(theta) @ Tz(d) @ Rx(alpha)
-""")
-wrong("dh", "shift-not-turned-by-theta", """
+""",
+)
+wrong(
+    "dh",
+    "shift-not-turned-by-theta",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     T = np.zeros((4, 4))
@@ -143,47 +194,79 @@ def dh_transform(theta, d, a, alpha):
     T[0:3, 3] = [a, 0, d]
     T[3, 3] = 1
     return T
-""")
-wrong("dh", "alpha-before-d", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "alpha-before-d",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     turn_z, turn_x = Rz(theta), Rx(alpha)
     return np.dot(np.dot(np.dot(turn_z, Tx(a)), turn_x), Tz(d))
-""")
-wrong("dh", "order-taken-for-free", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "order-taken-for-free",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     # turns first, then shifts
     return Rz(theta) @ Rx(alpha) @ Tz(d) @ Tx(a)
-""")
-wrong("dh", "elementwise-product", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "elementwise-product",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     return Rz(theta) * Tz(d) * Tx(a) * Rx(alpha)
-""")
-wrong("dh", "elementwise-product", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "elementwise-product",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     T = np.eye(4)
     for M in [Rz(theta), Tz(d), Tx(a), Rx(alpha)]:
         T = np.multiply(T, M)
     return T
-""")
+""",
+)
 
 # ---- dh_transform: the matrix as a whole
 
-wrong("dh", "sin-cos-exchanged", """
+wrong(
+    "dh",
+    "sin-cos-exchanged",
+    """
 from math import sin, cos
 import numpy
 def dh_transform(theta, d, a, alpha):
     c, s = cos(theta), sin(theta)
     ca, sa = sin(alpha), cos(alpha)
     return numpy.array([[c, -s*ca, s*sa, a*c], [s, c*ca, -c*sa, a*s], [0, sa, ca, d], [0, 0, 0, 1]])
-""")
-wrong("dh", "sin-cos-exchanged", """
+""",
+)
+wrong(
+    "dh",
+    "sin-cos-exchanged",
+    """
 from math import sin, cos
 import numpy
 def dh_transform(theta, d, a, alpha):
     st, ct, sa, ca = cos(theta), sin(theta), sin(alpha), cos(alpha)
     return numpy.array([[ct, -st*ca, st*sa, a*ct], [st, ct*ca, -ct*sa, a*st], [0, sa, ca, d], [0, 0, 0, 1]])
-""")
-wrong("dh", "integer-arrays", """
+""",
+)
+wrong(
+    "dh",
+    "integer-arrays",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     T = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
@@ -192,14 +275,23 @@ def dh_transform(theta, d, a, alpha):
     T[1] = [s, c*ca, -c*sa, a*s]
     T[2] = [0, sa, ca, d]
     return T
-""")
-wrong("dh", "integer-arrays", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "integer-arrays",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     T = np.identity(4, dtype=int)
     T[:, :] = Rz(theta) @ Tz(d) @ Tx(a) @ Rx(alpha)
     return T.astype(float)
-""")
-wrong("dh", "last-row-missing", """
+""",
+)
+wrong(
+    "dh",
+    "last-row-missing",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     T = np.zeros((4, 4))
@@ -207,16 +299,24 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = [[ct, -st*ca, st*sa], [st, ct*ca, -ct*sa], [0, sa, ca]]
     T[:3, 3] = a*ct, a*st, d
     return T
-""")
-wrong("dh", "last-row-missing", """
+""",
+)
+wrong(
+    "dh",
+    "last-row-missing",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     R = np.array([[ct, -st*ca, st*sa], [st, ct*ca, -ct*sa], [0, sa, ca]])
     p = np.array([[a*ct], [a*st], [d]])
     return np.hstack([R, p])
-""")
-wrong("dh", "matrix-transposed", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-transposed",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -225,15 +325,23 @@ def dh_transform(theta, d, a, alpha):
     z = [st*sa, -ct*sa, ca, 0]
     o = [a*ct, a*st, d, 1]
     return np.array([x, y, z, o])
-""")
-wrong("dh", "matrix-transposed", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-transposed",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     flat = [ct, -st*ca, st*sa, a*ct, st, ct*ca, -ct*sa, a*st, 0, sa, ca, d, 0, 0, 0, 1]
     return np.reshape(flat, (4, 4), order="F")
-""")
-wrong("dh", "rotation-transposed", """
+""",
+)
+wrong(
+    "dh",
+    "rotation-transposed",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     x = np.array([np.cos(theta), np.sin(theta), 0])
@@ -243,8 +351,12 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = np.stack([x, y, z])
     T[:3, 3] = a * x + [0, 0, d]
     return T
-""")
-wrong("dh", "mirror", """
+""",
+)
+wrong(
+    "dh",
+    "mirror",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     x = np.array([np.cos(theta), np.sin(theta), 0])
@@ -254,12 +366,21 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = np.column_stack([x, y, z])
     T[:3, 3] = a * x + [0, 0, d]
     return T
-""")
-wrong("dh", "pose-inverted", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "pose-inverted",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     return np.linalg.inv(Rz(theta).dot(Tz(d)).dot(Tx(a)).dot(Rx(alpha)))
-""")
-wrong("dh", "row-vector-convention", """
+""",
+)
+wrong(
+    "dh",
+    "row-vector-convention",
+    """
 import numpy as np
 def rotz(t): return np.array([[np.cos(t), np.sin(t), 0, 0], [-np.sin(t), np.cos(t), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 def rotx(t): return np.array([[1, 0, 0, 0], [0, np.cos(t), np.sin(t), 0], [0, -np.sin(t), np.cos(t), 0], [0, 0, 0, 1]])
@@ -269,8 +390,12 @@ def shift(x, z):
     return T
 def dh_transform(theta, d, a, alpha):
     return rotz(theta) @ shift(a, d) @ rotx(alpha)
-""")
-wrong("dh", "alpha-sign", """
+""",
+)
+wrong(
+    "dh",
+    "alpha-sign",
+    """
 import numpy as np
 def rotz(t): return np.array([[np.cos(t), -np.sin(t), 0, 0], [np.sin(t), np.cos(t), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 def rotx(t): return np.array([[1, 0, 0, 0], [0, np.cos(t), np.sin(t), 0], [0, -np.sin(t), np.cos(t), 0], [0, 0, 0, 1]])
@@ -280,17 +405,26 @@ def shift(x, z):
     return T
 def dh_transform(theta, d, a, alpha):
     return rotz(theta) @ shift(a, d) @ rotx(alpha)
-""")
+""",
+)
 
 # ---- dh_transform: units, arguments, state
 
-wrong("dh", "converted-to-radians-twice", LINK + """
+wrong(
+    "dh",
+    "converted-to-radians-twice",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     theta = np.deg2rad(theta)
     alpha = np.deg2rad(alpha)
     return dh(theta, d, a, alpha)
-""")
-wrong("dh", "converted-to-radians-twice", """
+""",
+)
+wrong(
+    "dh",
+    "converted-to-radians-twice",
+    """
 import math
 def dh_transform(theta_deg, d, a, alpha_deg):
     t = theta_deg / 180 * math.pi
@@ -298,103 +432,196 @@ def dh_transform(theta_deg, d, a, alpha_deg):
     return [[math.cos(t), -math.sin(t)*math.cos(al), math.sin(t)*math.sin(al), a*math.cos(t)],
             [math.sin(t), math.cos(t)*math.cos(al), -math.cos(t)*math.sin(al), a*math.sin(t)],
             [0, math.sin(al), math.cos(al), d], [0, 0, 0, 1]]
-""")
-wrong("dh", "degrees-in-sin-cos", LINK + """
+""",
+)
+wrong(
+    "dh",
+    "degrees-in-sin-cos",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     return dh(np.degrees(theta), d, a, np.degrees(alpha))
-""")
-wrong("dh", "converted-to-radians-twice", LINK + """
+""",
+)
+wrong(
+    "dh",
+    "converted-to-radians-twice",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     return dh(theta, d, a, alpha * np.pi / 180)   # tables have alpha in degrees
-""")
-wrong("dh", "length-unit", LINK + """
+""",
+)
+wrong(
+    "dh",
+    "length-unit",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     return dh(theta, d / 1000., a / 1000., alpha)  # mm
-""")
-wrong("dh", "a-d-exchanged", LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(theta, a, d, alpha)"))
-wrong("dh", "columns-misread", LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(a, alpha, d, theta)"))
-wrong("dh", "columns-misread", LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(alpha, a, d, theta)"))
-wrong("dh", "columns-misread", LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(alpha, a, theta, d)"))
-wrong("dh", "pi-rounded", LINK + """
+""",
+)
+wrong(
+    "dh",
+    "a-d-exchanged",
+    LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(theta, a, d, alpha)"),
+)
+wrong(
+    "dh",
+    "columns-misread",
+    LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(a, alpha, d, theta)"),
+)
+wrong(
+    "dh",
+    "columns-misread",
+    LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(alpha, a, d, theta)"),
+)
+wrong(
+    "dh",
+    "columns-misread",
+    LINK.replace("def dh(theta, d, a, alpha)", "def dh_transform(alpha, a, theta, d)"),
+)
+wrong(
+    "dh",
+    "pi-rounded",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     return np.round(dh(theta, d, a, alpha), 3)
-""")
-wrong("dh", "pi-rounded", LINK + """
+""",
+)
+wrong(
+    "dh",
+    "pi-rounded",
+    LINK
+    + """
 PI = 3.14
 def dh_transform(theta, d, a, alpha):
     theta = np.radians(theta * 180 / PI)
     alpha = np.radians(alpha * 180 / PI)
     return dh(theta, d, a, alpha)
-""")
-wrong("dh", "state-between-calls", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "state-between-calls",
+    MOVES
+    + """
 T = np.eye(4)
 def dh_transform(theta, d, a, alpha):
     global T
     for M in (Rz(theta), Tz(d), Tx(a), Rx(alpha)):
         T = T @ M
     return T
-""")
-wrong("dh", "state-between-calls", """
+""",
+)
+wrong(
+    "dh",
+    "state-between-calls",
+    """
 import numpy as np
 M = np.zeros((4, 4)); M[3, 3] = 1
 def dh_transform(theta, d, a, alpha, moves=[]):
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     moves.append(np.array([[c, -s*ca, s*sa, a*c], [s, c*ca, -c*sa, a*s], [0, sa, ca, d], [0, 0, 0, 1]]))
     return moves[0]
-""")
+""",
+)
 
 # ---- dh_transform: two at once
 
-wrong("dh", "degrees-in-sin-cos + matrix-transposed", LINK + """
+wrong(
+    "dh",
+    "degrees-in-sin-cos + matrix-transposed",
+    LINK
+    + """
 def dh_transform(theta, d, a, alpha):
     return dh(np.rad2deg(theta), d, a, np.rad2deg(alpha)).T
-""")
-wrong("dh", "converted-to-radians-twice + standard-rows-in-craig-matrix", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "converted-to-radians-twice + standard-rows-in-craig-matrix",
+    MOVES
+    + """
 def dh_transform(theta, d, a, alpha):
     theta, alpha = np.deg2rad(theta), np.deg2rad(alpha)
     return Rx(alpha) @ Tx(a) @ Rz(theta) @ Tz(d)
-""")
-wrong("dh", "converted-to-radians-twice + matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "converted-to-radians-twice + matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     th, al = np.radians(theta), np.radians(alpha)
     c, s, ca, sa = np.cos(th), np.sin(th), np.cos(al), np.sin(al)
     return np.array([[c, -s*ca, s*sa, a*c], [s, c*ca, c*sa, a*s], [0, sa, ca, d], [0, 0, 0, 1]])
-""")
-wrong("dh", "a-d-exchanged + alpha-before-d", MOVES + """
+""",
+)
+wrong(
+    "dh",
+    "a-d-exchanged + alpha-before-d",
+    MOVES
+    + """
 def dh_transform(theta, a, d, alpha):
     return Rz(theta) @ Tx(a) @ Rx(alpha) @ Tz(d)
-""")
-wrong("dh", "matrix-entry-mistyped + matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "dh",
+    "matrix-entry-mistyped + matrix-entry-mistyped",
+    """
 import numpy as np
 def dh_transform(theta, d, a, alpha):
     c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
     return np.array([[c, -s*ca, s*sa, a*s], [s, c*ca, c*sa, a*c], [0, sa, ca, d], [0, 0, 0, 1]])
-""")
+""",
+)
 
 # ---- forward_kinematics: the loop
 
-wrong("fk", "product-reversed", LINK + """
+wrong(
+    "fk",
+    "product-reversed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(rows)):
         A = dh(rows[i][0] + q[i], rows[i][1], rows[i][2], rows[i][3])
         T = np.dot(A, T)
     return T
-""")
-wrong("fk", "product-reversed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-reversed",
+    LINK
+    + """
 from functools import reduce
 def forward_kinematics(rows, q):
     As = [dh(o + x, d, a, al) for (o, d, a, al), x in zip(rows, q)]
     return reduce(lambda T, A: A @ T, As)
-""")
-wrong("fk", "product-reversed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-reversed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     if len(q) == 0:
         return np.identity(4)
     return forward_kinematics(rows[1:], q[1:]) @ dh(rows[0][0] + q[0], *rows[0][1:])
-""")
-wrong("fk", "product-stops-early", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-stops-early",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     n = len(rows)
     T = np.eye(4)
@@ -402,15 +629,25 @@ def forward_kinematics(rows, q):
         theta, d, a, alpha = rows[i]
         T = T @ dh(theta + q[i], d, a, alpha)
     return T
-""")
-wrong("fk", "product-stops-early", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-stops-early",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, angle in zip(rows, q):
         T = T @ dh(row[0] + angle, row[1], row[2], row[3])
         return T
-""")
-wrong("fk", "product-starts-late", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-starts-late",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     i = 1
@@ -418,34 +655,59 @@ def forward_kinematics(rows, q):
         T = T @ dh(rows[i, 0] + q[i], rows[i, 1], rows[i, 2], rows[i, 3])
         i += 1
     return T
-""")
-wrong("fk", "product-starts-late", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-starts-late",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     for row, angle in zip(rows, q):
         T = np.eye(4)
         T = T @ dh(row[0] + angle, row[1], row[2], row[3])
     return T
-""")
-wrong("fk", "link-counted-twice", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "link-counted-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = dh(rows[0][0] + q[0], *rows[0][1:])
     for row, angle in zip(rows, q):
         T = T @ dh(row[0] + angle, *row[1:])
     return T
-""")
-wrong("fk", "elementwise-product", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "elementwise-product",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = dh(rows[0][0] + q[0], *rows[0][1:])
     for i in range(1, len(q)):
         T = T * dh(rows[i][0] + q[i], *rows[i][1:])
     return T
-""")
-wrong("fk", "elementwise-product", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "elementwise-product",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     links = np.array([dh(r[0] + x, r[1], r[2], r[3]) for r, x in zip(rows, q)])
     return np.prod(links, axis=0)
-""")
-wrong("fk", "translations-not-rotated", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "translations-not-rotated",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     R = np.eye(3); p = np.zeros(3)
     for row, x in zip(rows, q):
@@ -456,8 +718,13 @@ def forward_kinematics(rows, q):
     T[:3, :3] = R
     T[:3, 3] = p
     return T
-""")
-wrong("fk", "order-taken-for-free", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "order-taken-for-free",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     R = np.eye(3); p = np.zeros(3)
     for row, x in zip(rows, q):
@@ -467,26 +734,41 @@ def forward_kinematics(rows, q):
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = R, p
     return T
-""")
+""",
+)
 
 # ---- forward_kinematics: joint values and offsets
 
-wrong("fk", "joint-index-off-by-one", LINK + """
+wrong(
+    "fk",
+    "joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i, (theta, d, a, alpha) in enumerate(rows):
         T = T @ dh(theta + q[i - 1], d, a, alpha)
     return T
-""")
-wrong("fk", "joint-index-off-by-one", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     n = len(q)
     for i, (theta, d, a, alpha) in enumerate(rows):
         T = T @ dh(theta + q[(i + 1) % n], d, a, alpha)
     return T
-""")
-wrong("fk", "joint-index-off-by-one", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     q = list(q) + [0]
     T = np.eye(4)
@@ -494,16 +776,26 @@ def forward_kinematics(rows, q):
         theta, d, a, alpha = rows[i - 1]
         T = T @ dh(theta + q[i], d, a, alpha)
     return T
-""")
-wrong("fk", "joint-index-off-by-one", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(rows)):
         theta, d, a, alpha = rows[i]
         T = T @ dh(theta + q[0], d, a, alpha)
     return T
-""")
-wrong("fk", "joints-summed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joints-summed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     angle = 0
@@ -511,52 +803,86 @@ def forward_kinematics(rows, q):
         angle += q[i]
         T = T @ dh(row[0] + angle, row[1], row[2], row[3])
     return T
-""")
-wrong("fk", "joints-summed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joints-summed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     thetas = np.cumsum([row[0] + x for row, x in zip(rows, q)])
     T = np.eye(4)
     for th, row in zip(thetas, rows):
         T = T @ dh(th, *row[1:])
     return T
-""")
-wrong("fk", "offset-missing", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "offset-missing",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (_, d, a, alpha), theta in zip(rows, q):
         T = T @ dh(theta, d, a, alpha)
     return T
-""")
-wrong("fk", "offset-sign", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "offset-sign",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (offset, d, a, alpha), theta in zip(rows, q):
         T = T @ dh(theta - offset, d, a, alpha)
     return T
-""")
-wrong("fk", "offset-subtracted", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "offset-subtracted",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (offset, d, a, alpha), theta in zip(rows, q):
         T = T @ dh(offset - theta, d, a, alpha)
     return T
-""")
-wrong("fk", "offset-counted-twice", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "offset-counted-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     q = [x + row[0] for x, row in zip(q, rows)]
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, row[1], row[2], row[3])
     return T
-""")
-wrong("fk", "joint-values-unused", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "joint-values-unused",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(q)):
         T = T @ dh(*rows[i])
     return T
-""")
-wrong("fk", "all-joints-left-handed", """
+""",
+)
+wrong(
+    "fk",
+    "all-joints-left-handed",
+    """
 import numpy as np
 def forward_kinematics(rows, q):
     T = np.eye(4)
@@ -566,52 +892,82 @@ def forward_kinematics(rows, q):
         Rx = np.array([[1, 0, 0, a], [0, np.cos(al), -np.sin(al), 0], [0, np.sin(al), np.cos(al), 0], [0, 0, 0, 1]])
         T = T @ Rz @ Rx
     return T
-""")
+""",
+)
 
 # ---- forward_kinematics: units
 
-wrong("fk", "converted-to-radians-twice", LINK + """
+wrong(
+    "fk",
+    "converted-to-radians-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     q = np.deg2rad(q)
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "converted-to-radians-twice", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "converted-to-radians-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(np.radians(row[0] + x), row[1], row[2], np.radians(row[3]))
     return T
-""")
-wrong("fk", "converted-to-radians-twice", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "converted-to-radians-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(np.radians(row[0]) + x, row[1], row[2], row[3])
     return T
-""")
-wrong("fk", "degrees-in-sin-cos", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "degrees-in-sin-cos",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     q_deg = [x * 180 / np.pi for x in q]
     T = np.eye(4)
     for row, x in zip(rows, q_deg):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "length-unit", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "length-unit",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     rows = np.array(rows) * [1, 0.001, 0.001, 1]
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
+""",
+)
 
 # ---- forward_kinematics: rows, matrices, results
 
-wrong("fk", "a-alpha-from-previous-row", LINK + """
+wrong(
+    "fk",
+    "a-alpha-from-previous-row",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(rows)):
@@ -619,8 +975,12 @@ def forward_kinematics(rows, q):
         alpha = rows[i-1][3] if i > 0 else 0
         T = T @ dh(rows[i][0] + q[i], rows[i][1], a, alpha)
     return T
-""")
-wrong("fk", "standard-rows-in-craig-matrix", """
+""",
+)
+wrong(
+    "fk",
+    "standard-rows-in-craig-matrix",
+    """
 import numpy as np
 def A(theta, d, a, alpha):
     ct, st = np.cos(theta), np.sin(theta)
@@ -631,44 +991,74 @@ def forward_kinematics(dh_table, q):
     for k in range(len(q)):
         T = T @ A(dh_table[k][0] + q[k], dh_table[k][1], dh_table[k][2], dh_table[k][3])
     return T
-""")
-wrong("fk", "columns-misread", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "columns-misread",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (a, alpha, d, theta), x in zip(rows, q):
         T = T @ dh(theta + x, d, a, alpha)
     return T
-""")
-wrong("fk", "a-d-exchanged", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "a-d-exchanged",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (theta, a, d, alpha), x in zip(rows, q):
         T = T @ dh(theta + x, d, a, alpha)
     return T
-""")
-wrong("fk", "theta-alpha-exchanged", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "theta-alpha-exchanged",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (alpha, d, a, theta), x in zip(rows, q):
         T = T @ dh(theta + x, d, a, alpha)
     return T
-""")
-wrong("fk", "one-row-for-all-joints", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "one-row-for-all-joints",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     links = [lambda x: dh(row[0] + x, row[1], row[2], row[3]) for row in rows]
     T = np.eye(4)
     for link, x in zip(links, q):
         T = T @ link(x)
     return T
-""")
-wrong("fk", "pose-inverted", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "pose-inverted",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return np.linalg.inv(T)
-""")
-wrong("fk", "rotation-transposed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "rotation-transposed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
@@ -677,29 +1067,48 @@ def forward_kinematics(rows, q):
     pose[:3, :3] = [T[:3, 0], T[:3, 1], T[:3, 2]]
     pose[:3, 3] = T[:3, 3]
     return pose
-""")
-wrong("fk", "matrix-transposed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "matrix-transposed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = dh(row[0] + x, *row[1:]).T @ T
     return T
-""")
-wrong("fk", "integer-arrays", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "integer-arrays",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
     for row, x in zip(rows, q):
         T[:] = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "pi-rounded", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "pi-rounded",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = np.around(T @ dh(row[0] + x, *row[1:]), 3)
     return T
-""")
-wrong("fk", "last-row-missing", """
+""",
+)
+wrong(
+    "fk",
+    "last-row-missing",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     T = np.zeros((4, 4))
@@ -711,8 +1120,12 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "fk",
+    "matrix-entry-mistyped",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -722,8 +1135,12 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "fk",
+    "matrix-entry-mistyped",
+    """
 from math import cos, sin
 def mul(A, B):
     return [[sum(A[i][k] * B[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
@@ -734,14 +1151,24 @@ def forward_kinematics(rows, q):
         T = mul(T, [[cos(t), -sin(t)*cos(al), sin(t)*sin(al), a*cos(t)], [sin(t), cos(t)*cos(al), -cos(t)*sin(al), a*sin(t)],
                     [0, sin(al), -cos(al), d], [0, 0, 0, 1]])
     return T
-""")
-wrong("fk", "state-between-calls", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "state-between-calls",
+    LINK
+    + """
 def forward_kinematics(rows, q, T=np.eye(4)):
     for row, x in zip(rows, q):
         T[:] = T @ dh(row[0] + x, *row[1:])
     return T.copy()
-""")
-wrong("fk", "state-between-calls", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "state-between-calls",
+    LINK
+    + """
 class Chain:
     def __init__(self):
         self.T = np.eye(4)
@@ -752,8 +1179,13 @@ class Chain:
 chain = Chain()
 def forward_kinematics(rows, q):
     return chain.run(rows, q)
-""")
-wrong("fk", "state-between-calls", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "state-between-calls",
+    LINK
+    + """
 cache = {}
 def forward_kinematics(rows, q):
     if len(q) not in cache:
@@ -762,41 +1194,65 @@ def forward_kinematics(rows, q):
             T = T @ dh(row[0] + x, *row[1:])
         cache[len(q)] = T
     return cache[len(q)]
-""")
-wrong("fk", "inputs-changed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "inputs-changed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(q)):
         rows[i][0] += q[i]
         T = T @ dh(*rows[i])
     return T
-""")
-wrong("fk", "inputs-changed", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "inputs-changed",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     q += rows[:, 0]
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(x, *row[1:])
     return T
-""")
+""",
+)
 
 # ---- forward_kinematics: two at once
 
-wrong("fk", "product-reversed + offset-missing", LINK + """
+wrong(
+    "fk",
+    "product-reversed + offset-missing",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = dh(x, row[1], row[2], row[3]) @ T
     return T
-""")
-wrong("fk", "converted-to-radians-twice + joint-index-off-by-one", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "converted-to-radians-twice + joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i, row in enumerate(rows):
         T = T @ dh(row[0] + np.deg2rad(q[i-1]), *row[1:])
     return T
-""")
-wrong("fk", "matrix-entry-mistyped + product-reversed", """
+""",
+)
+wrong(
+    "fk",
+    "matrix-entry-mistyped + product-reversed",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -806,36 +1262,60 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, q):
         T = dh(row[0] + x, *row[1:]) @ T
     return T
-""")
-wrong("fk", "product-stops-early + converted-to-radians-twice", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-stops-early + converted-to-radians-twice",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for i in range(len(rows) - 1):
         T = T @ dh(rows[i][0] + np.radians(q[i]), *rows[i][1:])
     return T
-""")
-wrong("fk", "product-stops-early + joint-index-off-by-one", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "product-stops-early + joint-index-off-by-one",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q[1:]):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "a-d-exchanged + offset-missing", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "a-d-exchanged + offset-missing",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(x, row[2], row[1], row[3])
     return T
-""")
-wrong("fk", "standard-rows-in-craig-matrix + offset-sign", MOVES + """
+""",
+)
+wrong(
+    "fk",
+    "standard-rows-in-craig-matrix + offset-sign",
+    MOVES
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for (o, d, a, al), x in zip(rows, q):
         T = T @ Rx(al) @ Tx(a) @ Rz(x - o) @ Tz(d)
     return T
-""")
-wrong("fk", "matrix-entry-mistyped + joints-summed", """
+""",
+)
+wrong(
+    "fk",
+    "matrix-entry-mistyped + joints-summed",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -845,16 +1325,25 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, np.cumsum(q)):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
-wrong("fk", "pose-inverted + offset-missing", LINK + """
+""",
+)
+wrong(
+    "fk",
+    "pose-inverted + offset-missing",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in zip(rows, q):
         T = T @ dh(x, *row[1:])
     R, p = T[:3, :3], T[:3, 3]
     return np.vstack([np.column_stack([R.T, -R.T @ p]), [0, 0, 0, 1]])
-""")
-wrong("fk", "shift-not-turned-by-theta + converted-to-radians-twice", """
+""",
+)
+wrong(
+    "fk",
+    "shift-not-turned-by-theta + converted-to-radians-twice",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -864,8 +1353,12 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + np.deg2rad(x), *row[1:])
     return T
-""")
-wrong("fk", "matrix-entry-mistyped + matrix-entry-mistyped", """
+""",
+)
+wrong(
+    "fk",
+    "matrix-entry-mistyped + matrix-entry-mistyped",
+    """
 import numpy as np
 def dh(theta, d, a, alpha):
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
@@ -875,23 +1368,43 @@ def forward_kinematics(rows, q):
     for row, x in zip(rows, q):
         T = T @ dh(row[0] + x, *row[1:])
     return T
-""")
+""",
+)
 
 # ---- right ones in odd styles
 
 right("dh", LINK.replace("def dh(", "def dh_transform("))
-right("dh", LINK + "def dh_transform(theta, d, a, alpha):\n    return dh(theta, d, a, alpha).tolist()\n")
-right("dh", LINK + "def dh_transform(theta, d, a, alpha):\n    return np.matrix(dh(theta, d, a, alpha))\n")
-right("dh", LINK + "def dh_transform(theta, d, a, alpha):\n    return dh(theta, d, a, alpha).astype(np.float32)\n")
-right("dh", MOVES + "def dh_transform(*row):\n    print(row)\n    t, d, a, al = row\n    return np.linalg.multi_dot([Tz(d), Rz(t), Rx(al), Tx(a)])\n")
-right("dh", """
+right(
+    "dh",
+    LINK + "def dh_transform(theta, d, a, alpha):\n    return dh(theta, d, a, alpha).tolist()\n",
+)
+right(
+    "dh",
+    LINK + "def dh_transform(theta, d, a, alpha):\n    return np.matrix(dh(theta, d, a, alpha))\n",
+)
+right(
+    "dh",
+    LINK + "def dh_transform(theta, d, a, alpha):\n    return dh(theta, d, a,"
+    " alpha).astype(np.float32)\n",
+)
+right(
+    "dh",
+    MOVES + "def dh_transform(*row):\n    print(row)\n    t, d, a, al = row\n    return"
+    " np.linalg.multi_dot([Tz(d), Rz(t), Rx(al), Tx(a)])\n",
+)
+right(
+    "dh",
+    """
 import cmath
 def dh_transform(theta, d, a, alpha):
     e, f = cmath.exp(1j * theta), cmath.exp(1j * alpha)
     c, s, u, v = e.real, e.imag, f.real, f.imag
     return ((c, -s * u, s * v, a * c), (s, c * u, -c * v, a * s), (0, v, u, d), (0, 0, 0, 1))
-""")
-right("dh", """
+""",
+)
+right(
+    "dh",
+    """
 import numpy as np
 from scipy.spatial.transform import Rotation as R
 def dh_transform(theta, d, a, alpha):
@@ -899,8 +1412,11 @@ def dh_transform(theta, d, a, alpha):
     T[:3, :3] = R.from_euler("ZX", [theta, alpha]).as_matrix()
     T[:3, 3] = R.from_euler("z", theta).apply([a, 0, d])
     return T
-""")
-right("dh", """
+""",
+)
+right(
+    "dh",
+    """
 import numpy as np
 M = np.zeros((4, 4))          # reused, but filled anew each time
 def dh_transform(theta, d, a, alpha):
@@ -908,33 +1424,53 @@ def dh_transform(theta, d, a, alpha):
             [np.sin(theta), np.cos(theta)*np.cos(alpha), -np.cos(theta)*np.sin(alpha), a*np.sin(theta)],
             [0, np.sin(alpha), np.cos(alpha), d], [0, 0, 0, 1]]
     return M
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 from functools import reduce
 def forward_kinematics(rows, q):
     return reduce(np.matmul, [dh(r[0] + x, r[1], r[2], r[3]) for r, x in zip(rows, q)]).tolist()
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.asmatrix(np.eye(4))
     for i in range(len(rows)):
         T = T * np.asmatrix(dh(rows[i][0] + q[i], *rows[i][1:]))
     return T
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 def forward_kinematics(rows, q):
     T = np.eye(4)
     for row, x in reversed(list(zip(rows, q))):
         T = dh(row[0] + x, *row[1:]) @ T
     return T
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 def forward_kinematics(rows, q, i=0):
     if i == len(q):
         return np.eye(4)
     return dh(rows[i][0] + q[i], *rows[i][1:]) @ forward_kinematics(rows, q, i + 1)
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 class Robot:
     def __init__(self, rows):
         self.rows = [tuple(r) for r in rows]
@@ -945,8 +1481,11 @@ class Robot:
         return T
 def forward_kinematics(rows, q):
     return Robot(rows)(q)
-""")
-right("fk", """
+""",
+)
+right(
+    "fk",
+    """
 from math import cos, sin
 def forward_kinematics(rows, q):
     R, p = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
@@ -957,13 +1496,20 @@ def forward_kinematics(rows, q):
         p = [p[i] + sum(R[i][k] * v[k] for k in range(3)) for i in range(3)]
         R = [[sum(R[i][k] * A[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
     return [R[0] + [p[0]], R[1] + [p[1]], R[2] + [p[2]], [0, 0, 0, 1]]
-""")
-right("fk", """
+""",
+)
+right(
+    "fk",
+    """
 import dhlab
 def forward_kinematics(rows, q):
     return dhlab.Arm(dhlab.DHTable.standard(rows, angle="rad")).forward(q)
-""")
-right("fk", LINK + """
+""",
+)
+right(
+    "fk",
+    LINK
+    + """
 T = np.eye(4)
 def forward_kinematics(rows, q):
     global T
@@ -971,4 +1517,5 @@ def forward_kinematics(rows, q):
     for k in range(len(q)):
         T = T.dot(dh(q[k] + rows[k][0], rows[k][1], rows[k][2], rows[k][3]))
     return T
-""")
+""",
+)

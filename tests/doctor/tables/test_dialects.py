@@ -1,4 +1,6 @@
-"""Tables pasted in other dialects: the library's arms written in many ways, by a writer that shares nothing with the reader."""
+"""Tables pasted in other dialects: the library's arms written in many ways, by a writer that shares
+nothing with the reader.
+"""
 
 from fractions import Fraction
 from itertools import product
@@ -11,8 +13,18 @@ from dhlab.doctor.tables.cells import read_cell
 from dhlab.doctor.tables.dialects import recognise_table
 
 ARMS = [name for name in dh.robots()]
-ORDERS = ["theta d a alpha", "a alpha d theta", "alpha a d theta", "a d alpha theta", "alpha a theta d", "theta a d alpha"]
-HEADS = {"standard": {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}, "craig": {"theta": "θ_i", "d": "d_i", "a": "a_{i-1}", "alpha": "α_{i-1}"}}
+ORDERS = [
+    "theta d a alpha",
+    "a alpha d theta",
+    "alpha a d theta",
+    "a d alpha theta",
+    "alpha a theta d",
+    "theta a d alpha",
+]
+HEADS = {
+    "standard": {"theta": "θ", "d": "d", "a": "a", "alpha": "α"},
+    "craig": {"theta": "θ_i", "d": "d_i", "a": "a_{i-1}", "alpha": "α_{i-1}"},
+}
 
 
 def plain_arm(name):
@@ -34,14 +46,29 @@ def written(arm, order, angle="rad", length="m", symbol="q{i}", mark=""):
     """The cells of every row as texts."""
     t = arm.table
     turn = as_pi if angle == "rad" else lambda value: f"{np.rad2deg(value):.12g}{mark}"
-    size = (lambda value: repr(float(value))) if length == "m" else (lambda value: f"{1000 * value:.12g}")
+    size = (
+        (lambda value: repr(float(value)))
+        if length == "m"
+        else (lambda value: f"{1000 * value:.12g}")
+    )
     for i in range(len(arm)):
-        cells = {"theta": turn(t.theta[i]), "d": size(t.d[i]), "a": size(t.a[i]), "alpha": turn(t.alpha[i])}
+        cells = {
+            "theta": turn(t.theta[i]),
+            "d": size(t.d[i]),
+            "a": size(t.a[i]),
+            "alpha": turn(t.alpha[i]),
+        }
         moved = "d" if t.joints[i] == "P" else "theta"
         if symbol:
             name = f"d{i + 1}" if moved == "d" else symbol.format(i=i + 1)
             value = {"theta": t.theta, "d": t.d}[moved][i]
-            offset = "" if value == 0 else cells[moved] if cells[moved].startswith("-") else f" + {cells[moved]}"
+            offset = (
+                ""
+                if value == 0
+                else cells[moved]
+                if cells[moved].startswith("-")
+                else f" + {cells[moved]}"
+            )
             cells[moved] = ("-" if arm.sign[i] < 0 else "") + name + offset
         yield [cells[name] for name in order.split()]
 
@@ -49,7 +76,10 @@ def written(arm, order, angle="rad", length="m", symbol="q{i}", mark=""):
 def text(rows, separator=" | ", head=None, index=None):
     """Lines of cells, with a header and row numbers where asked."""
     rows = [[str(k + index), *row] if index is not None else row for k, row in enumerate(rows)]
-    lines = [separator.join(row) for row in ([["i", *head] if index is not None else head] if head else []) + rows]
+    lines = [
+        separator.join(row)
+        for row in ([["i", *head] if index is not None else head] if head else []) + rows
+    ]
     return "\n".join(f"| {line} |" for line in lines) if separator == " | " else "\n".join(lines)
 
 
@@ -62,24 +92,45 @@ def close(a, b):
 @pytest.mark.parametrize("separator", [" | ", "\t", ", ", ";"])
 def test_with_a_header_one_reading_is_left_and_it_is_the_arm(name, separator):
     arm = plain_arm(name)
-    for order, (angle, length, mark) in product(ORDERS[:4], [("rad", "m", ""), ("deg", "mm", "°"), ("deg", "m", "")]):
+    for order, (angle, length, mark) in product(
+        ORDERS[:4], [("rad", "m", ""), ("deg", "mm", "°"), ("deg", "m", "")]
+    ):
         units = {"theta": {"deg": " (deg)", "rad": " [rad]"}[angle], "d": f" ({length})"}
         units |= {"alpha": units["theta"], "a": units["d"]}
         head = [HEADS[arm.table.convention][k] + units[k] for k in order.split()]
         for symbol, index in (("θ{i}*", 1), ("q{i}", None)):
-            found = recognise_table(text(written(arm, order, angle, length, symbol, mark), separator, head, index), convention=arm.table.convention)
-            assert len(found.readings) == 1 and not found.questions and close(found.arm, arm), (order, angle, str(found))
+            found = recognise_table(
+                text(written(arm, order, angle, length, symbol, mark), separator, head, index),
+                convention=arm.table.convention,
+            )
+            assert len(found.readings) == 1 and not found.questions and close(found.arm, arm), (
+                order,
+                angle,
+                str(found),
+            )
             assert found.arm.table.joints == arm.table.joints
 
 
 @pytest.mark.parametrize("name", ARMS)
 def test_without_a_header_the_right_arm_picks_the_reading(name):
     arm = plain_arm(name)
-    for order, (angle, length), (separator, index) in product(ORDERS, [("rad", "m"), ("deg", "mm")], [("  ", None), ("\t", 1), (", ", 0)]):
-        said = text(written(arm, order, angle, length, "θ{i}"), separator, None, index).replace(" + ", "+") if separator == "  " else \
-            text(written(arm, order, angle, length, "θ{i}"), separator, None, index)
+    for order, (angle, length), (separator, index) in product(
+        ORDERS, [("rad", "m"), ("deg", "mm")], [("  ", None), ("\t", 1), (", ", 0)]
+    ):
+        said = (
+            text(written(arm, order, angle, length, "θ{i}"), separator, None, index).replace(
+                " + ", "+"
+            )
+            if separator == "  "
+            else text(written(arm, order, angle, length, "θ{i}"), separator, None, index)
+        )
         found = recognise_table(said, arm)
-        assert found.matches and len(found.readings) == 1 and close(found.arm, arm), (order, angle, said, str(found))
+        assert found.matches and len(found.readings) == 1 and close(found.arm, arm), (
+            order,
+            angle,
+            said,
+            str(found),
+        )
         alone = recognise_table(said)
         assert any(close(reading.arm, arm) for reading in alone.readings)
         assert (len(alone.readings) == 1) == (not alone.questions)
@@ -89,10 +140,14 @@ def test_without_a_header_the_right_arm_picks_the_reading(name):
 def test_the_telling_configuration_tells(name):
     arm = plain_arm(name)
     found = recognise_table(text(written(arm, "a alpha d theta", "deg", "mm", "q{i}"), "\t"))
-    assert len(found.readings) >= 2 and "standard one or" not in str(found) and any("Craig" in question for question in found.questions)
+    assert (
+        len(found.readings) >= 2
+        and "standard one or" not in str(found)
+        and any("Craig" in question for question in found.questions)
+    )
     for k, one in enumerate(found.poses):
         assert np.allclose(one, found.readings[k].arm.forward(found.tell_apart))
-        assert all(np.abs(one - other).max() > 1e-3 for other in found.poses[k + 1:])
+        assert all(np.abs(one - other).max() > 1e-3 for other in found.poses[k + 1 :])
 
 
 def test_frankas_table_with_its_flange():
@@ -107,10 +162,18 @@ def test_frankas_table_with_its_flange():
     Flange    0        0.107    0      0"""
     said = said.replace("Joint ", "Joint")
     found = recognise_table(said, convention="craig")
-    assert len(found.readings) == 1 and len(found.arm) == 7 and np.isclose(found.arm.tool[2, 3], 0.107) and "flange" in found.readings[0].words
+    assert (
+        len(found.readings) == 1
+        and len(found.arm) == 7
+        and np.isclose(found.arm.tool[2, 3], 0.107)
+        and "flange" in found.readings[0].words
+    )
     panda = dh.load("panda")
     assert dh.equivalent(panda, found.arm, tool="free")
-    assert recognise_table(said, panda).matches and recognise_table(said, panda).arm.table.convention == "craig"
+    assert (
+        recognise_table(said, panda).matches
+        and recognise_table(said, panda).arm.table.convention == "craig"
+    )
 
 
 def test_toolboxes_and_tex():
@@ -119,13 +182,30 @@ def test_toolboxes_and_tex():
         RevoluteDH(a=0.4),
         PrismaticDH(theta=-pi/2, alpha=0)])"""
     found = recognise_table(toolbox)
-    assert found.arm.table.joints == "RRP" and len(found.readings) == 1 and found.arm.table.convention == "standard"
-    assert recognise_table("RevoluteMDH(d=0.1, alpha=0)\nRevoluteMDH(a=0.4, alpha=pi/2)").arm.table.convention == "craig"
+    assert (
+        found.arm.table.joints == "RRP"
+        and len(found.readings) == 1
+        and found.arm.table.convention == "standard"
+    )
+    assert (
+        recognise_table(
+            "RevoluteMDH(d=0.1, alpha=0)\nRevoluteMDH(a=0.4, alpha=pi/2)"
+        ).arm.table.convention
+        == "craig"
+    )
     matlab = "dhparams = [0 pi/2 0.1 0; 0.4 0 0 0; 0.35 0 0 0]"
     answer = recognise_table(matlab, order="a alpha d theta", convention="standard")
-    assert np.allclose(answer.arm.table.rows, [[0, 0.1, 0, np.pi / 2], [0, 0, 0.4, 0], [0, 0, 0.35, 0]])
-    tex = "$i$ & $\\theta_i$ & $d_i$ & $a_i$ & $\\alpha_i$ \\\\ \\hline\n1 & $q_1$ & 0.1 & 0 & $\\pi/2$ \\\\\n2 & $q_2$ & 0 & 0.4 & 0 \\\\"
-    assert np.allclose(recognise_table(tex, convention="standard").arm.table.rows, [[0, 0.1, 0, np.pi / 2], [0, 0, 0.4, 0]])
+    assert np.allclose(
+        answer.arm.table.rows, [[0, 0.1, 0, np.pi / 2], [0, 0, 0.4, 0], [0, 0, 0.35, 0]]
+    )
+    tex = (
+        "$i$ & $\\theta_i$ & $d_i$ & $a_i$ & $\\alpha_i$ \\\\ \\hline\n1 & $q_1$ & 0.1 & 0 &"
+        " $\\pi/2$ \\\\\n2 & $q_2$ & 0 & 0.4 & 0 \\\\"
+    )
+    assert np.allclose(
+        recognise_table(tex, convention="standard").arm.table.rows,
+        [[0, 0.1, 0, np.pi / 2], [0, 0, 0.4, 0]],
+    )
 
 
 def test_numbers_and_lists_are_taken_too():
@@ -136,19 +216,31 @@ def test_numbers_and_lists_are_taken_too():
 
 
 def test_patterns_are_noted():
-    mixed = recognise_table("0 0.1 0 1.5708\n0 0 0.4 0\n0 0.3 0.2 90", order="theta d a alpha", convention="standard")
+    mixed = recognise_table(
+        "0 0.1 0 1.5708\n0 0 0.4 0\n0 0.3 0.2 90", order="theta d a alpha", convention="standard"
+    )
     assert np.allclose(mixed.arm.table.alpha, [np.pi / 2, 0, np.pi / 2])
     assert "degrees in a radian column" in str(mixed) and "1.5708 is read as π/2" in str(mixed)
-    positive = recognise_table([[0, 0.1, 0, 90], [0, 0.2, 0.4, 0], [0, 0.1, 0.3, 90]], order="theta d a alpha", convention="standard")
+    positive = recognise_table(
+        [[0, 0.1, 0, 90], [0, 0.2, 0.4, 0], [0, 0.1, 0.3, 90]],
+        order="theta d a alpha",
+        convention="standard",
+    )
     assert "no length is negative" in str(positive)
-    wrong = recognise_table(text(written(plain_arm("irb120"), "theta d a alpha"), "\t"), plain_arm("ur5e"))
+    wrong = recognise_table(
+        text(written(plain_arm("irb120"), "theta d a alpha"), "\t"), plain_arm("ur5e")
+    )
     assert wrong.matches is False and "no reading is the right arm" in str(wrong)
 
 
 def test_columns_that_changed_places_are_noted():
-    found = recognise_table("theta d a alpha\nq1 0.1 1.5708 0.03\nq2 0 0 0.4", convention="standard")
+    found = recognise_table(
+        "theta d a alpha\nq1 0.1 1.5708 0.03\nq2 0 0 0.4", convention="standard"
+    )
     assert "a and alpha" in str(found) and "changed places" in str(found)
-    assert "changed places" not in str(recognise_table("theta d a alpha\nq1 0.1 0.03 1.5708\nq2 0 0.4 0", convention="standard"))
+    assert "changed places" not in str(
+        recognise_table("theta d a alpha\nq1 0.1 0.03 1.5708\nq2 0 0.4 0", convention="standard")
+    )
 
 
 BOX = """Example: 2 axes (RR), standard DH parameters
@@ -174,9 +266,15 @@ def test_what_toolboxes_print():
     rows = np.array([[0, 0.1, 0, np.pi / 2], [0, 0, 0.4, 0]])
     for said, convention in ((BOX, "standard"), (BOX_CRAIG, "craig")):
         found = recognise_table(said)
-        assert len(found.readings) == 1 and found.arm.table.convention == convention and np.allclose(found.arm.table.rows, rows)
+        assert (
+            len(found.readings) == 1
+            and found.arm.table.convention == convention
+            and np.allclose(found.arm.table.rows, rows)
+        )
     found = recognise_table(MATLAB_TOOLBOX, convention="standard")
-    assert len(found.readings) == 1 and np.allclose(found.arm.table.rows, rows + [[0, 0, 0, 0], [np.pi / 2, 0, 0, 0]])
+    assert len(found.readings) == 1 and np.allclose(
+        found.arm.table.rows, rows + [[0, 0, 0, 0], [np.pi / 2, 0, 0, 0]]
+    )
 
 
 def test_decimal_commas_of_a_spreadsheet():
@@ -184,22 +282,44 @@ def test_decimal_commas_of_a_spreadsheet():
     assert np.allclose(found.arm.table.d, [0.1, 0]) and np.allclose(found.arm.table.a, [0, 0.4])
 
 
-@pytest.mark.parametrize("given, words", [
-    ("", "at least one row"), ("hello world", "at least one row"), (7, "found int"), ("1 2 3\n4 5 6", "four numbers"),
-    ("0 0 0 90\n0 0 0", "as many cells"),
-    ("theta d a alpha\n0 0 0 __import__('os')", "line 2"), ("theta d a alpha\n0 0 0 (1).__class__", "line 2"), ([[0, 0, 0, float("nan")]], "finite"),
-    ("theta d a\n0 0 0", "no column alpha"), ("x" * 20_000, "one table"), ("0 0.3 0.4 0.2\n0 0.35 0.1 0.7", "no order"),
-    ("theta,d,a,alpha\n0,,0,90", "empty cell"),
-    ("theta d a alpha\n0 0 0 1/0", "line 2"), ({}, "found dict"), ([["(" * 39, 0, 0, 0]], "row"), ("0 0 0 0\n" * 100, "at most"),
-])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        ("", "at least one row"),
+        ("hello world", "at least one row"),
+        (7, "found int"),
+        ("1 2 3\n4 5 6", "four numbers"),
+        ("0 0 0 90\n0 0 0", "as many cells"),
+        ("theta d a alpha\n0 0 0 __import__('os')", "line 2"),
+        ("theta d a alpha\n0 0 0 (1).__class__", "line 2"),
+        ([[0, 0, 0, float("nan")]], "finite"),
+        ("theta d a\n0 0 0", "no column alpha"),
+        ("x" * 20_000, "one table"),
+        ("0 0.3 0.4 0.2\n0 0.35 0.1 0.7", "no order"),
+        ("theta,d,a,alpha\n0,,0,90", "empty cell"),
+        ("theta d a alpha\n0 0 0 1/0", "line 2"),
+        ({}, "found dict"),
+        ([["(" * 39, 0, 0, 0]], "row"),
+        ("0 0 0 0\n" * 100, "at most"),
+    ],
+)
 def test_errors_are_one_sentence(given, words):
     with pytest.raises(ValueError) as error:
         recognise_table(given)
-    assert words in str(error.value) and "\n" not in str(error.value) and len(str(error.value)) < 300
+    assert (
+        words in str(error.value) and "\n" not in str(error.value) and len(str(error.value)) < 300
+    )
 
 
-@pytest.mark.parametrize("options, words", [
-    ({"order": "theta d a"}, "order"), ({"convention": "modified"}, "standard or craig"), ({"angle": "grad"}, "deg or rad"), ({"length": "inch"}, "m or mm")])
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"order": "theta d a"}, "order"),
+        ({"convention": "modified"}, "standard or craig"),
+        ({"angle": "grad"}, "deg or rad"),
+        ({"length": "inch"}, "m or mm"),
+    ],
+)
 def test_wrong_options_are_said(options, words):
     with pytest.raises(ValueError, match=words):
         recognise_table("0 0.1 0 90", **options)
@@ -215,5 +335,3 @@ def test_noise_never_crashes():
                 read(said)
             except ValueError as error:
                 assert str(error).startswith(("recognise_table", "expected")), said
-
-

@@ -23,13 +23,27 @@ def test_every_wrong_table_is_explained(name):
 
 
 def test_slips_of_placing_frames_have_their_names():
-    right = dh.Arm(dh.DHTable.standard([[20, 0.1, 0.2, 90], [30, -0.2, 0.4, 0], [-90, 0.3, -0.1, 50], [10, 0.1, 0, 180], [0, 0.2, 0.1, -90]], angle="deg", joints="RRRPR"))
+    right = dh.Arm(
+        dh.DHTable.standard(
+            [
+                [20, 0.1, 0.2, 90],
+                [30, -0.2, 0.4, 0],
+                [-90, 0.3, -0.1, 50],
+                [10, 0.1, 0, 180],
+                [0, 0.2, 0.1, -90],
+            ],
+            angle="deg",
+            joints="RRRPR",
+        )
+    )
     q = np.random.default_rng(3).uniform(0.2, 1.3, (5, 5))
 
     def named(change):
         rows = right.table.rows
         change(rows)
-        return explain_rows(dh.Arm(dh.DHTable.standard(rows, angle="rad", joints="RRRPR")), right, q).mistake
+        return explain_rows(
+            dh.Arm(dh.DHTable.standard(rows, angle="rad", joints="RRRPR")), right, q
+        ).mistake
 
     def flipped(rows):
         rows[2, 2:] *= -1
@@ -44,4 +58,8 @@ def test_slips_of_placing_frames_have_their_names():
         rows[1, 1] = rows[2, 1] = 0.1
 
     assert (named(flipped), named(absolute), named(parallel), named(twice)) == (
-        "x-flip-incomplete", "lengths-made-positive", "antiparallel-taken-for-parallel", "parallel-offset-in-both-rows")
+        "x-flip-incomplete",
+        "lengths-made-positive",
+        "antiparallel-taken-for-parallel",
+        "parallel-offset-in-both-rows",
+    )

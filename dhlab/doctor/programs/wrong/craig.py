@@ -1,4 +1,6 @@
-"""Wrong versions of Craig's link matrix: what a learner's function computes when one thing is wrong; entries as in ``wrong_links``."""
+"""Wrong versions of Craig's link matrix: what a learner's function computes when one thing is
+wrong; entries as in ``wrong_links``.
+"""
 
 from itertools import permutations
 
@@ -12,7 +14,12 @@ __all__ = ["craig", "WRONG_CRAIG"]
 
 DEG = 180 / np.pi
 SAMPLE = (0.3, -0.1, 0.4, 0.5)
-MOVES = {"Rz": lambda row: rot_z(row[0]), "Tz": lambda row: trans_z(row[1]), "Tx": lambda row: trans_x(row[2]), "Rx": lambda row: rot_x(row[3])}
+MOVES = {
+    "Rz": lambda row: rot_z(row[0]),
+    "Tz": lambda row: trans_z(row[1]),
+    "Tx": lambda row: trans_x(row[2]),
+    "Rx": lambda row: rot_x(row[3]),
+}
 
 
 def craig(theta, d, a, alpha):
@@ -36,7 +43,11 @@ def _other_orders():
     for names in permutations(MOVES):
         T = in_order(names, *SAMPLE)
         if not any(np.allclose(T, known(*SAMPLE)) for known in (craig, standard)):
-            yield "order-taken-for-free", " ".join(names), lambda *row, names=names: in_order(names, *row)
+            yield (
+                "order-taken-for-free",
+                " ".join(names),
+                lambda *row, names=names: in_order(names, *row),
+            )
 
 
 def _with_R(T, R):
@@ -51,23 +62,30 @@ def _scaled(*row):
     return T
 
 
-WRONG_CRAIG = distinct([
-    ("craig-rows-in-standard-matrix", "the moves about and along z come first", standard),
-    *_other_orders(),
-    ("alpha-sign", "", lambda th, d, a, al: craig(th, d, a, -al)),
-    ("length-sign", "a", lambda th, d, a, al: craig(th, d, -a, al)),
-    ("length-sign", "d", lambda th, d, a, al: craig(th, -d, a, al)),
-    ("a-d-exchanged", "", lambda th, d, a, al: craig(th, a, d, al)),
-    ("theta-alpha-exchanged", "", lambda th, d, a, al: craig(al, d, a, th)),
-    ("degrees-in-sin-cos", "", lambda th, d, a, al: craig(th * DEG, d, a, al * DEG)),
-    ("alpha-in-degrees", "", lambda th, d, a, al: craig(th, d, a, al * DEG)),
-    ("converted-to-radians-twice", "", lambda th, d, a, al: craig(th / DEG, d, a, al / DEG)),
-    ("pose-inverted", "", lambda *row: inverse(craig(*row))),
-    ("rotation-transposed", "", lambda *row: _with_R(craig(*row), craig(*row)[:3, :3].T)),
-    ("matrix-transposed", "", lambda *row: craig(*row).T),
-    ("elementwise-product", "", lambda *row: MOVES["Rx"](row) * MOVES["Tx"](row) * MOVES["Rz"](row) * MOVES["Tz"](row)),
-    ("last-row-missing", "", lambda *row: np.vstack([craig(*row)[:3], np.zeros(4)])),
-    ("length-unit", "", _scaled),
-    ("integer-arrays", "", lambda *row: truncated(craig(*row))),
-    ("pi-rounded", "", lambda *row: rounded(craig(*row))),
-], *SAMPLE)
+WRONG_CRAIG = distinct(
+    [
+        ("craig-rows-in-standard-matrix", "the moves about and along z come first", standard),
+        *_other_orders(),
+        ("alpha-sign", "", lambda th, d, a, al: craig(th, d, a, -al)),
+        ("length-sign", "a", lambda th, d, a, al: craig(th, d, -a, al)),
+        ("length-sign", "d", lambda th, d, a, al: craig(th, -d, a, al)),
+        ("a-d-exchanged", "", lambda th, d, a, al: craig(th, a, d, al)),
+        ("theta-alpha-exchanged", "", lambda th, d, a, al: craig(al, d, a, th)),
+        ("degrees-in-sin-cos", "", lambda th, d, a, al: craig(th * DEG, d, a, al * DEG)),
+        ("alpha-in-degrees", "", lambda th, d, a, al: craig(th, d, a, al * DEG)),
+        ("converted-to-radians-twice", "", lambda th, d, a, al: craig(th / DEG, d, a, al / DEG)),
+        ("pose-inverted", "", lambda *row: inverse(craig(*row))),
+        ("rotation-transposed", "", lambda *row: _with_R(craig(*row), craig(*row)[:3, :3].T)),
+        ("matrix-transposed", "", lambda *row: craig(*row).T),
+        (
+            "elementwise-product",
+            "",
+            lambda *row: MOVES["Rx"](row) * MOVES["Tx"](row) * MOVES["Rz"](row) * MOVES["Tz"](row),
+        ),
+        ("last-row-missing", "", lambda *row: np.vstack([craig(*row)[:3], np.zeros(4)])),
+        ("length-unit", "", _scaled),
+        ("integer-arrays", "", lambda *row: truncated(craig(*row))),
+        ("pi-rounded", "", lambda *row: rounded(craig(*row))),
+    ],
+    *SAMPLE,
+)

@@ -1,6 +1,8 @@
-"""Wrong versions of the link matrix, of a turn about x and of a product of two poses: what a learner's function computes when one thing is wrong.
+"""Wrong versions of the link matrix, of a turn about x and of a product of two poses: what a
+learner's function computes when one thing is wrong.
 
-Each entry of the lists is ``(mistake, place, function)``; :data:`WRONG_LINKS` holds functions of theta, d, a, alpha; angles are radians.
+Each entry of the lists is ``(mistake, place, function)``; :data:`WRONG_LINKS` holds functions of
+theta, d, a, alpha; angles are radians.
 """
 
 import numpy as np
@@ -27,12 +29,17 @@ def _without_last_row(T):
 
 
 def distinct(versions, *sample):
-    """The (mistake, place, function) entries whose answers at ``sample`` no earlier entry gives under another id; first come, first named."""
+    """The (mistake, place, function) entries whose answers at ``sample`` no earlier entry gives
+    under another id; first come, first named.
+    """
     kept, seen = [], []
     with np.errstate(all="ignore"):
         for mistake, place, version in versions:
             T = version(*sample)
-            if all(name == mistake or not np.allclose(T, other, rtol=1e-9, atol=1e-9, equal_nan=True) for name, other in seen):
+            if all(
+                name == mistake or not np.allclose(T, other, rtol=1e-9, atol=1e-9, equal_nan=True)
+                for name, other in seen
+            ):
                 kept.append((mistake, place, version))
                 seen.append((mistake, T))
     return kept
@@ -46,9 +53,24 @@ def _typed(entry, sign, parts):
     return mistyped(entry, next(m for m in MONOMIALS if m.sign == sign and m.parts == parts))
 
 
-TYPICAL_ENTRIES = [_typed((0, 1), 1, (2, 1, 0)), _typed((0, 2), -1, (2, 2, 0)), _typed((1, 2), 1, (1, 2, 0)), _typed((2, 1), -1, (0, 2, 0)),
-                   _typed((1, 3), 1, (1, 0, 1)), _typed((2, 3), 0, (0, 0, 0))]
-WRONG_LINKS = distinct([(slip.mistake, slip.place, _with(slip)) for slip in ARGUMENTS + LINK + RESULT + TYPICAL_ENTRIES], 0.3, -0.1, 0.4, 0.5)
+TYPICAL_ENTRIES = [
+    _typed((0, 1), 1, (2, 1, 0)),
+    _typed((0, 2), -1, (2, 2, 0)),
+    _typed((1, 2), 1, (1, 2, 0)),
+    _typed((2, 1), -1, (0, 2, 0)),
+    _typed((1, 3), 1, (1, 0, 1)),
+    _typed((2, 3), 0, (0, 0, 0)),
+]
+WRONG_LINKS = distinct(
+    [
+        (slip.mistake, slip.place, _with(slip))
+        for slip in ARGUMENTS + LINK + RESULT + TYPICAL_ENTRIES
+    ],
+    0.3,
+    -0.1,
+    0.4,
+    0.5,
+)
 
 WRONG_ROT_X = [
     ("rotation-transposed", "", lambda al: rot_x(-al)),
@@ -59,14 +81,34 @@ WRONG_ROT_X = [
     ("rotation-block-misread", "this turns about y", rot_y),
     ("rotation-block-misread", "this turns about y, the other way", lambda al: rot_y(-al)),
     ("sin-cos-exchanged", "", lambda al: rot_x(np.pi / 2 - al)),
-    ("mirror", "the minus before one sine is lost", lambda al: np.where(rot_x(al) == -np.sin(al), np.sin(al), rot_x(al))),
-    ("mirror", "a minus too many before a sine", lambda al: np.where(rot_x(al) == np.sin(al), -np.sin(al), rot_x(al))),
+    (
+        "mirror",
+        "the minus before one sine is lost",
+        lambda al: np.where(rot_x(al) == -np.sin(al), np.sin(al), rot_x(al)),
+    ),
+    (
+        "mirror",
+        "a minus too many before a sine",
+        lambda al: np.where(rot_x(al) == np.sin(al), -np.sin(al), rot_x(al)),
+    ),
     ("last-row-missing", "", lambda al: _without_last_row(rot_x(al))),
     ("integer-arrays", "", lambda al: truncated(rot_x(al))),
     ("pi-rounded", "", lambda al: rounded(rot_x(al))),
-    ("not-rigid", "the 1 for the axis that stays is missing", lambda al: rot_x(al) - np.diag([1, 0, 0, 0])),
-    ("matrix-entry-mistyped", "row 3, column 3", lambda al: rot_x(al) + np.diag([0, 0, 1 - np.cos(al), 0])),
-    ("matrix-entry-mistyped", "row 2, column 2", lambda al: rot_x(al) + np.diag([0, 1 - np.cos(al), 0, 0])),
+    (
+        "not-rigid",
+        "the 1 for the axis that stays is missing",
+        lambda al: rot_x(al) - np.diag([1, 0, 0, 0]),
+    ),
+    (
+        "matrix-entry-mistyped",
+        "row 3, column 3",
+        lambda al: rot_x(al) + np.diag([0, 0, 1 - np.cos(al), 0]),
+    ),
+    (
+        "matrix-entry-mistyped",
+        "row 2, column 2",
+        lambda al: rot_x(al) + np.diag([0, 1 - np.cos(al), 0, 0]),
+    ),
 ]
 
 
@@ -104,5 +146,12 @@ WRONG_COMPOSE = [
     ("product-starts-late", "", lambda A, B: B),
     ("last-row-missing", "", lambda A, B: _without_last_row(A @ B)),
     ("integer-arrays", "", lambda A, B: truncated(A @ B)),
-    ("length-unit", "", lambda A, B: _with_R(A @ B, (A @ B)[:3, :3]) * np.where(np.arange(4) == 3, [[1000], [1000], [1000], [1]], 1)),
+    (
+        "length-unit",
+        "",
+        lambda A, B: (
+            _with_R(A @ B, (A @ B)[:3, :3])
+            * np.where(np.arange(4) == 3, [[1000], [1000], [1000], [1]], 1)
+        ),
+    ),
 ]

@@ -1,7 +1,8 @@
-"""Wrong versions of forward kinematics: what a learner's ``forward_kinematics(rows, q)`` computes when one thing is wrong.
+"""Wrong versions of forward kinematics: what a learner's ``forward_kinematics(rows, q)`` computes
+when one thing is wrong.
 
-``rows`` is (n, 4): theta offset, d, a, alpha in radians and metres; ``q`` is (n,). Each entry of :data:`WRONG_PRODUCTS` is
-``(mistake, place, function of rows, q)``.
+``rows`` is (n, 4): theta offset, d, a, alpha in radians and metres; ``q`` is (n,). Each entry of
+:data:`WRONG_PRODUCTS` is ``(mistake, place, function of rows, q)``.
 """
 
 import numpy as np
@@ -11,7 +12,17 @@ from .links import TYPICAL_ENTRIES, distinct, standard
 
 __all__ = ["product", "WRONG_PRODUCTS"]
 
-SAMPLE = np.array([[0.4, -0.2, 0.5, 0.9], [-0.7, 0.3, -0.4, 1.1], [0.5, 0.25, 0.35, -0.8], [1.2, 0.1, 0.6, 0.3]]), np.array([0.9, -0.6, 0.3, 1.3])
+SAMPLE = (
+    np.array(
+        [
+            [0.4, -0.2, 0.5, 0.9],
+            [-0.7, 0.3, -0.4, 1.1],
+            [0.5, 0.25, 0.35, -0.8],
+            [1.2, 0.1, 0.6, 0.3],
+        ]
+    ),
+    np.array([0.9, -0.6, 0.3, 1.3]),
+)
 
 
 def product(rows, q, link=standard):

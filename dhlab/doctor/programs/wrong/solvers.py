@@ -1,7 +1,9 @@
-"""Wrong versions of inverse kinematics by damped least squares: what a learner's solver computes when one thing is wrong.
+"""Wrong versions of inverse kinematics by damped least squares: what a learner's solver computes
+when one thing is wrong.
 
-Each entry of :data:`WRONG_SOLVERS` is ``(mistake, place, function)``, a function of ``rows`` (n, 4), ``T_goal`` (4, 4), ``q`` (n,),
-``damping`` and ``steps``; metres and radians, turning joints, standard convention.
+Each entry of :data:`WRONG_SOLVERS` is ``(mistake, place, function)``, a function of ``rows`` (n,
+4), ``T_goal`` (4, 4), ``q`` (n,), ``damping`` and ``steps``; metres and radians, turning joints,
+standard convention.
 """
 
 import numpy as np
@@ -29,7 +31,9 @@ def wrapped(q):
 
 
 def damped_step(J, e, damping):
-    """Jᵀ (J Jᵀ + λ² 1)⁻¹ e, the Δq with the least |J Δq − e|² + λ² |Δq|² (Siciliano et al., Robotics, section 3.5.2)."""
+    """Jᵀ (J Jᵀ + λ² 1)⁻¹ e, the Δq with the least |J Δq − e|² + λ² |Δq|² (Siciliano et al.,
+    Robotics, section 3.5.2).
+    """
     return J.T @ np.linalg.solve(J @ J.T + damping**2 * np.eye(len(J)), e)
 
 
@@ -39,7 +43,9 @@ def _looked(rows, q, jacobian, error, T_goal):
     return jacobian(seen, seen[-1], np.zeros(len(q), dtype=bool)), error(seen[-1], T_goal)
 
 
-def _solved(rows, T_goal, q, damping, steps, step=damped_step, jacobian=geometric_jacobian, error=pose_error):
+def _solved(
+    rows, T_goal, q, damping, steps, step=damped_step, jacobian=geometric_jacobian, error=pose_error
+):
     q = np.asarray(q, dtype=float)
     for _ in range(steps):
         q = q + step(*_looked(rows, q, jacobian, error, T_goal), damping)
@@ -47,7 +53,8 @@ def _solved(rows, T_goal, q, damping, steps, step=damped_step, jacobian=geometri
 
 
 def inverse_kinematics(rows, T_goal, q, damping, steps):
-    """The right one: ``steps`` times a damped step from where the last one ended; joint values (n,), whole turns taken off.
+    """The right one: ``steps`` times a damped step from where the last one ended; joint values
+    (n,), whole turns taken off.
 
     Examples
     --------
@@ -75,17 +82,21 @@ def _only_last(rows, T_goal, q, damping, steps):
 
 def _frozen(jacobian_too, error_too):
     """Jacobian, or error, computed once before the loop."""
+
     def solve(rows, T_goal, q, damping, steps):
         J_0, e_0 = _looked(rows, q, geometric_jacobian, pose_error, T_goal)
         for _ in range(steps):
             J, e = _looked(rows, q, geometric_jacobian, pose_error, T_goal)
             q = q + damped_step(J_0 if jacobian_too else J, e_0 if error_too else e, damping)
         return wrapped(q)
+
     return solve
 
 
 def _other_steps(change):
-    return lambda rows, T_goal, q, damping, steps: wrapped(_solved(rows, T_goal, q, damping, change(steps)))
+    return lambda rows, T_goal, q, damping, steps: wrapped(
+        _solved(rows, T_goal, q, damping, change(steps))
+    )
 
 
 def _with_jacobian(version):
@@ -101,21 +112,69 @@ def _one(J):
 
 
 _ALL = [
-    ("error-sign", "the step is subtracted", _stepping(lambda J, e, damping: -damped_step(J, e, damping))),
+    (
+        "error-sign",
+        "the step is subtracted",
+        _stepping(lambda J, e, damping: -damped_step(J, e, damping)),
+    ),
     ("damping-missing", "", _stepping(_undamped)),
     ("damping-not-squared", "", _stepping(lambda J, e, damping: damped_step(J, e, damping**0.5))),
-    ("damping-not-on-diagonal", "", _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J @ J.T + damping**2, e))),
-    ("damping-not-on-diagonal", "and not squared", _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J @ J.T + damping, e))),
-    ("damping-sides-mixed", "Jᵀ (Jᵀ J + λ² 1)⁻¹", _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J.T @ J + damping**2 * _one(J), e))),
-    ("damping-sides-mixed", "(J Jᵀ + λ² 1)⁻¹ Jᵀ", _stepping(lambda J, e, damping: np.linalg.solve(J @ J.T + damping**2 * _one(J), J.T @ e))),
-    ("damping-sides-mixed", "J where Jᵀ belongs", _stepping(lambda J, e, damping: J @ np.linalg.solve(J @ J.T + damping**2 * _one(J), e))),
-    ("damping-sides-mixed", "(J + λ² 1)⁻¹", _stepping(lambda J, e, damping: np.linalg.solve(J + damping**2 * _one(J), e))),
+    (
+        "damping-not-on-diagonal",
+        "",
+        _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J @ J.T + damping**2, e)),
+    ),
+    (
+        "damping-not-on-diagonal",
+        "and not squared",
+        _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J @ J.T + damping, e)),
+    ),
+    (
+        "damping-sides-mixed",
+        "Jᵀ (Jᵀ J + λ² 1)⁻¹",
+        _stepping(lambda J, e, damping: J.T @ np.linalg.solve(J.T @ J + damping**2 * _one(J), e)),
+    ),
+    (
+        "damping-sides-mixed",
+        "(J Jᵀ + λ² 1)⁻¹ Jᵀ",
+        _stepping(lambda J, e, damping: np.linalg.solve(J @ J.T + damping**2 * _one(J), J.T @ e)),
+    ),
+    (
+        "damping-sides-mixed",
+        "J where Jᵀ belongs",
+        _stepping(lambda J, e, damping: J @ np.linalg.solve(J @ J.T + damping**2 * _one(J), e)),
+    ),
+    (
+        "damping-sides-mixed",
+        "(J + λ² 1)⁻¹",
+        _stepping(lambda J, e, damping: np.linalg.solve(J + damping**2 * _one(J), e)),
+    ),
     ("jacobian-transpose-only", "", _stepping(lambda J, e, damping: J.T @ e)),
-    ("jacobian-transpose-only", "divided by the damping", _stepping(lambda J, e, damping: J.T @ e / damping**2)),
-    ("jacobian-transpose-only", "times the damping", _stepping(lambda J, e, damping: damping * J.T @ e)),
-    ("step-not-accumulated", "only the last step is added to the first q", lambda *task: wrapped(_only_last(*task))),
-    ("step-not-accumulated", "the last step is returned, not q", lambda *task: wrapped(_only_last(*task) - task[2])),
-    ("step-not-accumulated", "the sum of the steps is returned, without the first q", lambda *task: wrapped(_solved(*task) - task[2])),
+    (
+        "jacobian-transpose-only",
+        "divided by the damping",
+        _stepping(lambda J, e, damping: J.T @ e / damping**2),
+    ),
+    (
+        "jacobian-transpose-only",
+        "times the damping",
+        _stepping(lambda J, e, damping: damping * J.T @ e),
+    ),
+    (
+        "step-not-accumulated",
+        "only the last step is added to the first q",
+        lambda *task: wrapped(_only_last(*task)),
+    ),
+    (
+        "step-not-accumulated",
+        "the last step is returned, not q",
+        lambda *task: wrapped(_only_last(*task) - task[2]),
+    ),
+    (
+        "step-not-accumulated",
+        "the sum of the steps is returned, without the first q",
+        lambda *task: wrapped(_solved(*task) - task[2]),
+    ),
     ("loop-stops-early", "one step only", _other_steps(lambda steps: 1)),
     ("loop-stops-early", "one step too few", _other_steps(lambda steps: steps - 1)),
     ("loop-stops-early", "no step at all: q comes back", _other_steps(lambda steps: 0)),
@@ -123,12 +182,25 @@ _ALL = [
     ("jacobian-not-renewed", "the Jacobian is that of the first q", _frozen(True, False)),
     ("jacobian-not-renewed", "the error is that of the first q", _frozen(False, True)),
     ("jacobian-not-renewed", "Jacobian and error are those of the first q", _frozen(True, True)),
-    ("degrees-for-radians", "the answer is in degrees", lambda *task: wrapped(DEG * _solved(*task))),
-    ("degrees-for-radians", "each step is in degrees", _stepping(lambda J, e, damping: DEG * damped_step(J, e, damping))),
+    (
+        "degrees-for-radians",
+        "the answer is in degrees",
+        lambda *task: wrapped(DEG * _solved(*task)),
+    ),
+    (
+        "degrees-for-radians",
+        "each step is in degrees",
+        _stepping(lambda J, e, damping: DEG * damped_step(J, e, damping)),
+    ),
     ("pi-rounded", "the answer, 2 decimals", lambda *task: rounded(wrapped(_solved(*task)))),
-    *((mistake, f"the Jacobian: {place}" if place else "the Jacobian", _with_jacobian(version))
-      for mistake, place, version in WRONG_JACOBIANS),
-    *((mistake, f"the pose error: {place}" if place else "the pose error", _with_error(version)) for mistake, place, version in WRONG_ERRORS),
+    *(
+        (mistake, f"the Jacobian: {place}" if place else "the Jacobian", _with_jacobian(version))
+        for mistake, place, version in WRONG_JACOBIANS
+    ),
+    *(
+        (mistake, f"the pose error: {place}" if place else "the pose error", _with_error(version))
+        for mistake, place, version in WRONG_ERRORS
+    ),
 ]
 
 
@@ -139,4 +211,6 @@ def _sample():
     return rows, product(rows, q + 0.2), q, 0.1, 3
 
 
-WRONG_SOLVERS = distinct([("", "", inverse_kinematics), *_ALL], *_sample())[1:]  # without those that are right for turning joints and no tool
+WRONG_SOLVERS = distinct([("", "", inverse_kinematics), *_ALL], *_sample())[
+    1:
+]  # without those that are right for turning joints and no tool

@@ -1,14 +1,39 @@
-"""Stands in for ``dhlab.course`` inside the cage: the same names, but ``check`` only notes the answer. There are no exercises here."""
+"""Stands in for ``dhlab.course`` inside the cage: the same names, but ``check`` only notes the
+answer. There are no exercises here.
+"""
 
-__all__ = ["check", "given", "hint", "predict", "progress", "report", "reveal", "set_variant", "then_and_now"]
+__all__ = [
+    "check",
+    "given",
+    "hint",
+    "predict",
+    "progress",
+    "report",
+    "reveal",
+    "set_variant",
+    "then_and_now",
+]
 
 book = None  # set for each submission
 
 
 class Said(str):
-    """A sentence in the place of a verdict; it has a verdict's fields, so that a program that reads them goes on."""
+    """A sentence in the place of a verdict; it has a verdict's fields, so that a program that reads
+    them goes on.
+    """
 
-    status, mistake, points, of, headline, place, why, next, known, html = "recorded", None, 0, 0, "", "", "", "", None, ""
+    status, mistake, points, of, headline, place, why, next, known, html = (
+        "recorded",
+        None,
+        0,
+        0,
+        "",
+        "",
+        "",
+        "",
+        None,
+        "",
+    )
 
     def to_dict(self):
         """Nothing is known here."""
@@ -31,7 +56,10 @@ def given(exercise_id):
     """The numbers of a task, by name."""
     if exercise_id not in book.given:
         raise ValueError(f"expected the number of an exercise, found {exercise_id!r}")
-    return {name: value.copy() if hasattr(value, "copy") else value for name, value in book.given[exercise_id].items()}
+    return {
+        name: value.copy() if hasattr(value, "copy") else value
+        for name, value in book.given[exercise_id].items()
+    }
 
 
 def _noted(*args, **kwargs):
