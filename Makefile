@@ -17,7 +17,7 @@ lab: .venv/lab
 test: .venv/test
 	@$(MAKE) --no-print-directory test-deps
 	$(BIN)/python -m dhlab.course.building.contract
-	$(BIN)/python -m dhlab.course.building.notebooks --check
+	$(BIN)/python -m dhlab.course.building.build --check
 	$(BIN)/python -m pytest $(SPREAD)
 	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
 	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval-lax lessons
@@ -30,7 +30,7 @@ site: .venv/test
 	$(BIN)/python docs/build.py
 
 lessons: .venv/test
-	$(BIN)/python -m dhlab.course.building.notebooks
+	$(BIN)/python -m dhlab.course.building.build
 
 bench: .venv/test
 	$(BIN)/python benchmarks/accuracy.py

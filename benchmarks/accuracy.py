@@ -1,7 +1,7 @@
 """How exact the core is: every arm against its URDF, against other libraries, and against products
 of exponentials; and how fast a batch is.
 
-python benchmarks/accuracy.py
+    python benchmarks/accuracy.py
 """
 
 import sys

@@ -213,7 +213,7 @@ def screw(A, i, q):
     """The motion of joint i (0-based) of A by q, from the zero pose; (4, 4)."""
     if A.letters[i] == "P":
         return trans(A.z[i] * q)
-    z, K = A.z[i], np.cross(np.eye(3), A.z[i])  # K v = z × v
+    K = np.cross(np.eye(3), A.z[i])  # K v = z × v
     T = np.eye(4)
     T[:3, :3] = np.eye(3) + np.sin(q) * K + (1 - np.cos(q)) * K @ K
     T[:3, 3] = A.p[i] - T[:3, :3] @ A.p[i]

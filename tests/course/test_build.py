@@ -12,8 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from dhlab.course.building import faults as sourcefaults
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import faults, notebooks, reading
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Option, Said
 
@@ -57,14 +56,14 @@ SHEET = {name: text for _, _, name, text in BLOCK.findall(PAGE)}["solutions/10-s
     ],
 )
 def test_a_stub_says_where_the_answer_goes(source, stub):
-    assert build._stub(source) == stub
+    assert notebooks._stub(source) == stub
 
 
 # ---- sources, before anything is run: lesson 05 with one change
 
 
 def source(tmp_path, old, new):
-    text = (build.SOLUTIONS / "05-link-matrix.md").read_text(encoding="utf-8")
+    text = (reading.SOLUTIONS / "05-link-matrix.md").read_text(encoding="utf-8")
     assert old in text
     path = tmp_path / "solutions" / "05-link-matrix.md"
     path.parent.mkdir(exist_ok=True)
@@ -74,12 +73,12 @@ def source(tmp_path, old, new):
 
 def said(path):
     with pytest.raises(ValueError) as refused:
-        sourcefaults.refuse_sources([path])
+        faults.refuse_sources([path])
     return str(refused.value)
 
 
 def test_every_lesson_of_the_course_may_be_built():
-    sourcefaults.refuse_sources(build.sources())
+    faults.refuse_sources(reading.sources())
 
 
 RULE = 'rule = ...\n### BEGIN SOLUTION\nrule = "b"\n### END SOLUTION'
@@ -181,7 +180,7 @@ def test_a_source_that_is_no_lesson_is_refused(old, new, words, tmp_path):
 
 
 def test_ipythons_commands_are_python(tmp_path):
-    sourcefaults.refuse_sources(
+    faults.refuse_sources(
         [source(tmp_path, "rot_z(np.pi / 2)\n", "%precision 3\nrot_z(np.pi / 2)\n")]
     )
 
@@ -228,7 +227,7 @@ def test_an_exercise_that_would_fail_a_student_is_refused(
     key, change, words, tmp_path, monkeypatch
 ):
     changed = {**exercises(), key: change(exercises()[key])}
-    monkeypatch.setattr(sourcefaults, "exercises", lambda: changed)
+    monkeypatch.setattr(faults, "exercises", lambda: changed)
     found = said(source(tmp_path, "Press *Play all*", "Press *Play all*"))
     assert (
         words in found
@@ -325,7 +324,7 @@ def test_what_a_sheet_of_ones_own_is_told(file, old, new, words, clone):
     changed.write_text(text.replace(old, new), encoding="utf-8")
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "dhlab.course.building.notebooks", "10"],
+            [sys.executable, "-m", "dhlab.course.building.build", "10"],
             cwd=clone,
             env={**os.environ, "PYTHONPATH": str(clone), "PYTHONDONTWRITEBYTECODE": "1"},
             capture_output=True,

@@ -9,8 +9,7 @@ import pytest
 
 import dhlab as dh
 from dhlab.course import session, then_and_now, workspace
-from dhlab.course.building import contract as lint
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import contract, reading
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import PreTest
 from dhlab.course.progress import Log
@@ -75,9 +74,9 @@ def test_five_questions_each_with_its_lesson():
     assert len(QUESTIONS) == 5
     for exercise in QUESTIONS.values():
         assert exercise.points == 0 and exercise.lesson in ("01", "02", "03", "05", "07")
-        assert (build.SOLUTIONS / "teacher" / "00-start-here.md").read_text(encoding="utf-8").count(
-            exercise.id
-        ) == 1
+        assert (reading.SOLUTIONS / "teacher" / "00-start-here.md").read_text(
+            encoding="utf-8"
+        ).count(exercise.id) == 1
 
 
 @pytest.mark.parametrize("key", QUESTIONS)
@@ -147,17 +146,19 @@ def test_the_second_cup_is_hit_with_the_same_reversed_axis():
     assert np.allclose(wrong.forward(q)[:3, 3], [0.465, -0.1, 0.403], atol=5e-4) and np.allclose(
         arm.forward(q)[:3, 3], wrong.forward(q)[:3, 3], atol=1e-12
     )
-    assert "arrived = [0.465, -0.1, 0.403]" in build.sources(["00"])[0].read_text(encoding="utf-8")
+    assert "arrived = [0.465, -0.1, 0.403]" in reading.sources(["00"])[0].read_text(
+        encoding="utf-8"
+    )
 
 
 def test_waivers_are_printed_with_their_reason():
-    table, failures = lint.report(["00"])
+    table, failures = contract.report(["00"])
     waived = [line for line in table.splitlines() if " waived " in line]
-    assert failures == [] and len(waived) == sum(lesson == "00" for lesson, _ in lint.WAIVED)
-    assert all(any(reason in line for reason in lint.WAIVED.values()) for line in waived)
+    assert failures == [] and len(waived) == sum(lesson == "00" for lesson, _ in contract.WAIVED)
+    assert all(any(reason in line for reason in contract.WAIVED.values()) for line in waived)
 
 
 def test_single_lessons_by_number():
-    assert [path.name[:2] for path in build.sources(["05", "01"])] == ["01", "05"]
+    assert [path.name[:2] for path in reading.sources(["05", "01"])] == ["01", "05"]
     with pytest.raises(ValueError, match="found '12'"):
-        build.sources(["12"])
+        reading.sources(["12"])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import dhlab as dh
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.transform import from_xyz_rpy, trans
@@ -106,7 +106,7 @@ def test_the_tip_of_the_gripper(variant):
 
 def test_the_numbers_of_the_story_stand_in_the_text():
     cup = dh.load("article-6r").forward(np.deg2rad([30, 60, -80, -30, 40, 0]))[:3, 3]
-    source = build.sources(["01"])[0].read_text(encoding="utf-8")
+    source = reading.sources(["01"])[0].read_text(encoding="utf-8")
     assert (
         f"({', '.join(f'{value:.3f}' for value in cup)}) m, the hand stopped at (0.434, 0.224,"
         " 0.376) m" in source

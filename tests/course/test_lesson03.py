@@ -11,7 +11,7 @@ from oracles import elementary_pose, shift, turn
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
 from dhlab.doctor.programs.wrong.craig import MOVES as CRAIG_MOVES
@@ -161,7 +161,7 @@ def test_what_the_second_prediction_comes_to():
 
 def test_the_published_rows_are_those_of_the_library():
     text = (
-        (build.SOLUTIONS / "03-conventions.md")
+        (reading.SOLUTIONS / "03-conventions.md")
         .read_text(encoding="utf-8")
         .replace("−", "-")
         .replace("°", "")

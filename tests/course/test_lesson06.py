@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dhlab.arm import Arm
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson06 import UPRIGHT
 from dhlab.robots import load
@@ -65,7 +65,7 @@ def test_every_other_answer_to_06_9_is_wrong_and_named():
 
 def outputs(name, text):
     """What the cell of a solution printed that holds a text."""
-    cells = json.loads((build.SOLUTIONS / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
+    cells = json.loads((reading.SOLUTIONS / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
     (cell,) = (
         cell for cell in cells if cell["cell_type"] == "code" and text in "".join(cell["source"])
     )

@@ -13,7 +13,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.lesson09 import AR4, PIPER
 from dhlab.doctor.tables.rows import wrong_tables
@@ -99,7 +99,7 @@ def test_the_sheets_are_the_arms():
 
 
 def test_the_lessons_sheets_are_the_exercises():
-    text = build.sources(["09"])[0].read_text(encoding="utf-8")
+    text = reading.sources(["09"])[0].read_text(encoding="utf-8")
     for point, z in AR4[0][:4]:
         assert str((list(point), list(z)))[1:-1] in text
     assert (
@@ -372,14 +372,14 @@ def test_the_flange_of_a_seven_axis_arm_hides_the_last_rows_angles():
 def test_the_post_test_is_on_arms_no_other_lesson_uses():
     others = "\n".join(
         path.read_text(encoding="utf-8")
-        for path in build.sources()
+        for path in reading.sources()
         if not path.name.startswith("09")
     )
     assert not re.search(r"kr6_r700|iiwa7", others)
 
 
 def test_ur5es_sheet_is_the_makers_arm():
-    text = build.sources(["09"])[0].read_text(encoding="utf-8")
+    text = reading.sources(["09"])[0].read_text(encoding="utf-8")
     cell = re.search(r"^axes = \[.*?\)\]", text, re.DOTALL | re.MULTILINE)[0]
     scope = {"dh": dh, "end": from_xyz_rpy([-0.8172, -0.2329, 0.0628], [np.pi / 2, 0, 0])}
     exec(cell, scope)

@@ -7,11 +7,10 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from dhlab.course.building import contract as lint
-from dhlab.course.building import notebooks as build
+from dhlab.course.building import build, contract, notebooks, reading
 from dhlab.course.exercises import exercises
 
-NAMES = [path.stem for path in build.sources()]
+NAMES = [path.stem for path in reading.sources()]
 
 
 def marks(path, tmp_path):
@@ -36,7 +35,7 @@ def marks(path, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_solution_earns_full_marks(name, tmp_path):
-    earned, _ = marks(build.SOLUTIONS / f"{name}.ipynb", tmp_path)
+    earned, _ = marks(reading.SOLUTIONS / f"{name}.ipynb", tmp_path)
     assert earned and all(
         row["status"] == ("right" if row["of"] else "recorded") and row["points"] == row["of"]
         for row in earned.values()
@@ -45,7 +44,7 @@ def test_every_solution_earns_full_marks(name, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_untouched_lesson_runs_and_earns_nothing(name, tmp_path):
-    earned, notebook = marks(build.LESSONS / f"{name}.ipynb", tmp_path)
+    earned, notebook = marks(reading.LESSONS / f"{name}.ipynb", tmp_path)
     assert earned and all(
         row["status"] == "not attempted" and row["points"] == 0 for row in earned.values()
     ), earned
@@ -60,8 +59,8 @@ def test_every_untouched_lesson_runs_and_earns_nothing(name, tmp_path):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_solution_is_handed_out(name):
-    source = (build.SOLUTIONS / f"{name}.md").read_text(encoding="utf-8")
-    lesson = (build.LESSONS / f"{name}.ipynb").read_text(encoding="utf-8")
+    source = (reading.SOLUTIONS / f"{name}.md").read_text(encoding="utf-8")
+    lesson = (reading.LESSONS / f"{name}.ipynb").read_text(encoding="utf-8")
     regions = re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", source, re.DOTALL)
     assert len(regions) == sum(key.startswith(name[:2]) for key in exercises())
     assert "SOLUTION" not in lesson
@@ -77,9 +76,9 @@ def test_rebuilding_gives_what_is_committed():
 
 
 def test_rebuilding_is_repeatable():
-    path = build.sources()[0]
+    path = reading.sources()[0]
     once, twice = (
-        nbformat.writes(build.lesson_notebook(build.read_source(path))) for _ in range(2)
+        nbformat.writes(notebooks.lesson_notebook(reading.read_source(path))) for _ in range(2)
     )
     assert once == twice
 
@@ -87,11 +86,11 @@ def test_rebuilding_is_repeatable():
 def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
     for folder in ("solutions", "lessons"):
         (tmp_path / folder).mkdir()
-        for path in (build.ROOT / folder).glob("*.*"):
+        for path in (reading.ROOT / folder).glob("*.*"):
             (tmp_path / folder / path.name).write_bytes(path.read_bytes())
-    monkeypatch.setattr(build, "ROOT", tmp_path)
-    monkeypatch.setattr(build, "SOLUTIONS", tmp_path / "solutions")
-    monkeypatch.setattr(build, "LESSONS", tmp_path / "lessons")
+    monkeypatch.setattr(reading, "ROOT", tmp_path)
+    monkeypatch.setattr(reading, "SOLUTIONS", tmp_path / "solutions")
+    monkeypatch.setattr(reading, "LESSONS", tmp_path / "lessons")
     assert build.stale() == []
     source = tmp_path / "solutions" / "01-frames.md"
     source.write_text(
@@ -102,8 +101,8 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
 
 
 def test_the_contract_is_kept():
-    table, failures = lint.report()
-    assert failures == [] and len(table.splitlines()) == 1 + len(lint.CONTRACT) * len(NAMES)
+    table, failures = contract.report()
+    assert failures == [] and len(table.splitlines()) == 1 + len(contract.CONTRACT) * len(NAMES)
 
 
 BREAKS = {
@@ -126,28 +125,27 @@ BREAKS = {
 
 @pytest.mark.parametrize("line", BREAKS)
 def test_the_linter_refuses(line, tmp_path, monkeypatch):
-    for path in build.SOLUTIONS.glob("*.md"):
+    for path in reading.SOLUTIONS.glob("*.md"):
         (tmp_path / path.name).write_bytes(path.read_bytes())
     (tmp_path / "teacher").mkdir()
-    for path in (build.SOLUTIONS / "teacher").glob("*.md"):
+    for path in (reading.SOLUTIONS / "teacher").glob("*.md"):
         (tmp_path / "teacher" / path.name).write_bytes(path.read_bytes())
     source = tmp_path / "01-frames.md"
     text = source.read_text(encoding="utf-8")
     old, new = BREAKS[line]
     assert old in text
     source.write_text(text.replace(old, new), encoding="utf-8")
-    monkeypatch.setattr(build, "SOLUTIONS", tmp_path)
-    monkeypatch.setattr(lint, "SOLUTIONS", tmp_path)
-    monkeypatch.setattr(build, "LESSONS", tmp_path / "lessons")
-    assert any(f"lesson 01, {line}:" in failure for failure in lint.report()[1])
+    monkeypatch.setattr(reading, "SOLUTIONS", tmp_path)
+    monkeypatch.setattr(reading, "LESSONS", tmp_path / "lessons")
+    assert any(f"lesson 01, {line}:" in failure for failure in contract.report()[1])
     with pytest.raises(ValueError, match="nothing was built"):
         build.build()
     assert not (tmp_path / "lessons").exists()
 
 
 def test_nbgrader_knows_every_cell():
-    for path in build.sources():
-        cells = build.read_source(path).cells
+    for path in reading.sources():
+        cells = reading.read_source(path).cells
         ids = [cell.metadata.nbgrader.grade_id for cell in cells if "nbgrader" in cell.metadata]
         assert len(ids) == len(set(ids)) and len({cell.id for cell in cells}) == len(cells)
         points = sum(

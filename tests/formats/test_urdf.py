@@ -434,5 +434,5 @@ def test_deep_and_missing_files(file, tmp_path):
 
 def test_without_the_library(monkeypatch, file):
     monkeypatch.setitem(sys.modules, "yourdfpy", None)
-    with pytest.raises(ValueError, match=r"pip install dhlab\[urdf\]"):
+    with pytest.raises(ValueError, match=r"pip install dhlab-kinematics\[urdf\]"):
         read_urdf(file(robot(*CHAIN)))

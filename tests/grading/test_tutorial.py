@@ -145,7 +145,7 @@ def test_it_is_in_the_report(clone, graded):
 
 
 def test_the_contract_is_asked_of_our_own_lessons():
-    from dhlab.course.building.notebooks import read_source, sources
+    from dhlab.course.building.reading import read_source, sources
 
     assert all(read_source(path).metadata["dhlab"].get("contract", True) for path in sources())
 
@@ -163,7 +163,7 @@ def test_the_program_of_the_page_is_built_and_its_mistakes_have_names(clone, blo
     for name in ("dhlab/course/exercises/lesson11.py", "solutions/11-cup-pose.md"):
         (clone / name).write_text(blocks[name], encoding="utf-8")
     try:
-        run(clone, "python -m dhlab.course.building.notebooks 11")
+        run(clone, "python -m dhlab.course.building.build 11")
         told = run(clone, f"python -c {shlex.quote(PROGRAM)}")
         assert blocks["said"] in told and told.splitlines()[3:] == [
             "wrong True",

@@ -1,7 +1,9 @@
 """The lesson contract, counted: every line of it for every lesson; a broken line stops the build.
 
-python -m dhlab.course.building.contract          # every lesson
-python -m dhlab.course.building.contract 04       # one
+Run it as a module::
+
+    python -m dhlab.course.building.contract          # every lesson
+    python -m dhlab.course.building.contract 04       # one
 """
 
 import argparse
@@ -16,8 +18,10 @@ from ...printing import grid_text
 from ..exercises import exercises
 from ..kinds import CASES, Choice, Function, Order, Prediction, PreTest, Table
 from ..kinds.placed import MISTAKES, Frames
+from . import reading
 from .faults import plain_python, refuse_sources
-from .notebooks import SOLUTIONS, lesson_notebook, read_source, sources
+from .notebooks import lesson_notebook
+from .reading import read_source, sources
 
 __all__ = ["Lesson", "report", "CONTRACT", "WAIVED"]
 
@@ -163,7 +167,7 @@ def _prose(lesson):
 
 
 def _terms(lesson):
-    glossary = (SOLUTIONS / "glossary.md").read_text(encoding="utf-8")
+    glossary = (reading.SOLUTIONS / "glossary.md").read_text(encoding="utf-8")
     terms = lesson.about.get("terms", [])
     missing = [
         term
@@ -351,7 +355,7 @@ def _close(lesson):
 
 
 def _teacher(lesson):
-    path = SOLUTIONS / "teacher" / lesson.path.name
+    path = reading.SOLUTIONS / "teacher" / lesson.path.name
     if not path.exists():
         return False, "none"
     text = path.read_text(encoding="utf-8")

@@ -13,7 +13,7 @@ from ...doctor.programs.explain import WRONG_VERSIONS
 from ..exercises import exercises
 from ..kinds import Function, Order, Prediction, PreTest, Value
 from ..verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT
-from .notebooks import lines_of, read_source
+from .reading import lines_of, read_source
 
 __all__ = ["refuse_sources", "refuse_runs", "plain_python"]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import nbformat
 
-from ...course.building.notebooks import read_source, sources
+from ...course.building.reading import read_source, sources
 from ...formats.files import write_text
 from ..handing_out.release import make_folder
 from ..judging.questions import scored

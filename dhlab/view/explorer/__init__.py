@@ -5,8 +5,7 @@ The JavaScript in ``js/`` computes poses itself; ``explorer.js`` beside this fil
 ``cd js && npm ci && npm run build``.
 """
 
-from .explore import explore
-from .page import arm_bundle
+from .explore import arm_bundle, explore
 from .stored import without_widgets
 from .widget import Explorer
 

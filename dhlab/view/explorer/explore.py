@@ -11,7 +11,7 @@ from . import stills
 from .content import arm_data, pose_data
 from .widget import Explorer
 
-__all__ = ["explore"]
+__all__ = ["arm_bundle", "explore"]
 
 
 def explore(arm, mode="arm", **needs):
@@ -249,3 +249,16 @@ MODES = {
     "compare": _compare,
     "place": _place,
 }
+
+
+def arm_bundle(arm):
+    """How an arm shows itself: the explorer with the arm's table as what is seen without it; the
+    table alone where no notebook asks.
+    """
+    from IPython import get_ipython
+
+    if getattr(get_ipython(), "kernel", None) is None:
+        return {"text/html": arm._repr_html_(), "text/plain": repr(arm)}
+    return explore(arm)._repr_mimebundle_(
+        still={"text/html": arm._repr_html_(), "text/plain": repr(arm)}
+    )

@@ -4,7 +4,7 @@ or a table.
 
 import json
 
-__all__ = ["arm_bundle", "wrapped"]
+__all__ = ["wrapped"]
 
 
 def wrapped(fallback, data, state):
@@ -17,19 +17,4 @@ def wrapped(fallback, data, state):
     return (
         f'<div class="dhlab-explorer">{fallback}<script'
         f' type="application/json">{numbers}</script></div>'
-    )
-
-
-def arm_bundle(arm):
-    """How an arm shows itself: the explorer with the arm's table as what is seen without it; the
-    table alone where no notebook asks.
-    """
-    from IPython import get_ipython
-
-    from .explore import explore
-
-    if getattr(get_ipython(), "kernel", None) is None:
-        return {"text/html": arm._repr_html_(), "text/plain": repr(arm)}
-    return explore(arm)._repr_mimebundle_(
-        still={"text/html": arm._repr_html_(), "text/plain": repr(arm)}
     )

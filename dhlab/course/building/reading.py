@@ -1,0 +1,119 @@
+"""The lessons' sources, ``solutions/NN-name.md``, as notebooks: cell ids from lesson and position."""
+
+import re
+from pathlib import Path
+
+import nbformat
+
+from ..exercises import exercises
+
+__all__ = ["LESSONS", "ROOT", "SOLUTIONS", "lines_of", "read_source", "sources"]
+
+ROOT = Path(__file__).parents[3]
+SOLUTIONS, LESSONS = ROOT / "solutions", ROOT / "lessons"
+KERNEL = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+def sources(only=()):
+    """The lessons' sources, in order: all of them, or those named by number.
+
+    Raises
+    ------
+    ValueError
+        A number without a lesson.
+    """
+    found = sorted(SOLUTIONS.glob("[0-9][0-9]-*.md")) if SOLUTIONS.is_dir() else []
+    numbers = [path.name[:2] for path in found]
+    for number in only:
+        if number not in numbers:
+            raise ValueError(
+                f"expected the number of a lesson ({', '.join(numbers)}), found {number!r}; write"
+                " it with two digits, such as 05"
+            )
+    return [path for path in found if not only or path.name[:2] in only]
+
+
+def read_source(path):
+    """A lesson's source as a notebook: cell ids from lesson and position, nbgrader's metadata on
+    exercises and checks.
+
+    Raises
+    ------
+    ValueError
+        The head, or what stands between a cell's first line and its code, cannot be read.
+    """
+    notebook = _parsed(path)
+    lesson, about = path.name[:2], notebook.metadata.get("dhlab", {})
+    if not isinstance(about, dict):
+        raise ValueError(
+            f"{_name(path)}: expected dhlab: in the head with lines such as minutes: 15 under it,"
+            f" found {about!r}; indent them by two spaces"
+        )
+    notebook.metadata = nbformat.from_dict({**KERNEL, "dhlab": {"lesson": lesson, **about}})
+    notebook.nbformat, notebook.nbformat_minor = 4, 5
+    for position, cell in enumerate(notebook.cells):
+        cell["id"] = f"{lesson}-{position:03d}"
+        if cell.cell_type == "code":
+            cell.execution_count, cell.outputs = None, []
+            _add_grading(cell)
+    return notebook
+
+
+def _parsed(path):
+    import jupytext
+    from jupytext.myst import MystMetadataParsingError
+    from yaml import YAMLError
+
+    try:
+        return jupytext.reads(path.read_text(encoding="utf-8"), fmt="md:myst")
+    except (YAMLError, MystMetadataParsingError) as error:
+        mark = getattr(error, "problem_mark", None)
+        found = getattr(error, "problem", None) or " ".join(str(error).split())
+        raise ValueError(
+            f"{_name(path)}{f', line {mark.line + 1}' if mark else ''}: expected YAML in the head"
+            f" and in the lines that begin with a colon, found: {found}; look there and in the line"
+            " above for a bracket, a quote or an indent"
+        ) from None
+
+
+def _name(path):
+    return f"{path.parent.name}/{path.name}"
+
+
+def lines_of(path, notebook):
+    """Where each cell's text begins in its source: {cell id: line number}."""
+    text, lines, at = path.read_text(encoding="utf-8"), {}, 0
+    for cell in notebook.cells:
+        found = text.find("\n" + cell.source, at)
+        at = found + 1 if found >= 0 else at
+        lines[cell.id] = text.count("\n", 0, at) + 1
+        at += len(cell.source) if found >= 0 else 0
+    return lines
+
+
+def _add_grading(cell):
+    """nbgrader's metadata: an exercise's stub is a solution cell, its check a graded one."""
+    number = cell.metadata.get("exercise")
+    checked = re.match(r'check\("([^"]+)"', cell.source)
+    if number is not None:
+        cell.metadata["nbgrader"] = {
+            "grade": False,
+            "grade_id": f"stub-{number}",
+            "locked": False,
+            "schema_version": 3,
+            "solution": True,
+            "task": False,
+        }
+    elif checked and checked[1] in exercises():
+        cell.metadata["nbgrader"] = {
+            "grade": True,
+            "grade_id": f"check-{checked[1]}",
+            "locked": True,
+            "points": exercises()[checked[1]].points,
+            "schema_version": 3,
+            "solution": False,
+            "task": False,
+        }
