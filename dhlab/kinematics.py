@@ -6,11 +6,14 @@ These functions take plain arrays that have been checked before (by ``Arm``); th
 """
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["link_matrices", "frames", "jacobian"]
 
 
-def link_matrices(convention, theta, d, a, alpha):
+def link_matrices(
+    convention: str, theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike
+) -> NDArray[np.float64]:
     """Every ``A_i`` of a table whose joint variables have been filled in.
 
     Parameters
@@ -47,7 +50,7 @@ def link_matrices(convention, theta, d, a, alpha):
     return A
 
 
-def frames(base, A):
+def frames(base: ArrayLike, A: NDArray[np.float64]) -> NDArray[np.float64]:
     """Every frame of the chain, the base first.
 
     Parameters
@@ -74,7 +77,13 @@ def frames(base, A):
     return chain
 
 
-def jacobian(convention, chain, end, prismatic, sign):
+def jacobian(
+    convention: str,
+    chain: NDArray[np.float64],
+    end: NDArray[np.float64],
+    prismatic: NDArray[np.bool_],
+    sign: NDArray[np.float64],
+) -> NDArray[np.float64]:
     """Geometric Jacobian at the end point, in the frame that ``chain`` is written in (Siciliano et
     al., Robotics, eq. 3.30).
 

@@ -1,8 +1,19 @@
 """Tables and poses as a person would write them: degrees and metres, named; plain text and HTML."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
 from html import escape
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .transform import to_xyz_rpy
+
+if TYPE_CHECKING:
+    from .arm import Arm
+    from .table import DHTable
 
 __all__ = [
     "table_text",
@@ -26,7 +37,7 @@ HTML_HEADINGS = {
 TITLES = {"standard": "standard DH", "craig": "Craig DH"}
 
 
-def number(value, digits=6):
+def number(value: float, digits: int = 6) -> str:
     """A number with at most ``digits`` decimals and no trailing zeros.
 
     Examples
@@ -63,7 +74,7 @@ def _title(table):
     return f"{TITLES[table.convention]}, {joints} (lengths in m, angles in deg)"
 
 
-def grid_text(headings, rows):
+def grid_text(headings: Sequence[object], rows: Iterable[Sequence[object]]) -> str:
     """Columns lined up, as in a printed table.
 
     Examples
@@ -80,7 +91,7 @@ def grid_text(headings, rows):
     )
 
 
-def grid_html(headings, rows, caption):
+def grid_html(headings: Iterable[str], rows: Iterable[Iterable[object]], caption: str) -> str:
     """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped."""
     head = "".join(f'<th scope="col">{heading}</th>' for heading in headings)
     body = "".join(
@@ -92,13 +103,15 @@ def grid_html(headings, rows, caption):
     )
 
 
-def table_text(table, sign=None):
+def table_text(table: DHTable, sign: NDArray[np.float64] | None = None) -> str:
     """A table as plain text, a line per joint; ``sign`` (n,) as in ``Arm``."""
     rows = [[str(i), *cells] for i, cells in enumerate(_cells(table, sign), 1)]
     return _title(table) + "\n" + grid_text(["i", *HEADINGS[table.convention]], rows)
 
 
-def table_html(table, sign=None, caption=None):
+def table_html(
+    table: DHTable, sign: NDArray[np.float64] | None = None, caption: str | None = None
+) -> str:
     """A table as HTML for a notebook."""
     rows = [
         [str(i), *(cell.replace("-", "−") for cell in cells)]
@@ -108,7 +121,7 @@ def table_html(table, sign=None, caption=None):
     return grid_html(head, rows, caption or _title(table))
 
 
-def arm_text(arm):
+def arm_text(arm: Arm) -> str:
     """An arm as plain text: name, table, base and tool when they are not the identity, limits."""
     lines = [arm.name] if arm.name else []
     lines.append(table_text(arm.table, arm.sign))
@@ -116,7 +129,7 @@ def arm_text(arm):
     return "\n".join(lines)
 
 
-def arm_html(arm):
+def arm_html(arm: Arm) -> str:
     """An arm as HTML for a notebook."""
     caption = f"{arm.name}: {_title(arm.table)}" if arm.name else None
     extras = "".join(f"<p>{escape(line)}</p>" for line in _extras(arm))
@@ -124,8 +137,6 @@ def arm_html(arm):
 
 
 def _extras(arm):
-    from .transform import to_xyz_rpy
-
     for name in ("base", "tool"):
         pose = getattr(arm, name)
         if not np.array_equal(pose, np.eye(4)):
@@ -149,7 +160,7 @@ def _limit_text(pair, letter):
     return f"{number(pair[0] * scale, 3)} to {number(pair[1] * scale, 3)} {unit}"
 
 
-def matrix_text(T, digits=6):
+def matrix_text(T: ArrayLike, digits: int = 6) -> str:
     """A matrix in aligned columns; what rounds to nothing is written 0.
 
     Examples

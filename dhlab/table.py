@@ -2,9 +2,13 @@
 types.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import units
 
@@ -49,13 +53,25 @@ class DHTable:
     """
 
     convention: str
-    theta: np.ndarray
-    d: np.ndarray
-    a: np.ndarray
-    alpha: np.ndarray
+    theta: NDArray[np.float64]
+    d: NDArray[np.float64]
+    a: NDArray[np.float64]
+    alpha: NDArray[np.float64]
     joints: str
 
-    def __post_init__(self):
+    if TYPE_CHECKING:  # what may be given; the fields above are what it becomes
+
+        def __init__(
+            self,
+            convention: str,
+            theta: ArrayLike,
+            d: ArrayLike,
+            a: ArrayLike,
+            alpha: ArrayLike,
+            joints: str | Sequence[str] | None,
+        ) -> None: ...
+
+    def __post_init__(self) -> None:
         if self.convention not in CONVENTIONS:
             raise ValueError(
                 'DHTable: expected the convention "standard" or "craig", found'
@@ -77,7 +93,14 @@ class DHTable:
         object.__setattr__(self, "joints", _joint_letters(self.joints, len(columns[0]), "DHTable"))
 
     @classmethod
-    def standard(cls, rows, *, angle=None, length="m", joints=None):
+    def standard(
+        cls,
+        rows: ArrayLike,
+        *,
+        angle: str | None = None,
+        length: str = "m",
+        joints: str | Sequence[str] | None = None,
+    ) -> Self:
         """A table in the standard convention.
 
         Parameters
@@ -110,7 +133,14 @@ class DHTable:
         return cls._from_rows("standard", rows, angle, length, joints)
 
     @classmethod
-    def craig(cls, rows, *, angle=None, length="m", joints=None):
+    def craig(
+        cls,
+        rows: ArrayLike,
+        *,
+        angle: str | None = None,
+        length: str = "m",
+        joints: str | Sequence[str] | None = None,
+    ) -> Self:
         """A table in Craig's (modified) convention; row i holds theta_i, d_i, a_{i-1}, alpha_{i-1}.
         Parameters as :meth:`standard`.
 
@@ -125,7 +155,14 @@ class DHTable:
         return cls._from_rows("craig", rows, angle, length, joints)
 
     @classmethod
-    def _from_rows(cls, convention, rows, angle, length, joints):
+    def _from_rows(
+        cls,
+        convention: str,
+        rows: ArrayLike,
+        angle: str | None,
+        length: str,
+        joints: str | Sequence[str] | None,
+    ) -> Self:
         where = f"DHTable.{convention}"
         to_rad, to_m = (
             units.scale_of(angle, "angle", where),
@@ -145,7 +182,7 @@ class DHTable:
         )
 
     @classmethod
-    def load(cls, path):
+    def load(cls, path: str | Path) -> "DHTable":
         """The table in a YAML or CSV file (formats in :mod:`dhlab.formats.tablefile`); a file that
         also says base, tool, limits or signs describes an arm and is refused, since a table cannot
         hold them: use ``dhlab.load``.
@@ -154,7 +191,14 @@ class DHTable:
 
         return read_table(path)
 
-    def save(self, path, *, angle=None, length="m", overwrite=False):
+    def save(
+        self,
+        path: str | Path,
+        *,
+        angle: str | None = None,
+        length: str = "m",
+        overwrite: bool = False,
+    ) -> None:
         """Write the table as ``.yaml`` or ``.csv``; :meth:`load` gives every number back.
 
         Parameters
@@ -172,19 +216,19 @@ class DHTable:
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
     @property
-    def rows(self):
+    def rows(self) -> NDArray[np.float64]:
         """(n, 4) array of theta, d, a, alpha; radians and metres."""
         return np.column_stack([self.theta, self.d, self.a, self.alpha])
 
     @property
-    def prismatic(self):
+    def prismatic(self) -> NDArray[np.bool_]:
         """(n,) booleans: which joints slide."""
         return np.array([letter == "P" for letter in self.joints], dtype=bool)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.joints)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         """Entry by entry; whether two tables describe one arm is another question, answered by
         ``dhlab.equivalent``.
         """
@@ -195,29 +239,29 @@ class DHTable:
             other.joints,
         ) and np.array_equal(self.rows, other.rows)
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash((self.convention, self.joints, self.rows.tobytes()))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return DHTable, (self.convention, self.theta, self.d, self.a, self.alpha, self.joints)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (
             f'DHTable.{self.convention}({self.rows.tolist()}, angle="rad", joints="{self.joints}")'
         )
 
-    def __str__(self):
+    def __str__(self) -> str:
         from .printing import table_text
 
         return table_text(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         from .printing import table_html
 
         return table_html(self)
 
 
-def _as_rows(rows, where):
+def _as_rows(rows: Any, where: str) -> NDArray[np.float64]:
     """(n, 4) floats from whatever was given, or a sentence that names the row and the column."""
     if isinstance(rows, (str, bytes, dict)) or not np.iterable(rows):
         raise ValueError(
@@ -252,7 +296,7 @@ def _as_rows(rows, where):
     return numbers
 
 
-def _as_number(value, where):
+def _as_number(value: object, where: str) -> float:
     array = np.asarray(value)
     if array.shape != () or array.dtype.kind not in "iuf":
         raise ValueError(f"{where}: expected a number, found {value!r}; write it as a plain number")
@@ -286,7 +330,7 @@ def _joint_letters(joints, n, where):
     return "".join(letters)
 
 
-def joint_letter(word, where):
+def joint_letter(word: object, where: str) -> str:
     """ "R" or "P" for the word a file uses, revolute or prismatic."""
     if not isinstance(word, str) or word not in JOINT_WORDS:
         raise ValueError(f"{where}: expected revolute or prismatic, found {word!r}")

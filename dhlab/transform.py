@@ -6,6 +6,7 @@ its last column b's origin. Every function takes numbers or arrays of any leadin
 """
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "rot_x",
@@ -24,7 +25,7 @@ __all__ = [
 RIGID_TOLERANCE = 1e-6  # a pose typed with seven digits passes, one with four does not
 
 
-def rot_x(angle):
+def rot_x(angle: ArrayLike) -> NDArray[np.float64]:
     """Turn about x.
 
     Parameters
@@ -44,7 +45,7 @@ def rot_x(angle):
     return _rotation(angle, 1, 2)
 
 
-def rot_y(angle):
+def rot_y(angle: ArrayLike) -> NDArray[np.float64]:
     """Turn about y; arguments and result as :func:`rot_x`.
 
     Examples
@@ -55,7 +56,7 @@ def rot_y(angle):
     return _rotation(angle, 2, 0)
 
 
-def rot_z(angle):
+def rot_z(angle: ArrayLike) -> NDArray[np.float64]:
     """Turn about z; arguments and result as :func:`rot_x`.
 
     Examples
@@ -66,7 +67,7 @@ def rot_z(angle):
     return _rotation(angle, 0, 1)
 
 
-def _rotation(angle, j, k):
+def _rotation(angle: ArrayLike, j: int, k: int) -> NDArray[np.float64]:
     """The turn that carries axis j towards axis k."""
     angle = np.asarray(angle, dtype=float)
     c, s = np.cos(angle), np.sin(angle)
@@ -76,7 +77,7 @@ def _rotation(angle, j, k):
     return T
 
 
-def trans(xyz):
+def trans(xyz: ArrayLike) -> NDArray[np.float64]:
     """Shift by a vector.
 
     Parameters
@@ -104,7 +105,7 @@ def trans(xyz):
     return T
 
 
-def trans_x(length):
+def trans_x(length: ArrayLike) -> NDArray[np.float64]:
     """Shift along x by ``length`` (...), metres; returns (..., 4, 4).
 
     Examples
@@ -115,7 +116,7 @@ def trans_x(length):
     return _shift(length, 0)
 
 
-def trans_z(length):
+def trans_z(length: ArrayLike) -> NDArray[np.float64]:
     """Shift along z by ``length`` (...), metres; returns (..., 4, 4).
 
     Examples
@@ -126,20 +127,20 @@ def trans_z(length):
     return _shift(length, 2)
 
 
-def _shift(length, axis):
+def _shift(length: ArrayLike, axis: int) -> NDArray[np.float64]:
     length = np.asarray(length, dtype=float)
     T = _identity(length.shape)
     T[..., axis, 3] = length
     return T
 
 
-def _identity(shape):
+def _identity(shape: tuple[int, ...]) -> NDArray[np.float64]:
     T = np.zeros((*shape, 4, 4))
     T[..., range(4), range(4)] = 1.0
     return T
 
 
-def inverse(T_ab):
+def inverse(T_ab: ArrayLike) -> NDArray[np.float64]:
     """The pose of a in b from the pose of b in a: the rotation transposed, the shift turned back
     and reversed.
 
@@ -167,7 +168,7 @@ def inverse(T_ab):
     return T_ba
 
 
-def from_xyz_rpy(xyz, rpy):
+def from_xyz_rpy(xyz: ArrayLike, rpy: ArrayLike) -> NDArray[np.float64]:
     """Pose from a shift and roll, pitch, yaw about fixed x, y, z, in this order (as URDF has it).
 
     Parameters
@@ -191,7 +192,7 @@ def from_xyz_rpy(xyz, rpy):
     return trans(xyz) @ rot_z(yaw) @ rot_y(pitch) @ rot_x(roll)
 
 
-def to_xyz_rpy(T):
+def to_xyz_rpy(T: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Shift and roll, pitch, yaw (fixed axes) of a pose; at pitch ±90°, where only yaw ∓ roll is
     known, yaw is set to 0.
 
@@ -222,7 +223,7 @@ def to_xyz_rpy(T):
     return T[:3, 3].copy(), np.array([roll, pitch, yaw])
 
 
-def pose_fault(T, tolerance=RIGID_TOLERANCE):
+def pose_fault(T: ArrayLike, tolerance: float = RIGID_TOLERANCE) -> str | None:
     """What keeps a matrix from being a pose, in words; ``None`` when nothing does.
 
     Parameters
@@ -264,7 +265,7 @@ def pose_fault(T, tolerance=RIGID_TOLERANCE):
     return None
 
 
-def require_pose(T, name):
+def require_pose(T: ArrayLike, name: str) -> NDArray[np.float64]:
     """``T`` as a float array when it is one pose (4, 4); otherwise a ValueError that says what is
     wrong with ``name``.
 

@@ -2,7 +2,18 @@
 radians and metres.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from .table import DHTable
+
+Number = TypeVar("Number", float, NDArray[np.float64])
 
 __all__ = ["ANGLE", "LENGTH", "scale_of", "convert", "shortest", "written", "written_rows"]
 
@@ -10,7 +21,7 @@ ANGLE = {"rad": 1.0, "deg": np.pi / 180}
 LENGTH = {"m": 1.0, "mm": 1e-3}
 
 
-def scale_of(unit, kind, where):
+def scale_of(unit: str | None, kind: str, where: str) -> float:
     """How many radians (or metres) one ``unit`` is.
 
     Parameters
@@ -42,14 +53,14 @@ def scale_of(unit, kind, where):
     return known[unit]
 
 
-def convert(value, scale):
+def convert(value: Number, scale: float) -> Number:
     """``value · scale``; lengths in mm are divided, since 162.5 / 1000 is the float 0.1625 and
     162.5 · 0.001 need not be.
     """
     return value / 1000 if scale == 1e-3 else value * scale
 
 
-def shortest(value, scale):
+def shortest(value: float, scale: float) -> str | None:
     """The shortest decimal in the human unit that reads back as exactly ``value``; ``None`` when
     there is none.
 
@@ -78,7 +89,7 @@ def _plain(text):
     return text
 
 
-def written(value, unit):
+def written(value: float, unit: str) -> str:
     """A number in a file's unit that reads back as ``value``, or as the nearest there is (within
     1e-15 of it).
 
@@ -91,7 +102,7 @@ def written(value, unit):
     return shortest(value, scale) or repr(float(value) / scale)
 
 
-def written_rows(table, angle, length):
+def written_rows(table: DHTable, angle: str, length: str) -> Iterator[list[str]]:
     """The four texts of every row of a table, in a file's units."""
     for row in table.rows:
         yield [written(value, unit) for value, unit in zip(row, (angle, length, length, angle))]

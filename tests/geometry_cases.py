@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.geometry import freedoms
+from dhlab.geometry import freedoms, prismatic
 from dhlab.transform import from_xyz_rpy, inverse, trans
 
 CHAINS = sorted((Path(__file__).parent / "data" / "chains").glob("*.json"))
@@ -212,7 +212,7 @@ def moves(arm, rng):
             ("twist", lambda i=i: freedoms.twist(arm, i, phi))
         ] * 2
     found += [
-        ("prismatic-shift", lambda k=k: freedoms.shift_prismatic(arm, k + 1, h))
+        ("prismatic-shift", lambda k=k: prismatic.shift_prismatic(arm, k + 1, h))
         for k in np.flatnonzero(arm.table.prismatic)
     ] * 3
     return found

@@ -10,7 +10,9 @@ origin, which line for a sliding joint) is not in them.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..transform import inverse
 from .lines import across, common_normal, nearest_on
 
@@ -28,15 +30,15 @@ class JointAxes:
     how far the turning axes pass from the end; ``largest`` (m) the largest number that went in.
     """
 
-    p: np.ndarray
-    z: np.ndarray
-    end: np.ndarray
+    p: NDArray[np.float64]
+    z: NDArray[np.float64]
+    end: NDArray[np.float64]
     letters: str
     reach: float
     largest: float
 
 
-def joint_axes(arm):
+def joint_axes(arm: Arm) -> JointAxes:
     """The canonical form of an arm.
 
     Parameters
@@ -67,7 +69,7 @@ def joint_axes(arm):
     )
 
 
-def moved(X, axes):
+def moved(X: NDArray[np.float64], axes: JointAxes) -> JointAxes:
     """The same axes and end after the rigid move ``X`` (4, 4)."""
     R = X[:3, :3]
     return JointAxes(
@@ -75,7 +77,7 @@ def moved(X, axes):
     )
 
 
-def gaps(a, b):
+def gaps(a: JointAxes, b: JointAxes) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """How far the axes of b are from those of a, joint by joint.
 
     Parameters
@@ -98,7 +100,7 @@ def gaps(a, b):
     return angles, distances
 
 
-def align(a, b, count=None):
+def align(a: JointAxes, b: JointAxes, count: int | None = None) -> NDArray[np.float64]:
     """The rigid move that lays the axes of b on those of a, if any does.
 
     A frame is built from the axes alone, on a and in the same way on b. Where the axes leave some

@@ -11,7 +11,7 @@ from ..transform import rot_x, trans_x
 __all__ = ["to_convention", "as_arm"]
 
 
-def to_convention(arm, convention):
+def to_convention(arm: Arm | DHTable, convention: str) -> Arm:
     """The same arm in another convention: the same pose for every q, joint variables, signs,
     limits, name and source unchanged.
 
@@ -74,7 +74,7 @@ def to_convention(arm, convention):
     )
 
 
-def as_arm(given, where):
+def as_arm(given: object, where: str) -> Arm:
     """``given`` when it is an Arm, the plain arm of a DHTable; a sentence otherwise.
 
     Examples

@@ -3,24 +3,25 @@ procedure itself.
 """
 
 import warnings as _warnings
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..arm import Arm
 from ..printing import number
 from ..table import CONVENTIONS, DHTable
 from ..transform import inverse, require_pose
-from .normals import NEARLY, Axis, Choices, place
+from .inputs import axes_from, choices_from, signs_from
+from .normals import NEARLY, place
 from .steps import describe
 
 __all__ = ["assign_frames", "PlacedArm", "NearlyParallelWarning"]
 
-RUNAWAY = (
-    10.0  # × the size of the arm; a d beyond it is a run-away common normal, no length of the arm
-)
-PLACES = ("auto", "previous", "next", "given")
-AXIS_FORM = '(point, direction) or (point, direction, "R" or "P")'
+# × the size of the arm; a d beyond it is a run-away common normal, no length of the arm
+RUNAWAY = 10.0
 
 
 class NearlyParallelWarning(UserWarning):
@@ -35,10 +36,10 @@ class PlacedArm(Arm):
     and ``warnings``, tuples of sentences.
     """
 
-    steps: tuple = ()
-    warnings: tuple = ()
+    steps: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return PlacedArm, (
             self.table,
             self.base,
@@ -53,20 +54,20 @@ class PlacedArm(Arm):
 
 
 def assign_frames(
-    axes,
+    axes: Iterable[Sequence[Any]],
     *,
-    end,
-    convention="standard",
-    x_signs=None,
-    z_signs=None,
-    slides=None,
-    x_along=None,
-    prismatic="auto",
-    parallel=None,
-    limits=None,
-    name="",
-    source="",
-):
+    end: ArrayLike,
+    convention: str = "standard",
+    x_signs: Mapping[int, int] | None = None,
+    z_signs: Mapping[int, int] | None = None,
+    slides: Mapping[int, float] | None = None,
+    x_along: Mapping[int, ArrayLike] | None = None,
+    prismatic: str = "auto",
+    parallel: float | None = None,
+    limits: Sequence[tuple[float, float] | None] | None = None,
+    name: str = "",
+    source: str = "",
+) -> PlacedArm:
     """Frames and DH table of an arm whose joint axes are known, in the base frame, at the zero
     pose.
 
@@ -143,18 +144,11 @@ def assign_frames(
             ' "modified" is "craig" here'
         )
     end = require_pose(end, "assign_frames: end")
-    lines = _axes(axes)
+    lines = axes_from(axes)
     n, sign = len(lines), np.ones(len(lines))
-    for k, s in _signs(z_signs, "z_signs", 1, n).items():
+    for k, s in signs_from(z_signs, "z_signs", 1, n).items():
         lines[k - 1].z, sign[k - 1] = s * lines[k - 1].z, s
-    choices = Choices(
-        _signs(x_signs, "x_signs", 0, n),
-        _lengths(slides, n),
-        _directions(x_along, n),
-        _place(prismatic),
-        _angle(parallel),
-        convention == "standard",
-    )
+    choices = choices_from(n, x_signs, slides, x_along, prismatic, parallel, convention)
     found = place(lines, end, choices)
     _refuse_unused(choices, found.cases)
     table = _table(found, convention, [axis.letter for axis in lines])
@@ -227,135 +221,6 @@ def _just_above(angle):
     """The next larger number of one digit."""
     step = 10.0 ** np.floor(np.log10(angle))
     return f"{np.ceil(angle / step) * step:.1g}"
-
-
-def _axes(axes):
-    if isinstance(axes, (str, bytes, dict)) or not np.iterable(axes):
-        raise ValueError(
-            f"assign_frames: expected a list of joint axes, {AXIS_FORM} each, found"
-            f" {type(axes).__name__}; give one entry per joint"
-        )
-    lines = [_axis(entry, k) for k, entry in enumerate(axes, 1)]
-    if not lines:
-        raise ValueError(
-            "assign_frames: expected at least one joint axis, found an empty list; give"
-            f" {AXIS_FORM} per joint"
-        )
-    return lines
-
-
-def _axis(entry, k):
-    where = f"assign_frames: joint {k}"
-    entry = list(entry) if np.iterable(entry) and not isinstance(entry, (str, bytes, dict)) else []
-    if len(entry) not in (2, 3):
-        raise ValueError(
-            f"{where}: expected {AXIS_FORM}, found {len(entry)} entries; put point and direction in"
-            " brackets of their own"
-        )
-    letter = entry[2] if len(entry) == 3 else "R"
-    if not isinstance(letter, str) or letter not in ("R", "P"):
-        raise ValueError(
-            f'{where}: expected "R" (revolute) or "P" (prismatic), found {letter!r}; leave it out'
-            " for a revolute joint"
-        )
-    return Axis(
-        _vector(entry[0], f"{where}: point"), _direction(entry[1], f"{where}: direction"), letter
-    )
-
-
-def _vector(given, where):
-    try:
-        v = np.array(given)
-    except ValueError:  # ragged
-        v = np.array(None)
-    if v.shape != (3,) or v.dtype.kind not in "iuf" or not np.isfinite(v).all():
-        raise ValueError(
-            f"{where}: expected three finite numbers (x, y, z) in the base frame, found {given!r};"
-            " check where they were measured"
-        )
-    return v.astype(float)
-
-
-def _direction(given, where):
-    v = _vector(given, where)
-    largest = np.abs(v).max()
-    if largest == 0:
-        raise ValueError(
-            f"{where}: expected a vector with a length, found 0 0 0; give the direction of positive"
-            " motion, such as [0, 0, 1]"
-        )
-    v = v / largest  # so that very short and very long vectors keep their digits
-    return v / np.linalg.norm(v)
-
-
-def _entries(given, what, low, high):
-    """The (number, value) pairs of a keyword that takes a dict."""
-    given = {} if given is None else given
-    if not isinstance(given, dict):
-        raise ValueError(
-            f"assign_frames: {what}: expected a dict from number to value, found"
-            f" {type(given).__name__}; write it as {{2: value}}"
-        )
-    for i in given:
-        if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not low <= i <= high:
-            raise ValueError(
-                f"assign_frames: {what}: expected numbers from {low} to {high}, found {i!r}; "
-                f"{'joints count from 1' if low else 'frames count from 0'}"
-            )
-    return given
-
-
-def _signs(given, what, low, high):
-    entries = _entries(given, what, low, high)
-    for i, s in entries.items():
-        if not np.isscalar(s) or s not in (1, -1):
-            raise ValueError(
-                f"assign_frames: {what}: expected 1 or -1 for {i}, found {s!r}; -1 turns the axis"
-                " round"
-            )
-    return entries
-
-
-def _lengths(given, n):
-    return {
-        i: _number(h, f"slides: frame {i}: expected a length in m")
-        for i, h in _entries(given, "slides", 0, n).items()
-    }
-
-
-def _directions(given, n):
-    return {
-        i: _direction(v, f"assign_frames: x_along: frame {i}")
-        for i, v in _entries(given, "x_along", 0, n).items()
-    }
-
-
-def _angle(given):
-    if given is None:
-        return None
-    angle = _number(given, "parallel: expected an angle in rad")
-    if not 0 <= angle < np.pi / 4:
-        raise ValueError(
-            f"assign_frames: parallel: expected an angle from 0 to π/4 rad, found {given!r}; give"
-            " radians, such as 1e-6"
-        )
-    return angle
-
-
-def _number(given, where):
-    array = np.asarray(given)
-    if array.shape != () or array.dtype.kind not in "iuf" or not np.isfinite(array):
-        raise ValueError(f"assign_frames: {where}, found {given!r}; give one finite number")
-    return float(array)
-
-
-def _place(given):
-    if given not in PLACES:
-        raise ValueError(
-            'assign_frames: prismatic: expected "auto", "previous", "next" or "given", found'
-            f" {given!r}; it says where sliding axes go"
-        )
-    return given
 
 
 def _refuse_unused(choices, cases):

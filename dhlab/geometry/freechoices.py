@@ -2,10 +2,13 @@
 move of :mod:`dhlab.geometry.freedoms`.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..printing import number
 from ..transform import inverse
 from .lines import across
@@ -29,11 +32,11 @@ class FreeChoice:
 
     kind: str
     joint: int | None
-    amount: float | tuple | None
+    amount: float | tuple[float, float] | None
     message: str
 
 
-def free_choices(a, b, X):
+def free_choices(a: Arm, b: Arm, X: NDArray[np.float64]) -> tuple[FreeChoice, ...]:
     """The choices that lead from a's table to b's.
 
     Parameters
@@ -68,13 +71,13 @@ def _prismatic_shifts(a, F_a, F_b, same):
     first = 0 if a.table.convention == "standard" else 1
     for k in np.flatnonzero(a.table.prismatic):
         A, B = F_a[k + first], F_b[k + first]
-        h = np.linalg.norm(across(B[:3, 3] - A[:3, 3], A[:3, 2]))
+        h = float(np.linalg.norm(across(B[:3, 3] - A[:3, 3], A[:3, 2])))
         if h > same:
             text = (
                 f"the line of sliding joint {k + 1} moved by {number(h)} m (only its direction"
                 " counts)"
             )
-            yield FreeChoice("prismatic-shift", int(k) + 1, float(h), text)
+            yield FreeChoice("prismatic-shift", int(k) + 1, h, text)
 
 
 def _at_frame(a, i, G, same):
@@ -88,9 +91,8 @@ def _at_frame(a, i, G, same):
         phi = 0.0
     if i in (0, n):
         rest = G @ _undo(flips)
-        loose = (
-            i == n
-        ) == standard  # this frame's z lies on no joint, so a turned z alone is no flip
+        # this frame's z lies on no joint, so a turned z alone is no flip
+        loose = (i == n) == standard
         ends = _at_end(i, n, rest, same)
         return ends + flips if not (loose and ends) else _at_end(i, n, G, same)
     lone = abs(np.sin(_alpha(a, i))) < SAME_ANGLE
@@ -106,9 +108,8 @@ def _at_frame(a, i, G, same):
                 f"x{i} turned by {number(np.rad2deg(phi), 4)}° about z{i} (theta{i}, theta{i + 1})",
             )
         )
-    return (
-        found + flips
-    )  # what is not free by itself follows from the shift of a sliding joint next to it
+    # what is not free by itself follows from the shift of a sliding joint next to it
+    return found + flips
 
 
 def _undo(flips):
@@ -158,45 +159,39 @@ def _entries(a, *wanted):
 
 def _at_end(i, n, rest, same):
     """Frame 0 or n elsewhere, which base or tool take up."""
-    shift, turn = np.linalg.norm(rest[:3, 3]), turn_of(rest)
+    shift, turn = float(np.linalg.norm(rest[:3, 3])), turn_of(rest)
     if shift <= same and turn <= SAME_ANGLE:
         return []
     kind, what = ("base", "frame 0 moved") if i == 0 else ("tool", f"frame {n} moved")
     return [
         FreeChoice(
-            kind,
-            None,
-            (float(shift), float(turn)),
-            f"{what} by {far(shift, turn)}, which the {kind} takes up",
+            kind, None, (shift, turn), f"{what} by {far(shift, turn)}, which the {kind} takes up"
         )
     ]
 
 
-def turn_of(T):
+def turn_of(T: NDArray[np.float64]) -> float:
     """The angle of the turn in T, exact for small ones."""
     R = T[:3, :3]
     s = np.linalg.norm([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
-    return np.arctan2(s, (np.trace(R) - 1) / 2)
+    return float(np.arctan2(s, (np.trace(R) - 1) / 2))
 
 
-def far(shift, turn):
+def far(shift: float, turn: float) -> str:
+    """A shift (m) and a turn (rad) in words."""
     parts = [f"{number(shift)} m"] if number(shift) != "0" else []
     parts += [f"{number(np.rad2deg(turn), 4)}°"] if number(np.rad2deg(turn), 4) != "0" else []
     return " and ".join(parts) or "a trifle"
 
 
-def end_choice(kind, T, same):
+def end_choice(kind: str, T: NDArray[np.float64], same: float) -> list[FreeChoice]:
     """The "base" or "tool" choice when that freedom was granted and used: T is what lies between
     the two.
     """
-    shift, turn = np.linalg.norm(T[:3, 3]), turn_of(T)
+    shift, turn = float(np.linalg.norm(T[:3, 3])), turn_of(T)
     if shift <= same and turn <= SAME_ANGLE:
         return []
-    return [
-        FreeChoice(
-            kind, None, (float(shift), float(turn)), f"another {kind}, {far(shift, turn)} away"
-        )
-    ]
+    return [FreeChoice(kind, None, (shift, turn), f"another {kind}, {far(shift, turn)} away")]
 
 
 def _alpha(a, i):
@@ -207,7 +202,7 @@ def _a(a, i):
     return a.table.a[i - 1 if a.table.convention == "standard" else i]
 
 
-def in_words(choices, a):
+def in_words(choices: Sequence[FreeChoice], a: Arm) -> str:
     """One phrase for all the choices; slides along one run of parallel axes are told together.
 
     Examples
@@ -249,8 +244,7 @@ def _slid(run, slides, a):
     changed = [row for row in gain if abs(gain[row]) > 1e-9]
     axes = "-".join(str(k) for k in range(run[0], run[-1] + 2))
     if len(changed) == 2 and abs(sum(gain.values())) < 1e-9:
-        taker = max(changed, key=gain.get)
-        giver = min(changed, key=gain.get)
+        giver, taker = sorted(changed, key=lambda row: gain[row])
         return (
             f"{number(gain[taker])} m slid along the parallel axes {axes} from row {giver} to row"
             f" {taker}"

@@ -5,6 +5,7 @@ Plain arrays, metres and radians.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 __all__ = [
     "CommonNormal",
@@ -28,12 +29,12 @@ class CommonNormal:
 
     out: float
     into: float
-    x: np.ndarray
+    x: NDArray[np.float64] | None
     a: float
     alpha: float
 
 
-def unit(v):
+def unit(v: NDArray[np.float64]) -> NDArray[np.float64]:
     """``v`` at length 1.
 
     Examples
@@ -44,7 +45,9 @@ def unit(v):
     return v / np.linalg.norm(v)
 
 
-def nearest_on(p, z, target):
+def nearest_on(
+    p: NDArray[np.float64], z: NDArray[np.float64], target: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """The point of the line (p, z) nearest to ``target``.
 
     Examples
@@ -55,7 +58,7 @@ def nearest_on(p, z, target):
     return p + z * ((target - p) @ z)
 
 
-def across(v, z):
+def across(v: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64]:
     """The part of ``v`` at right angles to the unit vector ``z``.
 
     Examples
@@ -66,32 +69,33 @@ def across(v, z):
     return v - z * (v @ z)
 
 
-def tilt(z, w):
+def tilt(z: NDArray[np.float64], w: NDArray[np.float64]) -> float:
     """How far two unit directions are from parallel or antiparallel, in radians: 0 to π/2.
 
     Examples
     --------
     >>> z = np.array([0.0, 0.0, 1.0])
-    >>> float(tilt(z, -z)), round(float(tilt(z, np.array([0.6, 0.0, 0.8]))), 4)
+    >>> tilt(z, -z), round(tilt(z, np.array([0.6, 0.0, 0.8])), 4)
     (0.0, 0.6435)
     """
-    return np.arctan2(np.linalg.norm(np.cross(z, w)), abs(z @ w))
+    return float(np.arctan2(np.linalg.norm(np.cross(z, w)), abs(z @ w)))
 
 
-def angle_about(z, x, y):
-    """The angle that turns ``x`` into ``y`` about ``z`` (all unit vectors, x and y across z), in
-    (-π, π].
+def angle_about(z: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
+    """The angle in (-π, π] that turns ``x`` into ``y`` about ``z``; x and y are across z.
 
     Examples
     --------
     >>> x, y, z = np.eye(3)
-    >>> float(angle_about(z, x, y).round(6)), float(angle_about(-z, x, y).round(6))
+    >>> round(angle_about(z, x, y), 6), round(angle_about(-z, x, y), 6)
     (1.570796, -1.570796)
     """
-    return np.arctan2(np.cross(x, y) @ z, x @ y)
+    return float(np.arctan2(np.cross(x, y) @ z, x @ y))
 
 
-def common_normal(p, z, q, w):
+def common_normal(
+    p: NDArray[np.float64], z: NDArray[np.float64], q: NDArray[np.float64], w: NDArray[np.float64]
+) -> CommonNormal:
     """The common normal of two lines that are not parallel, along z × w.
 
     Parameters
@@ -107,19 +111,26 @@ def common_normal(p, z, q, w):
 
     Examples
     --------
-    >>> N = common_normal(np.zeros(3), np.array([0.0, 0, 1]), np.array([0.0, 0.3, 2]), np.array([1.0, 0, 0]))
-    >>> float(N.out), float(N.into), N.x, float(N.a)
+    >>> x, y, z = np.eye(3)
+    >>> N = common_normal(np.zeros(3), z, np.array([0.0, 0.3, 2]), x)
+    >>> N.out, N.into, N.x, N.a
     (2.0, 0.0, array([0., 1., 0.]), 0.3)
     """
     c = np.cross(z, w)
     s = np.linalg.norm(c)
     x, r = c / s, q - p
-    return CommonNormal(
-        np.cross(r, w) @ x / s, np.cross(r, z) @ x / s, x, r @ x, np.arctan2(s, z @ w)
-    )
+    out, into = np.cross(r, w) @ x / s, np.cross(r, z) @ x / s
+    return CommonNormal(float(out), float(into), x, float(r @ x), float(np.arctan2(s, z @ w)))
 
 
-def parallel_normal(p, z, q, w, out, same):
+def parallel_normal(
+    p: NDArray[np.float64],
+    z: NDArray[np.float64],
+    q: NDArray[np.float64],
+    w: NDArray[np.float64],
+    out: float,
+    same: float,
+) -> CommonNormal:
     """A common normal of two parallel (or antiparallel) lines; it is free, so it is asked to leave
     the first line at ``out``.
 
@@ -140,15 +151,13 @@ def parallel_normal(p, z, q, w, out, same):
     --------
     >>> z = np.array([0.0, 0, 1])
     >>> N = parallel_normal(np.zeros(3), z, np.array([0.4, 0, 1]), z, 0.25, 1e-13)
-    >>> float(N.into), N.x, float(N.a)
+    >>> N.into, N.x, N.a
     (-0.75, array([1., 0., 0.]), 0.4)
     """
     gap = across(q - p, z)
-    a = np.linalg.norm(gap)
-    into = (p + out * z - q) @ w
+    a = float(np.linalg.norm(gap))
+    into = float((p + out * z - q) @ w)
     alpha = 0.0 if z @ w > 0 else np.pi
-    return (
-        CommonNormal(out, into, gap / a, a, alpha)
-        if a > same
-        else CommonNormal(out, into, None, 0.0, alpha)
-    )
+    if a <= same:
+        return CommonNormal(out, into, None, 0.0, alpha)
+    return CommonNormal(out, into, gap / a, a, alpha)

@@ -9,6 +9,7 @@ and d_k between normals k-1 and k, a_k and alpha_k along normal k.
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .lines import (
     CommonNormal,
@@ -21,14 +22,13 @@ from .lines import (
     unit,
 )
 
-__all__ = ["Axis", "Choices", "Placement", "place"]
+__all__ = ["Axis", "Choices", "Placement", "place", "tidy", "no_dust"]
 
 # rad; axes out of a chain of matrices that should be parallel differ by some 1e-16, and snapping
 # costs this much × reach
 ROUNDING = 1e-12
-SAME_PLACE = (
-    1e-13  # × reach; lines nearer than this meet or coincide, since positions are not known better
-)
+# × reach; lines nearer than this meet or coincide, since positions are not known better
+SAME_PLACE = 1e-13
 CLEAR_SIDE = 1e-6  # × reach; from here on a common normal is long enough to say which way x points
 # rad, 3°; below it a tilt of the tool is left to arm.tool, and a common normal may be far away
 NEARLY = 0.05
@@ -39,8 +39,8 @@ EPS = np.finfo(float).eps
 class Axis:
     """A line through ``p`` along the unit vector ``z``; ``letter`` is "R", "P" or "tool"."""
 
-    p: np.ndarray
-    z: np.ndarray
+    p: NDArray[np.float64]
+    z: NDArray[np.float64]
     letter: str
 
 
@@ -48,11 +48,11 @@ class Axis:
 class Choices:
     """What the geometry leaves open; the keywords of ``assign_frames``."""
 
-    x_signs: dict = field(default_factory=dict)
-    slides: dict = field(default_factory=dict)
-    x_along: dict = field(default_factory=dict)
+    x_signs: dict[int, int] = field(default_factory=dict)
+    slides: dict[int, float] = field(default_factory=dict)
+    x_along: dict[int, NDArray[np.float64]] = field(default_factory=dict)
     prismatic: str = "auto"
-    parallel: float = None
+    parallel: float | None = None
     standard: bool = True
 
 
@@ -62,39 +62,45 @@ class Placement:
     (``cases``), and the size of the arm in m.
     """
 
-    axes: list
-    normals: list
-    cases: list
+    axes: list[Axis]
+    normals: list[CommonNormal]
+    cases: list[str]
     reach: float
-    snapped: dict
+    snapped: dict[int, tuple[float, float]]
 
-    def rows(self):
+    def rows(self) -> NDArray[np.float64]:
         """(n, 4): theta_k, d_k, a_k, alpha_k for k = 1 … n."""
         return np.array([self.row(k) for k in range(1, len(self.normals))])
 
-    def row(self, k):
-        before, normal, axis = self.normals[k - 1], self.normals[k], self.axes[k - 1]
-        theta = angle_about(axis.z, before.x, normal.x)
+    def x(self, k: int) -> NDArray[np.float64]:
+        """The direction of normal k."""
+        x = self.normals[k].x
+        assert x is not None  # place() gives one to every normal
+        return x
+
+    def row(self, k: int) -> NDArray[np.float64]:
+        """theta_k, d_k, a_k, alpha_k."""
+        before, normal = self.normals[k - 1], self.normals[k]
         return np.array(
             [
-                _tidy(theta),
-                _no_dust(normal.out - before.into, self.reach),
-                _no_dust(normal.a, self.reach),
-                _tidy(normal.alpha),
+                tidy(angle_about(self.axes[k - 1].z, self.x(k - 1), self.x(k))),
+                no_dust(normal.out - before.into, self.reach),
+                no_dust(normal.a, self.reach),
+                tidy(normal.alpha),
             ]
         )
 
-    def frame_0(self):
+    def frame_0(self) -> NDArray[np.float64]:
         """Frame 0 in the base frame: on axis 1, at normal 0."""
-        axis, normal = self.axes[0], self.normals[0]
+        axis, x = self.axes[0], self.x(0)
         T = np.eye(4)
-        T[:3, :3] = np.column_stack([normal.x, np.cross(axis.z, normal.x), axis.z])
-        T[:3, 3] = axis.p + normal.into * axis.z
+        T[:3, :3] = np.column_stack([x, np.cross(axis.z, x), axis.z])
+        T[:3, 3] = axis.p + self.normals[0].into * axis.z
         dust = EPS * 4 * max(1.0, self.reach)
         return np.where(abs(T - np.round(T)) < dust, np.round(T), T) + 0.0
 
 
-def place(axes, end, choices):
+def place(axes: list[Axis], end: NDArray[np.float64], choices: Choices) -> Placement:
     """Put a common normal between every axis and the next.
 
     Parameters
@@ -215,8 +221,8 @@ def _is_parallel(found, k, choices):
     here, there = found.axes[k - 1], found.axes[k]
     angle = tilt(here.z, there.z)
     if angle > ROUNDING:
-        far = common_normal(here.p, here.z, there.p, there.z)
-        far = max(abs(far.out), abs(far.into))
+        N = common_normal(here.p, here.z, there.p, there.z)
+        far = max(abs(N.out), abs(N.into))
         asked = choices.parallel is not None and angle <= choices.parallel
         held = there.letter == "tool" and angle < NEARLY
         if not (asked or held or 4 * EPS * far > angle * found.reach):
@@ -249,9 +255,8 @@ def _alongside(found, k, end, choices):
     """
     here, there, before = found.axes[k - 1], found.axes[k], found.normals[-1]
     out = (there.p - here.p) @ here.z if there.letter == "tool" else before.into
-    along_z_k = (
-        np.sign(here.z @ there.z) if choices.standard else 1.0
-    )  # z_k is axis k+1 (standard) or axis k (Craig)
+    # z_k is axis k+1 (standard) or axis k (Craig)
+    along_z_k = np.sign(here.z @ there.z) if choices.standard else 1.0
     out += choices.slides.get(k, 0.0) * along_z_k
     N = parallel_normal(here.p, here.z, there.p, there.z, out, SAME_PLACE * found.reach)
     x, sign = N.x, choices.x_signs.get(k, 1)
@@ -265,15 +270,14 @@ def _alongside(found, k, end, choices):
     )
 
 
-def _tidy(angle):
-    """An angle that only rounding keeps from a multiple of 15° becomes that multiple; -180° becomes
-    180°.
-    """
+def tidy(angle: float) -> float:
+    """An angle that only rounding keeps from a multiple of 15° becomes it; -180° becomes 180°."""
     step = np.pi / 12
     near = round(angle / step) * step
     angle = near if abs(angle - near) < 4 * EPS else angle
     return np.pi if angle == -np.pi else angle + 0.0
 
 
-def _no_dust(length, reach):
+def no_dust(length: float, reach: float) -> float:
+    """``length``, or 0 when it is rounding at the size of the arm."""
     return 0.0 if abs(length) < 4 * EPS * reach else length

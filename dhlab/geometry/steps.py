@@ -3,14 +3,22 @@ a drawing of the arm.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..printing import number
 from .freechoices import turn_of
+from .normals import Placement
 
 __all__ = ["describe"]
 
 
-def describe(found, convention, sign, base, tool):
+def describe(
+    found: Placement,
+    convention: str,
+    sign: NDArray[np.float64],
+    base: NDArray[np.float64],
+    tool: NDArray[np.float64],
+) -> list[str]:
     """One sentence per axis and per row, from frame 0 to the tool.
 
     Parameters
@@ -55,7 +63,6 @@ class _Words:
         return f"z{k - 1 if self.standard else k}"
 
     def start(self, base):
-        o = "o0" if self.standard else "o0 = o1 at q = 0"
         along = _axis_name(self.found.normals[0].x)
         lead = (
             "z0 is the axis of joint 1"

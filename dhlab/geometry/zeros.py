@@ -5,12 +5,13 @@ gap between two publishers.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
 from ..printing import number
 from ..table import DHTable
 from ..transform import inverse, trans
-from .canonical import align, gaps, joint_axes, moved
+from .canonical import JointAxes, align, gaps, joint_axes, moved
 from .lines import across, angle_about, common_normal
 
 __all__ = ["Rezeroed", "rezero", "with_zeros"]
@@ -25,18 +26,18 @@ class Rezeroed:
     """``b(q) = base · a(sign · q + offset) · tool``: ``sign`` and ``offset`` (n,), rad or m;
     ``base`` and ``tool`` "fixed" or "free"; ``letters`` are the joints' types."""
 
-    sign: np.ndarray
-    offset: np.ndarray
+    sign: NDArray[np.float64]
+    offset: NDArray[np.float64]
     base: str
     tool: str
     letters: str
 
     @property
-    def says_something(self):
+    def says_something(self) -> bool:
         """Whether any zero or sign is another at all."""
         return bool((self.sign < 0).any() or (abs(self.offset) > SHOWN).any())
 
-    def __str__(self):
+    def __str__(self) -> str:
         """What to change, as the end of a sentence."""
         parts = []
         turned = [str(k) for k, s in enumerate(self.sign, 1) if s < 0]
@@ -59,7 +60,7 @@ def _amount(x, letter):
     return f"{number(value, 4) if abs(value) > 0.01 else f'{value:.2g}'}{gap}{unit}"
 
 
-def with_zeros(arm, sign, offset):
+def with_zeros(arm: Arm, sign: ArrayLike, offset: ArrayLike) -> Arm:
     """The arm that stands at ``sign · q + offset`` when ``arm`` itself stands at q.
 
     Examples
@@ -83,7 +84,7 @@ def with_zeros(arm, sign, offset):
     )
 
 
-def rezero(a, b):
+def rezero(a: Arm, b: Arm) -> Rezeroed | None:
     """Signs and zero offsets that make arm a move like arm b, if some do; the fewest changes, base
     and tool fixed when that is enough.
 
@@ -209,7 +210,7 @@ def _lands(A, M, i, sign, offset, same):
     return angle[i] < 10 * SAME_ANGLE and distance[i] < 10 * same
 
 
-def screw(A, i, q):
+def screw(A: JointAxes, i: int, q: float) -> NDArray[np.float64]:
     """The motion of joint i (0-based) of A by q, from the zero pose; (4, 4)."""
     if A.letters[i] == "P":
         return trans(A.z[i] * q)

@@ -4,9 +4,10 @@ choice passes, a wrong one is told its rule.
 
 import numpy as np
 
-from ..geometry.frames import PlacedArm, _axes, assign_frames
+from ..geometry.frames import PlacedArm, assign_frames
 from ..geometry.lines import angle_about, nearest_on, tilt
-from ..geometry.normals import ROUNDING, Choices, _no_dust, _tidy, place
+from ..geometry.inputs import axes_from
+from ..geometry.normals import ROUNDING, Choices, no_dust, place, tidy
 from ..table import DHTable
 from ..transform import inverse, require_pose
 from .geometry import LENGTH, geometry
@@ -66,7 +67,7 @@ class Placement:
     def __init__(self, axes, end, convention="standard"):
         self.model = assign_frames(axes, end=end, convention=convention)
         self.end, self.convention = require_pose(end, "Placement: end"), convention
-        found = place(_axes(axes), self.end, Choices(standard=self.standard))
+        found = place(axes_from(axes), self.end, Choices(standard=self.standard))
         self.axes, self.reach = found.axes, found.reach or 1.0
         self.z, self.o, self.x, self._points, self._said = {}, {}, {}, {}, {}
 
@@ -244,10 +245,10 @@ class Placement:
         z, x = (self.z[k - 1], self.x[k]) if self.standard else (self.z[k], self.x[k - 1])
         way = self.o[k] - self.o[k - 1]
         return (
-            _tidy(angle_about(z, self.x[k - 1], self.x[k])),
-            _no_dust(way @ z, self.reach),
-            _no_dust(way @ x, self.reach),
-            _tidy(angle_about(x, self.z[k - 1], self.z[k])),
+            tidy(angle_about(z, self.x[k - 1], self.x[k])),
+            no_dust(way @ z, self.reach),
+            no_dust(way @ x, self.reach),
+            tidy(angle_about(x, self.z[k - 1], self.z[k])),
         )
 
     @property

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import dhlab as dh
-from dhlab.geometry import freedoms
+from dhlab.geometry import freedoms, prismatic
 from dhlab.geometry.conversion import to_convention
 
 SEEDS = st.integers(0, 10**6)
@@ -98,7 +98,7 @@ def test_moves_keep_every_pose(seed):
         freedoms.move_tool(arm, 0.3, 0.2),
     ]
     moved += [
-        freedoms.shift_prismatic(arm, k + 1, 0.2) for k in np.flatnonzero(arm.table.prismatic)
+        prismatic.shift_prismatic(arm, k + 1, 0.2) for k in np.flatnonzero(arm.table.prismatic)
     ]
     for other in moved:
         assert max(pose_error(by_hand(arm, q), by_hand(other, q))) < 1e-13
@@ -157,7 +157,7 @@ def _stays(move, arm, q):
         (lambda arm: arm.flip_z(-1), "flip_z: expected a frame from 0 to 6"),
         (lambda arm: arm.flip_z(True), "flip_z: expected a frame"),
         (lambda arm: arm.slide("2", 0.1), "slide: expected a frame"),
-        (lambda arm: freedoms.shift_prismatic(arm, 3, 0.1), "the joints of this arm are RRRRRR"),
+        (lambda arm: prismatic.shift_prismatic(arm, 3, 0.1), "the joints of this arm are RRRRRR"),
     ],
 )
 def test_moves_that_do_not_exist(move, words):

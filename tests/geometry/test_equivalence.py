@@ -23,7 +23,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import dhlab as dh
-from dhlab.geometry import freedoms
+from dhlab.geometry import freedoms, prismatic
 from dhlab.geometry.equivalence import equivalent
 from dhlab.geometry.frames import assign_frames
 from dhlab.geometry.zeros import with_zeros
@@ -215,7 +215,7 @@ def test_words_of_the_free_choices():
 def test_the_stanford_arms_prismatic_shift():
     table, moved = (
         dh.load("stanford.rtb_std"),
-        freedoms.shift_prismatic(dh.load("stanford.rtb_std"), 3, 0.0203),
+        prismatic.shift_prismatic(dh.load("stanford.rtb_std"), 3, 0.0203),
     )
     assert moved.table.a[2] == pytest.approx(0) and moved.table.d[1] == pytest.approx(0.1337)
     (choice,) = equivalent(table, moved).differences
