@@ -217,9 +217,8 @@ def to_xyz_rpy(T: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     yaw = np.arctan2(R[1, 0], R[0, 0]) if across > 1e-15 else 0.0
     pitch = np.arctan2(-R[2, 0], across)
     c, s = np.cos(yaw), np.sin(yaw)
-    roll = np.arctan2(
-        s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1]
-    )  # of what is left once yaw is taken off
+    # of what is left once yaw is taken off
+    roll = np.arctan2(s * R[0, 2] - c * R[1, 2], c * R[1, 1] - s * R[0, 1])
     return T[:3, 3].copy(), np.array([roll, pitch, yaw])
 
 

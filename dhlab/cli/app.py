@@ -63,9 +63,8 @@ def main():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
-        usage = getattr(
-            error, "format_message", None
-        )  # a usage error; Typer's class for it has moved between versions
+        # a usage error; Typer's class for it has moved between versions
+        usage = getattr(error, "format_message", None)
         if not usage and not isinstance(error, ValueError):
             raise
         sentence = f"{usage()} See dhlab --help for what there is." if usage else str(error)

@@ -61,10 +61,8 @@ def _parse(text, path):
     """The root element. A document type is refused before it is read, so no entity can grow or
     fetch a file.
     """
-    builder, parser = (
-        ElementTree.TreeBuilder(),
-        expat.ParserCreate(),
-    )  # without namespaces: some files use prefixes they never declare
+    # without namespaces: some files use prefixes they never declare
+    builder, parser = ElementTree.TreeBuilder(), expat.ParserCreate()
     parser.StartElementHandler, parser.EndElementHandler = builder.start, builder.end
     parser.StartDoctypeDeclHandler = lambda *_: _refuse_doctype(path)
     try:

@@ -216,9 +216,8 @@ def _residual(model, x):
 
 def _result(model, x, keep, weights, given):
     n = model.n
-    x[:n] -= np.where(
-        model.slides, 0.0, 2 * np.pi * np.round(x[:n] / (2 * np.pi))
-    )  # a search may end whole turns away
+    # a search may end whole turns away
+    x[:n] -= np.where(model.slides, 0.0, 2 * np.pi * np.round(x[:n] / (2 * np.pi)))
     J = model.jacobian(x, weights)
     freedom = model.numbers - keep.sum()
     chi2 = (model.residual(x, weights) ** 2).sum() / freedom if freedom else 0.0

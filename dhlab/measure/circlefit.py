@@ -52,9 +52,8 @@ def fit_circle(q, points, noise):
     if spread[1] < FLAT * spread[0]:
         return "its points lie on a straight line"
     centre, basis, radius = _first_guess(points - middle, directions)
-    for _ in range(
-        2
-    ):  # the second time about the solution, where the tilts are 0 and the covariance is simple
+    for _ in range(2):
+        # the second time about the solution, where the tilts are 0 and the covariance is simple
         centre, basis, radius, J, off = _refine(
             points, centre + (middle if _ == 0 else 0), basis, radius
         )

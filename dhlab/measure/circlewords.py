@@ -14,13 +14,8 @@ NO_PROOF = (
     " the circle's height, radius and phase."
 )
 SURE = 3.0  # standard deviations
-SMALLEST = {
-    "axis": 1e-6,
-    "shift": 1e-6,
-    "height": 1e-6,
-    "radius": 1e-6,
-    "phase": 1e-6,
-}  # rad and m; below it rounding, whatever the scatter
+# rad and m; below it rounding, whatever the scatter
+SMALLEST = {"axis": 1e-6, "shift": 1e-6, "height": 1e-6, "radius": 1e-6, "phase": 1e-6}
 UNITS = {"axis": "deg", "shift": "mm", "height": "mm", "radius": "mm", "phase": "deg"}
 HEADINGS = (
     "joint",

@@ -129,9 +129,8 @@ class OffsetModel:
             )
         rows = [np.swapaxes(v, 1, 2).reshape(-1, self.size) / weights[0]]
         if self.R is not None:
-            dR = np.cross(
-                omega[:, :, None, :], np.swapaxes(T[:, :3, :3], 1, 2)[:, None]
-            )  # (m, unknown, column, 3)
+            # (m, unknown, column, 3)
+            dR = np.cross(omega[:, :, None, :], np.swapaxes(T[:, :3, :3], 1, 2)[:, None])
             rows.append(
                 np.moveaxis(np.swapaxes(dR, 2, 3), 1, 3).reshape(-1, self.size)
                 / weights[1]

@@ -33,9 +33,8 @@ def null_space(J):
     >>> null_space(np.array([[1.0, 1.0], [2.0, 2.0]])).round(3).shape
     (2, 1)
     """
-    _, s, V = np.linalg.svd(
-        np.linalg.qr(J, mode="r"), full_matrices=True
-    )  # as large as there are unknowns, however many rows J has
+    # as large as there are unknowns, however many rows J has
+    _, s, V = np.linalg.svd(np.linalg.qr(J, mode="r"), full_matrices=True)
     s = np.r_[s, np.zeros(J.shape[1] - len(s))]
     return V[s <= NO_EFFECT * max(s[0], 1e-300)].T
 

@@ -306,9 +306,8 @@ class Placement:
         on = nearest_on(*line, o)
         reached = judge_origin(self._geometry(i), on)[1]
         gap = np.zeros(3) if reached is None else reached - on
-        if (
-            abs(line[1] @ gap) > ROUNDING * self.reach
-        ):  # one row reaches another point of the line, a little further along it
+        if abs(line[1] @ gap) > ROUNDING * self.reach:
+            # one row reaches another point of the line, a little further along it
             on = on + line[1] * (gap @ gap) / (line[1] @ gap)
         return on if reached is not None and np.linalg.norm(on - o) <= LENGTH * self.reach else o
 

@@ -97,9 +97,8 @@ def judge_z(i, axes, convention, reach, direction, point=None):
     k = i + standard
     if not 1 <= k <= n:
         axis = axes[n - 1 if standard else 0].z
-        v = (
-            axis * np.sign(v @ axis) if tilt(v, axis) < NEARLY else v
-        )  # else the common normal runs away; assign_frames does the same
+        # else the common normal runs away; assign_frames does the same
+        v = axis * np.sign(v @ axis) if tilt(v, axis) < NEARLY else v
         return Judgement(
             f"z{i}",
             True,

@@ -102,9 +102,8 @@ class Picture:
 
     def _repr_mimebundle_(self, include=None, exclude=None):
         data = base64.b64encode(self._bytes(".png")).decode("ascii")
-        width = round(
-            self.figure.get_figwidth() * 100
-        )  # the file has more dots than that, for fine screens
+        # the file has more dots than that, for fine screens
+        width = round(self.figure.get_figwidth() * 100)
         image = (
             f'<img alt="{escape(self.alt)}" src="data:image/png;base64,{data}" width="{width}"'
             ' style="max-width:100%">'

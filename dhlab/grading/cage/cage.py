@@ -152,9 +152,8 @@ class Cage:
     def _try(self, proc):
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = tempfile.mkdtemp(prefix=PREFIX)
-        self._lock = open(
-            os.path.join(self._folder, "lock"), "wb"
-        )  # held as long as this process lives
+        # held as long as this process lives
+        self._lock = open(os.path.join(self._folder, "lock"), "wb")
         fcntl.flock(self._lock, fcntl.LOCK_EX)
         staged, work = os.path.join(self._folder, "staged"), os.path.join(self._folder, "work")
         for folder in (staged, work):

@@ -14,10 +14,8 @@ __all__ = ["stage", "python_command", "bubblewrap_command", "readable", "environ
 PACKAGE = Path(__file__).parents[2]
 STAND_IN = PACKAGE / "grading" / "inside" / "stand_in"
 LEFT_OUT = shutil.ignore_patterns("course", "grading", "lessons", "teacher", "view", "cli", "*.tmp")
-FREE_OF_ANSWERS = (
-    "othersolvers.py",
-    "simulator.py",
-)  # of the course: what lessons call and what holds no exercise
+# of the course: what lessons call and what holds no exercise
+FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
 SYSTEM = (
     "/usr",
     "/lib",
@@ -162,9 +160,8 @@ def bubblewrap_command(program, folder, command, limits, proc):
         else ["--unshare-user", "--disable-userns", "--uid", "65534", "--gid", "65534"]
     )
     lock += ["--perms", "1777", "--size", str(limits.files_mb << 20), "--tmpfs", "/tmp"]
-    below = {
-        str(Path(*Path(path).parts[:3])) for path in readable() if path.startswith("/tmp/")
-    }  # Python itself may stand there: nothing else may be put beside it
+    # Python itself may stand there: nothing else may be put beside it
+    below = {str(Path(*Path(path).parts[:3])) for path in readable() if path.startswith("/tmp/")}
     lock += [word for path in sorted(below) for word in ("--perms", "0755", "--tmpfs", path)]
     parents = {str(parent) for path in readable() for parent in list(Path(path).parents)[:-1]}
     lock += [word for parent in sorted(parents) for word in ("--perms", "0755", "--dir", parent)]

@@ -137,9 +137,8 @@ def _files(lessons):
         for name in PAGES
         if (folder / name).exists()
     }
-    given = {
-        name: sha256(text.encode()).hexdigest() for name, text in chosen.items()
-    }  # so that dhlab lab lays no second copy beside these
+    # so that dhlab lab lays no second copy beside these
+    given = {name: sha256(text.encode()).hexdigest() for name, text in chosen.items()}
     return chosen | {f"{MARKER}/lessons.json": json.dumps(given, indent=1) + "\n"}
 
 

@@ -30,9 +30,8 @@ libc = ctypes.CDLL(None, use_errno=True) if LINUX else None
 CREATE, ADD_RULE, RESTRICT = 444, 445, 446  # Landlock's calls, the same numbers on every machine
 READ = 1 << 2 | 1 << 3  # read a file, list a folder
 EXECUTE = 1 << 0
-WRITE = (
-    1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
-)  # write, remove folder and file, make folder and file, truncate
+# write, remove folder and file, make folder and file, truncate
+WRITE = 1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
 RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}  # how many rights each version knows; 16 from the fifth on
 
 DENIED = """socket fork vfork execve execveat kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open pidfd_send_signal pidfd_getfd
@@ -74,9 +73,8 @@ def restrict_calls(library):
         raise OSError("seccomp_init failed")
     for name in DENIED:
         _rule(library, filter_, EPERM, name)
-    _rule(
-        library, filter_, ENOSYS, "clone3"
-    )  # the C library then takes clone, whose flags can be looked at
+    # the C library then takes clone, whose flags can be looked at
+    _rule(library, filter_, ENOSYS, "clone3")
     _rule(library, filter_, EPERM, "clone", Compare(0, MASKED, CLONE_THREAD, 0))
     _rule(library, filter_, EPERM, "tgkill", Compare(0, NOT_EQUAL, os.getpid(), 0))
     _rule(library, filter_, EPERM, "prlimit64", Compare(0, NOT_EQUAL, 0, 0))
@@ -111,9 +109,8 @@ def restrict_files(readable, writable):
     """
     version = landlock_version()
     handled = (1 << RIGHTS.get(version, 16)) - 1
-    attributes = (c_uint64 * 3)(
-        handled, 3 if version >= 4 else 0, 3 if version >= 6 else 0
-    )  # files; TCP; abstract sockets and signals
+    # files; TCP; abstract sockets and signals
+    attributes = (c_uint64 * 3)(handled, 3 if version >= 4 else 0, 3 if version >= 6 else 0)
     size = 8 if version < 4 else 16 if version < 6 else 24
     rules = libc.syscall(c_long(CREATE), attributes, c_long(size), c_long(0))
     if rules < 0:

@@ -12,17 +12,10 @@ import dhlab
 __all__ = ["library"]
 
 ROOT = os.path.dirname(dhlab.__file__) + os.sep
-CLOSED = (
-    "kinematics.py",
-    "symbolic",
-    "geometry",
-    "placing",
-    "doctor",
-)  # rooms and modules that know the right programs
-BLINDING = (
-    sys.setprofile,
-    threading.setprofile.__code__,
-)  # a function that calls these wants to be unseen
+# rooms and modules that know the right programs
+CLOSED = ("kinematics.py", "symbolic", "geometry", "placing", "doctor")
+# a function that calls these wants to be unseen
+BLINDING = (sys.setprofile, threading.setprofile.__code__)
 
 
 @contextmanager

@@ -16,14 +16,8 @@ DEEPEST = 6  # lists in lists
 LONGEST = 100_000  # numbers of an array
 TEXT = 400  # characters
 DTYPES = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"}
-DECODED = (
-    ValueError,
-    TypeError,
-    KeyError,
-    AttributeError,
-    OverflowError,
-    RecursionError,
-)  # what decode raises for what is not of this form
+# what decode raises for what is not of this form
+DECODED = (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError)
 WHOLE = 2**63  # a larger number is sent as a float
 
 

@@ -25,9 +25,8 @@ def main():
     config = json.loads(sys.argv[1])
     control = socket.socket(fileno=config["control"])
     problem = _confine(config)
-    kept = set(
-        os.listdir(config["work"])
-    )  # where Python itself stands below it, which nobody here can write to
+    # where Python itself stands below it, which nobody here can write to
+    kept = set(os.listdir(config["work"]))
     if not problem:
         _warm(config["warm"])
     control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
@@ -110,9 +109,8 @@ def _end(child, config):
     for _ in range(500):
         if config["own_processes"]:
             with contextlib.suppress(ProcessLookupError):
-                os.kill(
-                    -1, signal.SIGKILL
-                )  # everything in this namespace but this process and the first
+                # everything in this namespace but this process and the first
+                os.kill(-1, signal.SIGKILL)
         else:
             for process in {child, *_descendants()} if status is None else _descendants():
                 with contextlib.suppress(ProcessLookupError, PermissionError):

@@ -102,9 +102,8 @@ def student_of(parts, names, folder):
         known = _known(part, names)
         if known:
             numbered = _numbered(part, parts[:place])
-            by_id = _plain(known) in map(
-                _plain, numbered[:2]
-            )  # an id is one person's, whatever numbers stand beside it
+            # an id is one person's, whatever numbers stand beside it
+            by_id = _plain(known) in map(_plain, numbered[:2])
             return Owner(known, True, *(() if by_id else numbered))
     called = _called(parts[0], names, is_file=len(parts) == 1)
     return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))

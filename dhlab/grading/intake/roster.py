@@ -15,9 +15,8 @@ __all__ = ["Student", "read_roster"]
 
 COLUMNS = ("student", "name", "email", "language")
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
-RESERVED = re.compile(
-    r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE
-)  # what names no file on Windows
+# what names no file on Windows
+RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE)
 LANGUAGE = re.compile(r"[a-z]{2,3}(_[A-Z][A-Za-z]{1,3})?\Z")
 
 

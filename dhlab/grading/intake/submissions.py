@@ -37,11 +37,8 @@ BROKEN = (
     EOFError,
     RuntimeError,
 )
-FILE_TIME, ZIP, TIMESTAMP = (
-    "file time",
-    "zip",
-    "timestamp.txt",
-)  # where the time of a submission comes from
+# where the time of a submission comes from
+FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
 
@@ -305,7 +302,8 @@ def _in_zip(source, parts, depth, zone):
         members = archive.infolist()
     if parts and (
         len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
-    ):  # the teacher's own zip may be large
+    ):
+        # the teacher's own zip may be large
         raise ValueError("too many files in it, or too large when unpacked")
     for number, member in enumerate(members):
         inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)

@@ -15,9 +15,8 @@ from ..inside.wire import encode
 
 __all__ = ["Course", "handed_out_checks", "scored", "request", "warm_modules"]
 
-FRESH = (
-    2**31
-)  # added to a variant: functions are graded on other inputs than the notebook's own check uses
+# added to a variant: functions are graded on other inputs than the notebook's own check uses
+FRESH = 2**31
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
 LATER = {
     "dh.diagnose": "dhlab.doctor",

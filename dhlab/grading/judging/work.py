@@ -130,9 +130,8 @@ def close():
     _cages.clear()
 
 
-util.Finalize(
-    None, close, exitpriority=1
-)  # at the end of this process; unlike atexit in workers too
+# at the end of this process; unlike atexit in workers too
+util.Finalize(None, close, exitpriority=1)
 
 
 def _run_all(cage, task, course, variant):

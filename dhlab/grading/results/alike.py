@@ -159,7 +159,8 @@ def _tokens(code):
                 or token.string in ("(", ")")
                 or token.type == tokenize.STRING
                 and (not found or found[-1][0] == "layout")
-            ):  # a docstring
+            ):
+                # a docstring
                 continue
             layout = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
             name = (

@@ -20,10 +20,8 @@ from .sections import question, section_of_exercise, section_of_mistake, sheet_q
 __all__ = ["class_report", "write_class_report", "headcount"]
 
 NAME = "class-report.html"
-TOP, SHOWN = (
-    8,
-    5,
-)  # mistakes of the class as a whole, and of one exercise before the rest is folded away
+# mistakes of the class as a whole, and of one exercise before the rest is folded away
+TOP, SHOWN = 8, 5
 UNNAMED = "without a name: look at a few of these yourself"
 MOST_NAMES = 8  # of students whose mistake has no name
 

@@ -7,9 +7,8 @@ import io
 
 __all__ = ["csv_text"]
 
-FORMULA = tuple(
-    "=+-@\t\r\n＝＋－＠"
-)  # what makes a spreadsheet compute; the wide forms in some of them too
+# what makes a spreadsheet compute; the wide forms in some of them too
+FORMULA = tuple("=+-@\t\r\n＝＋－＠")
 
 
 def csv_text(rows):
@@ -34,7 +33,6 @@ def csv_text(rows):
 def _cell(value):
     if not isinstance(value, str):
         return value
-    text = value.replace("\r\n", "\n").replace(
-        "\r", "\n"
-    )  # a bare carriage return would end the row
+    # a bare carriage return would end the row
+    text = value.replace("\r\n", "\n").replace("\r", "\n")
     return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text

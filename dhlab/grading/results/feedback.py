@@ -34,9 +34,8 @@ SYMBOLS = {
     TIMED_OUT: "✗",
     NOT_ALLOWED: "✗",
 }
-STOPS = re.compile(
-    r"(the (?:function|cell) stops with )(\w+)(?:: .*)?\Z", re.DOTALL
-)  # then the program's own words, in which it may tell what it was called with
+# then the program's own words, in which it may tell what it was called with
+STOPS = re.compile(r"(the (?:function|cell) stops with )(\w+)(?:: .*)?\Z", re.DOTALL)
 A_CALL = "seen at "  # how the check names the numbers it called with: an input of the tests
 
 

@@ -57,9 +57,8 @@ def add_arm(scene, arm, chain, size):
     _add_path(scene, dh_path(arm.table.convention, chain), size / 12)
     centres, axes = joint_places(arm.table.convention, chain)
     for group in coincident(centres):
-        for rank, k in enumerate(
-            group
-        ):  # joints at one place: ever longer and thinner, so that all are seen
+        for rank, k in enumerate(group):
+            # joints at one place: ever longer and thinner, so that all are seen
             radius, length = 0.024 * size * 0.78**rank, 0.075 * size * 1.3**rank
             add_joint(
                 scene, arm.table.joints[k], centres[k], axes[k], radius, length, f"joint:{k + 1}"

@@ -46,9 +46,8 @@ def place_labels(scene, panel):
         for k, (boxes, costs) in enumerate(choices)
     ]
     taken = [None] * len(texts)
-    order = sorted(
-        range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0])
-    )  # those with least choice first
+    # those with least choice first
+    order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))
     for sweep in range(3):  # the second and third time each one knows where all others are
         for k in order:
             boxes, costs = choices[k]

@@ -16,11 +16,8 @@ from .style import FONT, INK, QUIET, SIZES
 
 __all__ = ["View", "compose"]
 
-WIDTH, HEIGHT, TALL = (
-    560.0,
-    420.0,
-    500.0,
-)  # page points: views side by side, and one above the other
+# page points: views side by side, and one above the other
+WIDTH, HEIGHT, TALL = 560.0, 420.0, 500.0
 LEAST_WIDTH, EDGE, GAP = 340.0, 8.0, 12.0
 DPI = 150
 
@@ -32,12 +29,8 @@ class View:
     scene: Scene
     camera: Camera
     title: str = ""
-    frame: tuple = (
-        38.0,
-        14.0,
-        28.0,
-        20.0,
-    )  # page points kept free left, below, right, above: room for labels
+    # page points kept free left, below, right, above: room for labels
+    frame: tuple = (38.0, 14.0, 28.0, 20.0)
 
     def margins(self):
         """The room for labels, and above for the title."""

@@ -10,14 +10,8 @@ from .style import INK, SIZES
 
 __all__ = ["Scene", "Stroke", "Face", "Dot", "Label", "LAYERS"]
 
-LAYERS = {
-    "floor": 0,
-    "shadow": 1,
-    "body": 2,
-    "aid": 3,
-    "frame": 4,
-    "mark": 5,
-}  # later ones lie on top; within one, the nearer
+# later ones lie on top; within one, the nearer
+LAYERS = {"floor": 0, "shadow": 1, "body": 2, "aid": 3, "frame": 4, "mark": 5}
 
 
 @dataclass

@@ -27,14 +27,8 @@ __all__ = [
 INK, QUIET, FLOOR, SHADOW = "#22262b", "#6b737c", "#d9dde1", "#e6e8eb"
 LINK, JOINT, JOINT_CAP = "#a3abb4", "#7b858f", "#d3d8dd"
 FONT = "DejaVu Sans"  # comes with matplotlib, so a picture is the same everywhere
-SIZES = {
-    "title": 11.5,
-    "note": 9.5,
-    "name": 10.5,
-    "axis": 11.0,
-    "tick": 9.0,
-    "value": 11.5,
-}  # points, on a page 8 inches wide
+# points, on a page 8 inches wide
+SIZES = {"title": 11.5, "note": 9.5, "name": 10.5, "axis": 11.0, "tick": 9.0, "value": 11.5}
 
 
 @dataclass(frozen=True)

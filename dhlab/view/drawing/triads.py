@@ -106,9 +106,5 @@ def _axis_labels(poses, names, group, lengths, subscripts):
         )
         tip = poses[group[0], :3, 3] + max(lengths[k] for k, _, _ in together) * first
         colors = {style.color for _, style, _ in together}
-        yield (
-            ",\\,".join(letters),
-            tip,
-            first,
-            colors.pop() if len(colors) == 1 else INK,
-        )  # x on another frame's z is neither's colour
+        # x on another frame's z is neither's colour
+        yield (",\\,".join(letters), tip, first, colors.pop() if len(colors) == 1 else INK)

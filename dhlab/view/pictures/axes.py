@@ -124,14 +124,11 @@ def _pairs(given, reach):
 
 def _add_lines(scene, given, pairs, size, height):
     tool, along, _ = given[-1]
-    tips = [
-        tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)
-    ]  # no arrow head on the tool's frame
+    # no arrow head on the tool's frame
+    tips = [tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)]
     for k, (p, z, letter) in enumerate(given[:-1], 1):
-        beside = [
-            (pairs[k - 1], 0),
-            (pairs[k - 2] if k > 1 else None, 1),
-        ]  # the normals that leave this axis and arrive on it
+        # the normals that leave this axis and arrive on it
+        beside = [(pairs[k - 1], 0), (pairs[k - 2] if k > 1 else None, 1)]
         on_it = [
             p,
             *(

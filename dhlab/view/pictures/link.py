@@ -63,9 +63,8 @@ def link(table, i, q=0.0):
     add_link_and_axes(scene, moves, length)
     add_triads(scene, np.array([first, last]), [str(i - 1), str(i)], 0.85 * length)
     camera = best_orbit(_directions(moves))
-    for move in sorted(
-        moves, key=lambda move: not move.is_turn
-    ):  # lengths go where the arcs leave room
+    for move in sorted(moves, key=lambda move: not move.is_turn):
+        # lengths go where the arcs leave room
         if not move.is_nothing:
             add_move(scene, move, length, camera)
     convention = CONVENTIONS[table.convention]
