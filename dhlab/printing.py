@@ -98,8 +98,8 @@ def grid_html(headings: Iterable[str], rows: Iterable[Iterable[object]], caption
         "<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows
     )
     return (
-        '<table class="dhlab"'
-        f' style="min-width:22em"><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+        f'<table class="dhlab" style="min-width:22em"><caption>{escape(caption)}</caption>'
+        f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
     )
 
 

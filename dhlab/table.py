@@ -5,17 +5,17 @@ types.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import units
+from .checks import COLUMNS, checked_joints, checked_rows, require_finite
 
 __all__ = ["DHTable", "CONVENTIONS", "COLUMNS", "JOINT_WORDS", "joint_letter"]
 
 CONVENTIONS = ("standard", "craig")
-COLUMNS = ("theta", "d", "a", "alpha")
 JOINT_WORDS = {"revolute": "R", "prismatic": "P"}
 
 
@@ -89,8 +89,8 @@ class DHTable:
             column = column + 0.0  # -0.0 prints badly
             column.flags.writeable = False
             object.__setattr__(self, name, column)
-        _require_finite(self.rows, "DHTable")
-        object.__setattr__(self, "joints", _joint_letters(self.joints, len(columns[0]), "DHTable"))
+        require_finite(self.rows, "DHTable")
+        object.__setattr__(self, "joints", checked_joints(self.joints, len(columns[0]), "DHTable"))
 
     @classmethod
     def standard(
@@ -128,7 +128,8 @@ class DHTable:
         >>> DHTable.standard([[0, 0.1, 0]], angle="deg")
         Traceback (most recent call last):
         ...
-        ValueError: DHTable.standard: row 1 has 3 numbers, expected 4 (theta, d, a, alpha); fill in what is missing
+        ValueError: DHTable.standard: row 1 has 3 numbers, expected 4 (theta, d, a, alpha); fill in
+        what is missing
         """
         return cls._from_rows("standard", rows, angle, length, joints)
 
@@ -146,7 +147,8 @@ class DHTable:
 
         Examples
         --------
-        >>> print(DHTable.craig([[0, 333, 0, 0], [0, 0, 0, -90]], angle="deg", length="mm", joints="RP"))
+        >>> rows = [[0, 333, 0, 0], [0, 0, 0, -90]]
+        >>> print(DHTable.craig(rows, angle="deg", length="mm", joints="RP"))
         Craig DH, 2 joints (lengths in m, angles in deg)
          i   theta  d      a(i-1)  alpha(i-1)
          1   q1     0.333  0       0
@@ -164,14 +166,12 @@ class DHTable:
         joints: str | Sequence[str] | None,
     ) -> Self:
         where = f"DHTable.{convention}"
-        to_rad, to_m = (
-            units.scale_of(angle, "angle", where),
-            units.scale_of(length, "length", where),
-        )
-        numbers = _as_rows(rows, where)
-        _require_finite(numbers, where)
+        to_rad = units.scale_of(angle, "angle", where)
+        to_m = units.scale_of(length, "length", where)
+        numbers = checked_rows(rows, where)
+        require_finite(numbers, where)
         theta, d, a, alpha = numbers.T
-        letters = _joint_letters(joints, len(numbers), where)
+        letters = checked_joints(joints, len(numbers), where)
         return cls(
             convention,
             units.convert(theta, to_rad),
@@ -234,10 +234,11 @@ class DHTable:
         """
         if not isinstance(other, DHTable):
             return NotImplemented
-        return (self.convention, self.joints) == (
-            other.convention,
-            other.joints,
-        ) and np.array_equal(self.rows, other.rows)
+        return (
+            self.convention == other.convention
+            and self.joints == other.joints
+            and np.array_equal(self.rows, other.rows)
+        )
 
     def __hash__(self) -> int:
         return hash((self.convention, self.joints, self.rows.tobytes()))
@@ -259,75 +260,6 @@ class DHTable:
         from .printing import table_html
 
         return table_html(self)
-
-
-def _as_rows(rows: Any, where: str) -> NDArray[np.float64]:
-    """(n, 4) floats from whatever was given, or a sentence that names the row and the column."""
-    if isinstance(rows, (str, bytes, dict)) or not np.iterable(rows):
-        raise ValueError(
-            f"{where}: expected rows of four numbers (theta, d, a, alpha), found"
-            f" {type(rows).__name__}; give a list of rows"
-        )
-    rows = list(rows)
-    if not rows:
-        raise ValueError(
-            f"{where}: expected at least one row (theta, d, a, alpha), found an empty table; give"
-            " one row per joint"
-        )
-    numbers = np.empty((len(rows), 4))
-    for i, row in enumerate(rows, 1):
-        if isinstance(row, (str, bytes, dict)) or not np.iterable(row):
-            raise ValueError(
-                f"{where}: row {i} is {row!r}, expected 4 numbers (theta, d, a, alpha); put each"
-                " row in brackets of its own"
-            )
-        row = list(row)
-        if len(row) != 4:
-            todo = (
-                "fill in what is missing"
-                if len(row) < 4
-                else "take out what is too much (is there an index column?)"
-            )
-            raise ValueError(
-                f"{where}: row {i} has {len(row)} numbers, expected 4 (theta, d, a, alpha); {todo}"
-            )
-        for name, k in zip(COLUMNS, range(4)):
-            numbers[i - 1, k] = _as_number(row[k], f"{where}: row {i}, {name}")
-    return numbers
-
-
-def _as_number(value: object, where: str) -> float:
-    array = np.asarray(value)
-    if array.shape != () or array.dtype.kind not in "iuf":
-        raise ValueError(f"{where}: expected a number, found {value!r}; write it as a plain number")
-    return float(array)
-
-
-def _require_finite(numbers, where):
-    bad = np.argwhere(~np.isfinite(numbers))
-    if len(bad):
-        i, k = bad[0]
-        raise ValueError(
-            f"{where}: row {i + 1}, {COLUMNS[k]}: expected a finite number, found {numbers[i, k]};"
-            " look at where it was computed"
-        )
-
-
-def _joint_letters(joints, n, where):
-    if joints is None:
-        joints = "R" * n
-    letters = list(joints) if np.iterable(joints) else [joints]
-    for i, letter in enumerate(letters, 1):
-        if not isinstance(letter, str) or letter not in ("R", "P"):
-            raise ValueError(
-                f'{where}: joint {i} is {letter!r}, expected "R" (revolute) or "P" (prismatic)'
-            )
-    if len(letters) != n or n == 0:
-        raise ValueError(
-            f'{where}: found {len(letters)} joint letters for {n} rows; expected one "R" or "P" per'
-            " row and at least one row"
-        )
-    return "".join(letters)
 
 
 def joint_letter(word: object, where: str) -> str:

@@ -273,7 +273,8 @@ def require_pose(T: ArrayLike, name: str) -> NDArray[np.float64]:
     >>> require_pose(np.zeros((3, 3)), "tool")
     Traceback (most recent call last):
     ...
-    ValueError: tool: expected a 4×4 pose, but its shape is (3, 3), not 4×4; build one with dhlab.transform (trans, rot_z, ...)
+    ValueError: tool: expected a 4×4 pose, but its shape is (3, 3), not 4×4; build one with
+    dhlab.transform (trans, rot_z, ...)
     """
     try:
         array = np.array(T, dtype=float)

@@ -28,7 +28,8 @@ def read_text(path, what):
     >>> read_text("no-such.yaml", "a table file")
     Traceback (most recent call last):
     ...
-    ValueError: no-such.yaml: expected a table file, found no such file; check the name and the folder
+    ValueError: no-such.yaml: expected a table file, found no such file; check the name and the
+    folder
     """
     path = Path(path)
     try:

@@ -82,7 +82,8 @@ def as_arm(given: object, where: str) -> Arm:
     >>> as_arm([[0, 0, 1, 0]], "to")
     Traceback (most recent call last):
     ...
-    ValueError: to: expected an Arm or a DHTable, found list; make one with DHTable.standard or DHTable.craig, or dhlab.load a named arm
+    ValueError: to: expected an Arm or a DHTable, found list; make one with DHTable.standard or
+    DHTable.craig, or dhlab.load a named arm
     """
     if isinstance(given, Arm):
         return given

@@ -1,4 +1,4 @@
-"""One move of a frame, on the columns of a table: what every way to write an arm anew is made of."""
+"""One move of one frame, on the columns of a table: every other table of an arm is made of them."""
 
 from collections.abc import Callable
 

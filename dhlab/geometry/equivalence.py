@@ -60,7 +60,8 @@ def equivalent(
     >>> print(equivalent(arm, arm.flip_x(2)))
     The same arm: table b is table a with x2 flipped (theta2, a2, alpha2, theta3).
     >>> print(equivalent(arm, arm.flip_x(2).slide(2, 0.1).flip_x(2)))
-    The same arm: table b is table a with 0.1 m slid along the parallel axes 2-3 from row 3 to row 2.
+    The same arm: table b is table a with 0.1 m slid along the parallel axes 2-3 from row 3 to row
+    2.
     >>> result = equivalent(arm, dh.load("ur5_cb"))
     >>> bool(result), result.joint
     (False, 2)

@@ -129,14 +129,16 @@ def assign_frames(
     --------
     >>> import dhlab as dh
     >>> from dhlab.transform import trans
-    >>> arm = assign_frames([([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 0, 1])], end=trans([0.7, 0, 0.1]))
+    >>> axes = [([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 0, 1])]
+    >>> arm = assign_frames(axes, end=trans([0.7, 0, 0.1]))
     >>> print(arm)
     standard DH, 2 joints (lengths in m, angles in deg)
      i  theta  d    a    alpha
      1  q1     0    0.4  0
      2  q2     0.1  0.3  0
     >>> print(arm.steps[1])
-    z1 ∥ z0: the common normal is free; taken through o0, so d1 = 0; x1 points from z0 to z1, a1 = 0.4 m.
+    z1 ∥ z0: the common normal is free; taken through o0, so d1 = 0; x1 points from z0 to z1, a1 =
+    0.4 m.
     """
     if convention not in CONVENTIONS:
         raise ValueError(
@@ -188,10 +190,8 @@ def _warned(found, table, asked):
     """
     sentences = []
     for k in range(1, len(table)):
-        z, w = (
-            f"z{k - 1}" if table.convention == "standard" else f"z{k}",
-            (f"z{k}" if table.convention == "standard" else f"z{k + 1}"),
-        )
+        first = k - 1 if table.convention == "standard" else k
+        z, w = f"z{first}", f"z{first + 1}"
         if k in found.snapped and asked is None:
             angle, far = found.snapped[k]
             sentences.append(

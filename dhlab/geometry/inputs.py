@@ -1,5 +1,5 @@
-"""What :func:`dhlab.geometry.frames.assign_frames` is given, checked: the joint axes and the choices
-that the geometry leaves open.
+"""What :func:`dhlab.geometry.frames.assign_frames` is given, checked: the joint axes, and the
+choices that the geometry leaves open.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -118,8 +118,9 @@ def place(axes: list[Axis], end: NDArray[np.float64], choices: Choices) -> Place
     Examples
     --------
     >>> z, x = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
-    >>> found = place([Axis(np.zeros(3), z, "R"), Axis(np.array([0.4, 0, 0]), z, "R")], np.eye(4), Choices())
-    >>> found.cases, float(found.normals[1].a)
+    >>> axes = [Axis(np.zeros(3), z, "R"), Axis(0.4 * x, z, "R")]
+    >>> found = place(axes, np.eye(4), Choices())
+    >>> found.cases, found.normals[1].a
     (['start', 'parallel', 'parallel'], 0.4)
     """
     target = end[:3, 3]

@@ -36,9 +36,11 @@ def describe(
     --------
     >>> from dhlab.geometry.frames import assign_frames
     >>> print(*assign_frames([([0, 0, 0.1], [0, 0, 2])], end=np.eye(4)).steps, sep="\\n")
-    z0 is the axis of joint 1; it runs through the base's origin, which is o0, and x0 is taken along the base's x: frame 0 is the base frame.
+    z0 is the axis of joint 1; it runs through the base's origin, which is o0, and x0 is taken along
+    the base's x: frame 0 is the base frame.
     z1 lies on z0: x1 and o1 are free; taken as the tool's, so a1 = 0 and alpha1 = 0°.
-    Row 1: theta1 = 0° (x0 to x1 about z0), d1 = 0 m (o0 to x1 along z0), a1 = 0 m (z0 to z1 along x1), alpha1 = 0° (z0 to z1 about x1).
+    Row 1: theta1 = 0° (x0 to x1 about z0), d1 = 0 m (o0 to x1 along z0), a1 = 0 m (z0 to z1 along
+    x1), alpha1 = 0° (z0 to z1 about x1).
     Frame 1 is the tool's frame, so arm.tool is the identity.
     """
     words = _Words(found, convention)

@@ -89,7 +89,8 @@ def load(name):
     >>> load("pipr")
     Traceback (most recent call last):
     ...
-    ValueError: load: expected an arm of the library or a table file, found no 'pipr'; did you mean piper?
+    ValueError: load: expected an arm of the library or a table file, found no 'pipr'; did you mean
+    piper?
     """
     if isinstance(name, Path) or Path(str(name)).suffix.lower() in (".yaml", ".yml", ".csv"):
         return read_arm(name)

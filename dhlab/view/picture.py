@@ -45,8 +45,10 @@ class Picture:
     >>> from dhlab import view
     >>> picture = view.arm(dh.load("article-6r"), side=False)
     >>> print(picture.alt)
-    The article's 6R arm, as its table has it: an arm with 6 revolute joints, drawn at q = 0°, 0°, 0°, 0°, 0°, 0°.
-    Its end is at x = 0.75, y = -0.2, z = 0.1 m, its x axis along +x and its z axis along -y. Frames {4} and {5} share one origin.
+    The article's 6R arm, as its table has it: an arm with 6 revolute joints, drawn at q = 0°, 0°,
+    0°, 0°, 0°, 0°.
+    Its end is at x = 0.75, y = -0.2, z = 0.1 m, its x axis along +x and its z axis along -y. Frames
+    {4} and {5} share one origin.
     """
 
     def __init__(self, figure, alt, headings, rows, caption, points=None):
@@ -75,7 +77,8 @@ class Picture:
         >>> view.frames(np.eye(4)).save("frame.bmp")
         Traceback (most recent call last):
         ...
-        ValueError: frame.bmp: expected a name that ends in .png, .svg or .pdf, found '.bmp'; choose one of these
+        ValueError: frame.bmp: expected a name that ends in .png, .svg or .pdf, found '.bmp'; choose
+        one of these
         """
         path = Path(path)
         suffix = path.suffix.lower()

@@ -35,7 +35,8 @@ def graded_check(points, partial=0.0, own_kinematics=0.0):
     --------
     >>> check = graded_check(3)
     >>> check("05.2", "b")
-    ✓ 05.2  Right: Turn and shift about one axis commute, and so do two shifts: five of the 24 orders are right.
+    ✓ 05.2  Right: Turn and shift about one axis commute, and so do two shifts: five of the 24
+    orders are right.
     3.0
     """
 

@@ -61,10 +61,14 @@ def conventions(arm, q=None):
     >>> arm = dh.Arm(dh.DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg"), name="two links")
     >>> print(view.conventions(arm).table)
     The frames of both conventions, in the world frame
-     frame  standard: x, y, z (m)  its z axis  is the axis of  Craig: x, y, z (m)  its z axis  is the axis of
-     {0}    0, 0, 0                (0, 0, 1)   joint 1         0, 0, 0             (0, 0, 1)   no joint
-     {1}    0, 0, 0.1              (0, -1, 0)  joint 2         0, 0, 0.1           (0, 0, 1)   joint 1
-     {2}    0.4, 0, 0.1            (0, -1, 0)  no joint        0, 0, 0.1           (0, -1, 0)  joint 2
+     frame  standard: x, y, z (m)  its z axis  is the axis of  Craig: x, y, z (m)  its z axis  is
+     the axis of
+     {0}    0, 0, 0                (0, 0, 1)   joint 1         0, 0, 0             (0, 0, 1)   no
+     joint
+     {1}    0, 0, 0.1              (0, -1, 0)  joint 2         0, 0, 0.1           (0, 0, 1)   joint
+     1
+     {2}    0.4, 0, 0.1            (0, -1, 0)  no joint        0, 0, 0.1           (0, -1, 0)  joint
+     2
     """
     q, _ = given_arm_at(arm, q)
     arms = {name: arm.to(name) for name in NAMES}
