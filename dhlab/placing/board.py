@@ -2,16 +2,23 @@
 choice passes, a wrong one is told its rule.
 """
 
+from collections.abc import Iterable, Sequence
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.frames import PlacedArm, assign_frames
-from ..geometry.lines import angle_about, nearest_on, tilt
 from ..geometry.inputs import axes_from
-from ..geometry.normals import ROUNDING, Choices, no_dust, place, tidy
-from ..table import DHTable
-from ..transform import inverse, require_pose
-from .geometry import LENGTH, geometry
-from .rules import Judgement, judge_origin, judge_x, judge_z
+from ..geometry.lines import nearest_on, tilt
+from ..geometry.normals import ROUNDING, Choices, place
+from ..transform import require_pose
+from .finished import placed_arm, pose
+from .geometry import LENGTH, Geometry, geometry
+from .judgement import Judgement
+from .rule_origin import judge_origin
+from .rule_x import judge_x
+from .rule_z import judge_z
 
 __all__ = ["Placement"]
 
@@ -51,7 +58,8 @@ class Placement:
     Examples
     --------
     >>> from dhlab.transform import trans
-    >>> two = Placement([([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 0, 1])], end=trans([0.7, 0, 0.1]))
+    >>> axes = [([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 0, 1])]
+    >>> two = Placement(axes, end=trans([0.7, 0, 0.1]))
     >>> print(two.set_z(0, [1, 1, 0]))
     ✗ z0: This stands across the axis of joint 1. z lies on the line the joint turns about:
           move the joint alone and look for the line that stays in place.
@@ -64,28 +72,34 @@ class Placement:
      2  q2     0.1  0.3  0
     """
 
-    def __init__(self, axes, end, convention="standard"):
+    def __init__(
+        self, axes: Iterable[Sequence[Any]], end: ArrayLike, convention: str = "standard"
+    ) -> None:
         self.model = assign_frames(axes, end=end, convention=convention)
         self.end, self.convention = require_pose(end, "Placement: end"), convention
         found = place(axes_from(axes), self.end, Choices(standard=self.standard))
         self.axes, self.reach = found.axes, found.reach or 1.0
-        self.z, self.o, self.x, self._points, self._said = {}, {}, {}, {}, {}
+        self.z: dict[int, NDArray[np.float64]] = {}
+        self.o: dict[int, NDArray[np.float64]] = {}
+        self.x: dict[int, NDArray[np.float64]] = {}
+        self._points: dict[int, NDArray[np.float64] | None] = {}
+        self._said: dict[str, Judgement] = {}
 
-    def __len__(self):
+    def __len__(self) -> int:
         """The number of joints; frames run from 0 to this."""
         return len(self.axes) - 1
 
     @property
-    def standard(self):
+    def standard(self) -> bool:
         """Whether z_i is the axis of joint i+1; else of joint i."""
         return self.convention == "standard"
 
-    def joint(self, i):
+    def joint(self, i: int) -> int | None:
         """The joint whose axis z_i is, or None: z_n (standard) and z_0 (Craig) lie on no joint."""
         k = self._frame(i) + self.standard
         return k if 1 <= k <= len(self) else None
 
-    def choices(self, i):
+    def choices(self, i: int) -> Geometry:
         """What the axes leave open for frame i now: the case, the lines, the common normal, and
         origin and x where there is only one.
 
@@ -113,7 +127,7 @@ class Placement:
             )
         return self._geometry(i, self.o.get(i))
 
-    def set_z(self, i, direction, point=None):
+    def set_z(self, i: int, direction: ArrayLike, point: ArrayLike | None = None) -> Judgement:
         """Lay z_i along a direction.
 
         Parameters
@@ -130,15 +144,14 @@ class Placement:
         -------
         Judgement
         """
-        judgement, exact = judge_z(
-            self._frame(i), self.axes, self.convention, self.reach, direction, point
-        )
-        if judgement:
+        i = self._frame(i)
+        judgement, exact = judge_z(i, self.axes, self.convention, self.reach, direction, point)
+        if exact is not None:
             self.z[i], self._points[i] = exact
             self._keep(judgement)
         return judgement
 
-    def set_origin(self, i, point):
+    def set_origin(self, i: int, point: ArrayLike) -> Judgement:
         """Put o_i at a point (m, in the base frame).
 
         Returns
@@ -147,19 +160,15 @@ class Placement:
         """
         before = self._comes_first(self._frame(i), "o")
         if before:
-            return Judgement(
-                f"o{i}",
-                False,
-                "order",
-                f"Place {before} first: which point is right depends on it.",
-            )
+            first = f"Place {before} first: which point is right depends on it."
+            return Judgement(f"o{i}", False, "order", first)
         judgement, exact = judge_origin(self._geometry(i), point)
-        if judgement:
+        if exact is not None:
             self.o[i] = self._on_next_line(i, exact)
             self._keep(judgement)
         return judgement
 
-    def set_x(self, i, direction):
+    def set_x(self, i: int, direction: ArrayLike) -> Judgement:
         """Point x_i along a direction of any length, in the base frame.
 
         Returns
@@ -170,47 +179,36 @@ class Placement:
         if before:
             return Judgement(f"x{i}", False, "order", f"Place {before} first: x{i} depends on it.")
         judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], direction)
-        if judgement:
+        if exact is not None:
             self.x[i] = exact
             self._keep(judgement)
         return judgement
 
     @property
-    def missing(self):
+    def missing(self) -> tuple[str, ...]:
         """The steps that are left, in an order in which they can be made: every z, then frame by
         frame the origin and x.
         """
-        left = [f"z{i}" for i in range(len(self) + 1) if i not in self.z]
-        return (
-            *left,
-            *(
-                f"{letter}{i}"
-                for i in self._order
-                for letter, placed in (("o", self.o), ("x", self.x))
-                if i not in placed
-            ),
-        )
+        return tuple(step for step in self._every_step if step not in self._said)
 
     @property
-    def finished(self):
+    def finished(self) -> bool:
         """Whether every frame is placed."""
         return not self.missing
 
     @property
-    def steps(self):
+    def steps(self) -> tuple[str, ...]:
         """What is placed, a sentence each: every z, then frame by frame the origin and x."""
-        every = [f"z{i}" for i in range(len(self) + 1)] + [
-            f"{letter}{i}" for i in self._order for letter in "ox"
-        ]
-        return tuple(f"{step}: {self._said[step].message}" for step in every if step in self._said)
+        said = self._said
+        return tuple(f"{step}: {said[step].message}" for step in self._every_step if step in said)
 
     @property
-    def frames(self):
+    def frames(self) -> dict[int, NDArray[np.float64]]:
         """The frames that are placed: {i: pose (4, 4)} in the base frame."""
-        return {i: _pose(self.x[i], self.z[i], self.o[i]) for i in sorted(self.x)}
+        return {i: pose(self.x[i], self.z[i], self.o[i]) for i in sorted(self.x)}
 
     @property
-    def arm(self):
+    def arm(self) -> PlacedArm:
         """The finished frames as a PlacedArm: the table, the base and tool that take up what is
         free, the joints' signs, the steps.
 
@@ -224,37 +222,17 @@ class Placement:
                 f"Placement.arm: expected every frame placed, found {len(self.missing)} steps left;"
                 f" the next is {self.missing[0]}"
             )
-        n, frames = len(self), self.frames
-        theta, d, a, alpha = np.array([self._row(k) for k in range(1, n + 1)]).T
-        table = DHTable(
-            self.convention, theta, d, a, alpha, "".join(axis.letter for axis in self.axes[:n])
-        )
-        sign = [np.sign(self.z[k - self.standard] @ self.axes[k - 1].z) for k in range(1, n + 1)]
-        return PlacedArm(
-            table,
-            base=_clean(frames[0], self.reach),
-            tool=_clean(inverse(frames[n]) @ self.end, self.reach),
-            sign=sign,
-            steps=self.steps,
-        )
-
-    def _row(self, k):
-        """theta_k, d_k and this row's a and alpha; in the two conventions a row's moves are made
-        about other axes, that is all.
-        """
-        z, x = (self.z[k - 1], self.x[k]) if self.standard else (self.z[k], self.x[k - 1])
-        way = self.o[k] - self.o[k - 1]
-        return (
-            tidy(angle_about(z, self.x[k - 1], self.x[k])),
-            no_dust(way @ z, self.reach),
-            no_dust(way @ x, self.reach),
-            tidy(angle_about(x, self.z[k - 1], self.z[k])),
-        )
+        return placed_arm(self)
 
     @property
     def _order(self):
         """Frames in the order in which the line that x_i must meet is settled before o_i."""
         return range(len(self) + 1) if self.standard else range(len(self), -1, -1)
+
+    @property
+    def _every_step(self):
+        frame_by_frame = [f"{letter}{i}" for i in self._order for letter in "ox"]
+        return [f"z{i}" for i in range(len(self) + 1)] + frame_by_frame
 
     def _frame(self, i):
         if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not 0 <= i <= len(self):
@@ -303,43 +281,32 @@ class Placement:
         line = self._line(j) if self._line(i) is None and 0 <= j <= len(self) else None
         if line is None or tilt(line[1], self.z[i]) > ROUNDING:
             return o
-        on = nearest_on(*line, o)
+        p, z = line
+        on = nearest_on(p, z, o)
         reached = judge_origin(self._geometry(i), on)[1]
         gap = np.zeros(3) if reached is None else reached - on
-        if abs(line[1] @ gap) > ROUNDING * self.reach:
+        if abs(z @ gap) > ROUNDING * self.reach:
             # one row reaches another point of the line, a little further along it
-            on = on + line[1] * (gap @ gap) / (line[1] @ gap)
+            on = on + z * (gap @ gap) / (z @ gap)
         return on if reached is not None and np.linalg.norm(on - o) <= LENGTH * self.reach else o
 
     def _keep(self, judgement):
         """Note a right step; make the others exact again, or put away those that no longer fit."""
         self._said[judgement.step] = judgement
         for i in self._order:
-            self._again(self.o, i, "o", lambda i=i: judge_origin(self._geometry(i), self.o[i]))
-            self._again(
-                self.x,
-                i,
-                "x",
-                lambda i=i: judge_x(self._geometry(i, self.o[i]), self.z[i], self.x[i]),
-            )
+            self._again(i, "o", self.o)
+            self._again(i, "x", self.x)
 
-    def _again(self, placed, i, letter, judge):
+    def _again(self, i, letter, placed):
         if i not in placed:
             return
-        judgement, exact = (None, None) if self._comes_first(i, letter) else judge()
-        if judgement:
-            placed[i], self._said[f"{letter}{i}"] = exact, judgement
-        else:
+        exact = None
+        if not self._comes_first(i, letter):
+            if letter == "o":
+                judgement, exact = judge_origin(self._geometry(i), placed[i])
+            else:
+                judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], placed[i])
+        if exact is None:
             del placed[i], self._said[f"{letter}{i}"]
-
-
-def _pose(x, z, o):
-    T = np.eye(4)
-    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = x, np.cross(z, x), z, o
-    return T
-
-
-def _clean(T, reach):
-    """A pose without the dust of rounding, as assign_frames leaves frame 0."""
-    dust = 4 * np.finfo(float).eps * max(1.0, reach)
-    return np.where(abs(T - np.round(T)) < dust, np.round(T), T) + 0.0
+        else:
+            placed[i], self._said[f"{letter}{i}"] = exact, judgement

@@ -5,14 +5,17 @@ z_{i-1} (standard) or z_{i+1} (Craig), because a row leads from one to the other
 normal. How the two lines lie to each other decides what is right.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..geometry.lines import across, common_normal, parallel_normal, tilt, unit
 from ..geometry.normals import ROUNDING, SAME_PLACE
 
-__all__ = ["Geometry", "geometry", "LENGTH"]
+__all__ = ["Geometry", "Line", "geometry", "LENGTH"]
+
+Line = tuple[NDArray[np.float64], NDArray[np.float64]]  # a point (3,) and a unit vector (3,)
 
 LENGTH = 2e-3  # × the size of the arm: a point typed with three decimals is nearer than this
 
@@ -45,22 +48,31 @@ class Geometry:
     """
 
     i: int
-    names: tuple
+    names: tuple[str, str]
     reach: float
     case: str
-    line: tuple = None
-    other: tuple = None
-    feet: np.ndarray = None
-    origin: np.ndarray = None
-    x: np.ndarray = None
+    line: Line | None = None
+    other: Line | None = None
+    feet: NDArray[np.float64] | None = None
+    origin: NDArray[np.float64] | None = None
+    x: NDArray[np.float64] | None = None
 
     @property
-    def near(self):
+    def near(self) -> float:
         """Metres; points nearer than this are taken as meant for each other."""
         return LENGTH * self.reach
 
 
-def geometry(i, names, reach, z, line, other, anchor=None, o=None):
+def geometry(
+    i: int,
+    names: tuple[str, str],
+    reach: float,
+    z: NDArray[np.float64],
+    line: Line | None,
+    other: Line | None,
+    anchor: NDArray[np.float64] | None = None,
+    o: NDArray[np.float64] | None = None,
+) -> Geometry:
     """The case of frame i.
 
     Parameters
@@ -88,38 +100,29 @@ def geometry(i, names, reach, z, line, other, anchor=None, o=None):
     >>> found.case, found.origin, abs(found.x)
     ('skew', array([1., 0., 0.]), array([1., 0., 0.]))
     """
-    common = {"i": i, "names": names, "reach": reach, "line": line, "other": other}
+    bare = Geometry(i, names, reach, "start", line, other)
     if other is None:
-        return Geometry(case="start", **common)
+        return bare
     if line is None:
-        return _loose(*other, z, o, common)
+        return _loose(bare, *other, z, o)
     (q, _), (p, w) = line, other
     if tilt(w, z) > ROUNDING:
         N = common_normal(p, w, q, z)
         feet = np.array([p + N.out * w, q + N.into * z])
-        return Geometry(
-            case="meet" if abs(N.a) <= SAME_PLACE * reach else "skew",
-            feet=feet,
-            origin=feet[1],
-            x=N.x,
-            **common,
-        )
+        case = "meet" if abs(N.a) <= SAME_PLACE * reach else "skew"
+        return replace(bare, case=case, feet=feet, origin=feet[1], x=N.x)
     target = next(point for point in (o, anchor, p) if point is not None)
-    N = parallel_normal(p, w, q, z, (target - p) @ w, SAME_PLACE * reach)
+    N = parallel_normal(p, w, q, z, float((target - p) @ w), SAME_PLACE * reach)
     if N.x is None:
-        return Geometry(case="same line" if z @ w > 0 else "same line, opposite", **common)
-    return Geometry(
-        case="parallel" if z @ w > 0 else "antiparallel",
-        feet=np.array([p + N.out * w, q + N.into * z]),
-        x=N.x,
-        **common,
-    )
+        return replace(bare, case="same line" if z @ w > 0 else "same line, opposite")
+    feet = np.array([p + N.out * w, q + N.into * z])
+    return replace(bare, case="parallel" if z @ w > 0 else "antiparallel", feet=feet, x=N.x)
 
 
-def _loose(p, w, z, o, common):
+def _loose(bare, p, w, z, o):
     """Only the direction of z_i is settled: o_i may stand wherever one row reaches."""
     if tilt(w, z) > ROUNDING:
-        return Geometry(case="loose", x=unit(np.cross(w, z)), **common)
+        return replace(bare, case="loose", x=unit(np.cross(w, z)))
     gap = np.zeros(3) if o is None else across(o - p, w)
-    apart = np.linalg.norm(gap) > LENGTH * common["reach"]
-    return Geometry(case="loose, parallel", x=unit(gap) if apart else None, **common)
+    apart = np.linalg.norm(gap) > LENGTH * bare.reach
+    return replace(bare, case="loose, parallel", x=unit(gap) if apart else None)
