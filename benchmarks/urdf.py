@@ -1,7 +1,7 @@
 """Real URDF files from PyPI packages through ``read_urdf``, judged by pinocchio and PyBullet.
 ``python benchmarks/urdf.py`` prints Markdown.
 
-Needs the extras urdf and oracles, and the package example-robot-data (6.0.0). Every chain from the
+Needs the extra oracles, and the package example-robot-data (6.0.0). Every chain from the
 root to every leaf is read.
 """
 

@@ -47,8 +47,7 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     ------
     ValueError
         Not a URDF file, xacro, mimic joints, floating or planar joints, loops, several leaves, a
-        tip that is not below the base: one sentence each. Also when the library that parses URDF is
-        missing: ``pip install dhlab-kinematics[urdf]`` brings it (yourdfpy).
+        tip that is not below the base: one sentence each.
 
     Warns
     -----
@@ -65,27 +64,22 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     array([-0.8172, -0.2329,  0.0628])
     """
     from ..geometry.frames import NearlyParallelWarning, assign_frames
-    from .urdfxml import read_chain
+    from .urdftree import read_chain
 
     joints, name, base, tip = read_chain(path, base, tip)
     axes, limits, end = [], [], np.eye(4)
     for joint in joints:
-        end = end @ (np.eye(4) if joint.origin is None else joint.origin)
-        if joint.type != "fixed":
-            axes.append(
-                (
-                    end[:3, 3].copy(),
-                    end[:3, :3] @ joint.axis,
-                    "P" if joint.type == "prismatic" else "R",
-                )
-            )
-            limits.append(_limits(joint))
+        end = end @ joint.origin
+        if joint.kind != "fixed":
+            slides = joint.kind == "prismatic"
+            axes.append((end[:3, 3], end[:3, :3] @ joint.axis, "P" if slides else "R"))
+            limits.append(_limits(joint.limits))
     if not axes:
         raise ValueError(
             f"{path}: expected a joint that moves between {base} and {tip}, found fixed joints"
             " only; name another base or tip"
         )
-    moving = ", ".join(joint.name for joint in joints if joint.type != "fixed")
+    moving = ", ".join(joint.name for joint in joints if joint.kind != "fixed")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NearlyParallelWarning)
         arm = assign_frames(
@@ -101,16 +95,11 @@ def read_urdf(path, base=None, tip=None, *, convention="standard"):
     return arm
 
 
-def _limits(joint):
+def _limits(stated):
     """(low, high), or None where the joint is free; URDF takes a missing end for 0."""
-    stated = joint.limit
-    if (
-        joint.type == "continuous"
-        or stated is None
-        or (stated.lower is None and stated.upper is None)
-    ):
+    if stated is None:
         return None
-    low, high = stated.lower or 0.0, stated.upper or 0.0
+    low, high = stated[0] or 0.0, stated[1] or 0.0
     return None if low > high or (low <= -FREE and high >= FREE) else (low, high)
 
 

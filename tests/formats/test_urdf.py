@@ -2,7 +2,6 @@
 
 import json
 import pathlib
-import sys
 import warnings
 
 import numpy as np
@@ -10,9 +9,9 @@ import pytest
 
 from dhlab import Arm, DHTable, load, robots
 from dhlab.formats.urdf import read_urdf, to_urdf
+from dhlab.formats.urdftree import read_chain
 from dhlab.transform import from_xyz_rpy
 
-pytest.importorskip("yourdfpy")  # what read_urdf parses with
 CHAINS = sorted((pathlib.Path(__file__).parents[1] / "data" / "chains").glob("*.json"))
 
 
@@ -135,13 +134,37 @@ def test_every_chain_has_the_pose_that_pinocchio_gives(path, convention, file):
     )
 
 
-@pytest.mark.parametrize("path", CHAINS[::4], ids=lambda path: path.stem)
-def test_chains_by_yourdfpy_and_pybullet(path, file):
+@pytest.mark.parametrize("path", CHAINS, ids=lambda path: path.stem)
+def test_every_chain_is_read_as_yourdfpy_reads_it(path, file):
     joints = json.loads(path.read_text())["joints"]
     urdf = file(chain_urdf(joints))
     arm = read(urdf)
     q = rng.uniform(-2.9, 2.9, (5, len(arm)))
     assert np.abs(arm.forward(q) - by_yourdfpy(urdf, q, "l0", f"l{len(joints)}")).max() < 1e-11
+
+
+@pytest.mark.parametrize("path", CHAINS, ids=lambda path: path.stem)
+def test_the_numbers_of_every_joint_are_those_of_yourdfpy(path, file):
+    yourdfpy = pytest.importorskip("yourdfpy")
+    n = len(json.loads(path.read_text())["joints"])
+    urdf = file(chain_urdf(json.loads(path.read_text())["joints"]))
+    theirs = yourdfpy.URDF.load(str(urdf), load_meshes=False, build_scene_graph=False).joint_map
+    ours, *_ = read_chain(urdf, None, None)
+    assert len(ours) == len(theirs) == n
+    for joint in ours:
+        other = theirs[joint.name]
+        assert joint.kind == other.type and np.array_equal(joint.axis, other.axis)
+        assert np.abs(joint.origin - other.origin).max() < 1e-15
+        if joint.limits:
+            assert joint.limits == (other.limit.lower, other.limit.upper)
+
+
+@pytest.mark.parametrize("path", CHAINS[::4], ids=lambda path: path.stem)
+def test_chains_by_pybullet(path, file):
+    joints = json.loads(path.read_text())["joints"]
+    urdf = file(chain_urdf(joints))
+    arm = read(urdf)
+    q = rng.uniform(-2.9, 2.9, (5, len(arm)))
     assert np.abs(arm.forward(q) - by_pybullet(urdf, q, f"l{len(joints)}")).max() < 1e-6
 
 
@@ -373,11 +396,21 @@ def test_what_is_off_the_chain_does_not_matter(file):
             "origin rpy: expected 3 finite",
         ),
         (
+            robot(("a", "l0", "l1", "revolute", '<origin xyz=""/>'), *CHAIN[1:]),
+            {},
+            "origin xyz: expected 3 finite numbers, found ''",
+        ),
+        (
             robot(("a", "l0", "l1", "revolute", '<limit lower="-180deg" upper="1"/>'), *CHAIN[1:]),
             {},
             "limit lower",
         ),
         (robot(*CHAIN).replace('<child link="l1"/>', ""), {}, "joint a: expected <parent"),
+        (
+            robot(("a", "l0", "l1", "revolute", '<limit upper="1e999"/>'), *CHAIN[1:]),
+            {},
+            "limit upper: expected a finite number, found '1e999'",
+        ),
         (robot(*CHAIN).replace('type="fixed"', ""), {}, "found no type"),
         (
             robot(*CHAIN).replace('<link name="l3"/>', "<link/>"),
@@ -430,9 +463,3 @@ def test_deep_and_missing_files(file, tmp_path):
         read_urdf(tmp_path / "none.urdf")
     with pytest.raises(ValueError, match="folder"):
         read_urdf(tmp_path)
-
-
-def test_without_the_library(monkeypatch, file):
-    monkeypatch.setitem(sys.modules, "yourdfpy", None)
-    with pytest.raises(ValueError, match=r"pip install dhlab-kinematics\[urdf\]"):
-        read_urdf(file(robot(*CHAIN)))

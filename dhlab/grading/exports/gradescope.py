@@ -112,7 +112,7 @@ def _requirements():
     wanted = [
         line
         for line in requires("dhlab-kinematics") or []
-        if "extra ==" not in line or re.search(r"""extra == ["'](symbolic|urdf)["']""", line)
+        if "extra ==" not in line or re.search(r"""extra == ["']symbolic["']""", line)
     ]
     names = {re.match(r"[\w.-]+", line)[0] for line in wanted} | {"ipython", "nbformat"}
     return sorted(f"{name}=={version(name)}" for name in names)

@@ -1,0 +1,102 @@
+"""The numbers of one URDF joint, read strictly, with the defaults that URDF gives them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..transform import from_xyz_rpy
+from .plainyaml import FLOAT
+from .urdfxml import EXPAND, XACRO
+
+__all__ = ["Joint", "read_joint"]
+
+MOVABLE = ("revolute", "continuous", "prismatic")
+LIMITED = ("revolute", "prismatic")
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint of the chain.
+
+    ``origin`` (4, 4) is its frame in the frame of the joint before, ``axis`` (3,) its direction in
+    its own frame, as the file has it. ``limits`` is (lower, upper) in radians or metres, either of
+    them None when the file does not state it; None when it states neither or the joint has none.
+    """
+
+    name: str
+    kind: str
+    origin: np.ndarray
+    axis: np.ndarray
+    limits: tuple | None
+
+
+def read_joint(element, path):
+    """The :class:`Joint` in a ``<joint>``.
+
+    Parameters
+    ----------
+    element : xml.etree.ElementTree.Element
+        With a name.
+    path : str or path
+        Of the file, for errors.
+
+    Raises
+    ------
+    ValueError
+        A kind that a DH row cannot hold, a joint that mimics another, no direction, or numbers that
+        a lenient parser would take for others.
+    """
+    where = f"{path}: joint {element.get('name')}"
+    kind = _kind(element, where)
+    xyz = _floats(element, "origin", "xyz", 3, where) or [0, 0, 0]
+    rpy = _floats(element, "origin", "rpy", 3, where) or [0, 0, 0]
+    axis = _floats(element, "axis", "xyz", 3, where) or [1, 0, 0]
+    if kind != "fixed" and axis == [0, 0, 0]:
+        raise ValueError(
+            f"{where}: axis: expected a direction, found 0 0 0; write the axis, such as 0 0 1"
+        )
+    limits = _limits(element, where) if kind in LIMITED else None
+    return Joint(element.get("name"), kind, from_xyz_rpy(xyz, rpy), np.array(axis, float), limits)
+
+
+def _kind(element, where):
+    kind = element.get("type")
+    if kind not in (*MOVABLE, "fixed"):
+        hint = {
+            "floating": "; it has six freedoms, a DH row has one",
+            "planar": "; it has three freedoms, a DH row has one",
+        }.get(kind, "")
+        raise ValueError(
+            f"{where}: expected revolute, continuous, prismatic or fixed, found"
+            f" {kind or 'no type'}{hint}; choose a base behind it"
+        )
+    if kind != "fixed" and element.find("mimic") is not None:
+        raise ValueError(
+            f"{where}: expected a joint of its own, found one that mimics"
+            f" {element.find('mimic').get('joint')}; a DH table gives every joint its own variable:"
+            " choose a tip before it"
+        )
+    return kind
+
+
+def _limits(element, where):
+    lower, upper = (_floats(element, "limit", key, 1, where) for key in ("lower", "upper"))
+    return (lower and lower[0], upper and upper[0]) if lower or upper else None
+
+
+def _floats(element, tag, key, n, where):
+    """The ``n`` numbers of an attribute, or None when the file does not have it."""
+    child = element.find(tag)
+    text = None if child is None else child.get(key)
+    if text is None:
+        return None
+    where = f"{where}: {tag} {key}"
+    if XACRO.search(text):
+        raise ValueError(f"{where}: expected numbers, found the xacro expression {text}; {EXPAND}")
+    words = text.split()
+    if len(words) != n or not all(FLOAT.match(word) and np.isfinite(float(word)) for word in words):
+        raise ValueError(
+            f"{where}: expected {'a finite number' if n == 1 else f'{n} finite numbers'}, found"
+            f" {text[:60]!r}; write numbers with spaces between them and decimal points"
+        )
+    return [float(word) for word in words]

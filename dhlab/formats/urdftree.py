@@ -1,0 +1,124 @@
+"""The chain of joints between two links of a URDF file."""
+
+from .urdfjoint import read_joint
+from .urdfxml import read_parts
+
+__all__ = ["read_chain"]
+
+
+def read_chain(path, base, tip):
+    """The joints from ``base`` to ``tip`` in order, and the names of the robot and of the two
+    links.
+
+    Parameters
+    ----------
+    path : str or path
+    base, tip : str or None
+        Names of links; None: the root and the only leaf.
+
+    Returns
+    -------
+    joints : list of dhlab.formats.urdfjoint.Joint
+        Fixed ones included.
+    name, base, tip : str
+
+    Raises
+    ------
+    ValueError
+        One sentence: what was expected, what was found, what to do.
+    """
+    name, links, joints = read_parts(path)
+    above = _joint_above(links, joints, path)
+    base, tip = _ends(links, above, base, tip, path)
+    chain = _chain(above, base, tip, path)
+    return [read_joint(joint, path) for joint in chain], name, base, tip
+
+
+def _joint_above(links, joints, path):
+    """From each link to the joint that carries it: (name, parent, child, element)."""
+    above, known = {}, set(links)
+    for joint in joints:
+        name, parent, child, _ = joint
+        for link in (parent, child):
+            if link not in known:
+                raise ValueError(
+                    f"{path}: joint {name}: expected a link of the file, found {link}, which is not"
+                    " in it; add the link or correct the name"
+                )
+        if child in above:
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop: link {child} hangs on the joints"
+                f" {above[child][0]} and {name}; a DH table can only describe a chain without loops"
+            )
+        above[child] = joint
+    return above
+
+
+def _ends(links, above, base, tip, path):
+    for name, link in (("base", base), ("tip", tip)):
+        if link is not None and link not in links:
+            raise ValueError(
+                f"{path}: {name}: expected a link of the file, found {link!r}; the links are"
+                f" {_listed(links)}"
+            )
+    if base is None and tip is not None:
+        return _path(above, tip, path)[-1], tip
+    if base is None:
+        roots = [link for link in links if link not in above]
+        if not roots:
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop without a root; a DH table can"
+                " only describe a chain without loops"
+            )
+        if len(roots) > 1:
+            raise ValueError(
+                f"{path}: expected one root link, found {_listed(roots)}; name one of them as base"
+            )
+        base = roots[0]
+    if tip is None:
+        tip = _only_leaf(links, above, base, path)
+    return base, tip
+
+
+def _only_leaf(links, above, base, path):
+    parents = {joint[1] for joint in above.values()}
+    leaves = [link for link in links if link not in parents and base in _path(above, link, path)]
+    if leaves == [base] or not leaves:
+        raise ValueError(f"{path}: expected joints below {base}, found none; name another base")
+    if len(leaves) > 1:
+        raise ValueError(
+            f"{path}: expected one tip, found {len(leaves)} leaves below {base}; "
+            f"name one of them (or a link before it) as tip: {_listed(leaves)}"
+        )
+    return leaves[0]
+
+
+def _path(above, link, path):
+    """The links from ``link`` up to its root, both included."""
+    found = [link]
+    while found[-1] in above:
+        found.append(above[found[-1]][1])
+        if found[-1] in found[:-1]:
+            raise ValueError(
+                f"{path}: expected a tree of links, found a loop through {found[-1]}; "
+                "a DH table can only describe a chain without loops"
+            )
+    return found
+
+
+def _chain(above, base, tip, path):
+    """The joint elements from base to tip."""
+    up = _path(above, tip, path)
+    if base not in up:
+        raise ValueError(
+            f"{path}: expected a chain from {base} to {tip}, found that {tip} is not below {base}"
+            f" (it hangs on {_listed(up[1:])}); name a base above the tip"
+        )
+    return [above[link][3] for link in reversed(up[: up.index(base)])]
+
+
+def _listed(names, most=20):
+    return (
+        ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+        or "nothing"
+    )
