@@ -9,7 +9,7 @@ __all__ = ["read_text", "write_text", "write_bytes"]
 LARGEST = 10_000_000  # bytes; tables, pose files and logs are far smaller
 
 
-def read_text(path, what):
+def read_text(path: str | Path, what: str) -> str:
     """The UTF-8 text of a file.
 
     Parameters
@@ -64,12 +64,16 @@ def read_text(path, what):
         ) from None
 
 
-def write_text(path, text, *, overwrite=False, private=False):
+def write_text(
+    path: str | Path, text: str, *, overwrite: bool = False, private: bool = False
+) -> None:
     """Write a text as UTF-8; see :func:`write_bytes`."""
     write_bytes(path, text.encode("utf-8"), overwrite=overwrite, private=private)
 
 
-def write_bytes(path, data, *, overwrite=False, private=False):
+def write_bytes(
+    path: str | Path, data: bytes, *, overwrite: bool = False, private: bool = False
+) -> None:
     """Write a whole file or nothing: a temporary file beside it is renamed into place; ``private``:
     for its owner's eyes only.
 

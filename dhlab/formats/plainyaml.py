@@ -8,13 +8,18 @@ file fill the memory.
 import difflib
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
 
 from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
 
 from .files import read_text
+
+Made = TypeVar("Made")
 
 __all__ = ["Item", "read", "parse", "fields", "entries", "number", "text", "placed"]
 
@@ -31,10 +36,10 @@ class Item:
     int, float, bool or None.
     """
 
-    value: object
+    value: Any
     where: str
 
-    def plain(self):
+    def plain(self) -> Any:
         """The value without places, as Python dicts, lists and scalars."""
         if isinstance(self.value, dict):
             return {key: item.plain() for key, item in self.value.items()}
@@ -43,12 +48,12 @@ class Item:
         return self.value
 
 
-def read(path, what="a table file"):
+def read(path: str | Path, what: str = "a table file") -> Item:
     """The top Item of a YAML file; ValueError with file and line when it is not plain YAML."""
     return parse(read_text(path, what), str(path))
 
 
-def parse(text, name):
+def parse(text: str, name: str) -> Item:
     """The top Item of a YAML text; ``name`` stands for the file in errors.
 
     Examples
@@ -138,7 +143,7 @@ def _tagged(node):
     return None if tag.removeprefix("tag:yaml.org,2002:") in RESOLVED else tag
 
 
-def fields(item, what, *, required, allowed):
+def fields(item: Item, what: str, *, required: set[str], allowed: set[str]) -> dict[str, Item]:
     """The dict of Items in ``item`` when its keys are right; otherwise a sentence that names the
     key and the place.
     """
@@ -161,7 +166,7 @@ def fields(item, what, *, required, allowed):
     return item.value
 
 
-def number(item, what):
+def number(item: Item, what: str) -> float:
     """The finite number in ``item``, or a sentence."""
     value = item.value
     if isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -174,7 +179,7 @@ def number(item, what):
     return value
 
 
-def text(item, what):
+def text(item: Item, what: str) -> str:
     """The text in ``item``, or a sentence."""
     if not isinstance(item.value, str):
         raise ValueError(
@@ -183,7 +188,7 @@ def text(item, what):
     return item.value
 
 
-def entries(item, what, length=None):
+def entries(item: Item, what: str, length: int | None = None) -> list[Item]:
     """The list of Items in ``item``, of ``length`` entries when given, or a sentence."""
     if not isinstance(item.value, list):
         raise ValueError(f"{item.where}: {what}: expected a list in brackets, found {_found(item)}")
@@ -203,7 +208,7 @@ def _found(item):
     return f"the text {value!r}" if isinstance(value, str) else repr(value)
 
 
-def placed(where, make):
+def placed(where: object, make: Callable[[], Made]) -> Made:
     """``make()``, with the place put before what it complains of."""
     try:
         return make()

@@ -4,12 +4,14 @@ configuration, read strictly.
 
 import csv
 import io
+from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .. import units
-from ..table import _joint_letters
+from ..checks import checked_joints
 from ..transform import from_xyz_rpy
 from .files import read_text
 from .plainyaml import FLOAT
@@ -25,7 +27,9 @@ POSITION = ("x", "y", "z")
 UNIT_TOLERANCE = 1e-3  # a quaternion printed with four digits passes
 
 
-def read_poses(path, n, length="m", angle="rad", *, joints=None):
+def read_poses(
+    path: str | Path, n: int, length: str = "m", angle: str = "rad", *, joints: str | None = None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Configurations and the poses (or positions) that belong to them, from a CSV file.
 
     Parameters
@@ -65,10 +69,8 @@ def read_poses(path, n, length="m", angle="rad", *, joints=None):
     >>> q.round(6), points
     (array([[0.      , 1.570796]]), array([[0.4, 0. , 0.1]]))
     """
-    to_m, to_rad = (
-        units.scale_of(length, "length", "read_poses"),
-        units.scale_of(angle, "angle", "read_poses"),
-    )
+    to_m = units.scale_of(length, "length", "read_poses")
+    to_rad = units.scale_of(angle, "angle", "read_poses")
     slides = _slides(joints, n)
     (line, names), *rows = _lines(path)
     orientation = _orientation(names, n, f"{path}: line {line}")
@@ -98,7 +100,7 @@ def _slides(joints, n):
             f"read_poses: n: expected the number of joints, a whole number from 1, found {n!r};"
             " give len(arm)"
         )
-    return [letter == "P" for letter in _joint_letters(joints, n, "read_poses: joints")]
+    return [letter == "P" for letter in checked_joints(joints, int(n), "read_poses: joints")]
 
 
 def _lines(path):
@@ -120,14 +122,14 @@ def _lines(path):
             f"{path}: expected a header q1,…,qn,x,y,z and a line per pose, found an empty file; was"
             " it saved?"
         )
-    line, header = kept[0]
+    first, header = kept[0]
     wrong = "semicolons" if ";" in "".join(header) else "tabs" if "\t" in "".join(header) else None
     if wrong:
         raise ValueError(
-            f"{path}: line {line}: expected commas between the columns, found {wrong}; "
+            f"{path}: line {first}: expected commas between the columns, found {wrong}; "
             "save it with commas between cells and points in numbers"
         )
-    return [(line, [name.lower() for name in header]), *kept[1:]]
+    return [(first, [name.lower() for name in header]), *kept[1:]]
 
 
 def _orientation(names, n, where):

@@ -4,6 +4,8 @@ joint.
 
 import csv
 import io
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +20,7 @@ __all__ = ["read_csv", "csv_text"]
 HEADER = "theta_deg,d_m,a_m,alpha_deg (or _rad, _mm) and optionally type,sign"
 
 
-def read_csv(path):
+def read_csv(path: str | Path) -> Arm:
     """The ``Arm`` in a CSV table file."""
     lines = read_text(path, "a table file").splitlines()
     convention = _convention(lines[0] if lines else "", path)
@@ -33,7 +35,7 @@ def read_csv(path):
             " the documentation's table files page"
         )
     scales, names = _header([cell.strip() for cell in rows[0][1]], path)
-    columns = {name: [] for name in names}
+    columns: dict[str, list[Any]] = {name: [] for name in names}
     for k, (line, row) in enumerate(rows[1:], 1):
         where = f"{path}: line {line}: row {k}"
         if len(row) != len(names):
@@ -49,11 +51,10 @@ def read_csv(path):
             )
     letters = "".join(columns.pop("type", ["R"] * (len(rows) - 1)))
     sign = columns.pop("sign", None)
-    table = DHTable(
-        convention,
-        *(units.convert(np.array(columns[name], dtype=float), scales[name]) for name in COLUMNS),
-        letters,
+    theta, d, a, alpha = (
+        units.convert(np.array(columns[name], dtype=float), scales[name]) for name in COLUMNS
     )
+    table = DHTable(convention, theta, d, a, alpha, letters)
     return placed(path, lambda: Arm(table, sign=sign))
 
 
@@ -101,7 +102,7 @@ def _cell(cell):
     return cell or None
 
 
-def csv_text(arm, angle, length):
+def csv_text(arm: Arm, angle: str, length: str) -> str:
     """The CSV text of an arm without base, tool or limits, in the units named."""
     plain = Arm(arm.table)
     held = (

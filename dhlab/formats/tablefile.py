@@ -8,6 +8,7 @@ import numpy as np
 
 from .. import units
 from ..arm import Arm
+from ..table import DHTable
 from . import plainyaml
 from .files import write_text
 from .tablecsv import csv_text, read_csv
@@ -16,7 +17,7 @@ from .tableyaml import arm_from_item, yaml_text
 __all__ = ["read_arm", "read_table", "write"]
 
 
-def read_arm(path):
+def read_arm(path: str | Path) -> Arm:
     """The ``Arm`` in a ``.yaml``, ``.yml`` or ``.csv`` file.
 
     Raises
@@ -32,7 +33,7 @@ def read_arm(path):
     return Arm(arm.table, arm.base, arm.tool, arm.limits, arm.sign, path.stem, arm.source)
 
 
-def read_table(path):
+def read_table(path: str | Path) -> DHTable:
     """The ``DHTable`` in a file that holds nothing a table cannot hold."""
     arm = read_arm(path)
     plain = Arm(arm.table)
@@ -60,7 +61,14 @@ def _kind(path):
     return kind
 
 
-def write(path, what, *, angle=None, length="m", overwrite=False):
+def write(
+    path: str | Path,
+    what: Arm | DHTable,
+    *,
+    angle: str | None = None,
+    length: str = "m",
+    overwrite: bool = False,
+) -> None:
     """Write a ``DHTable`` or an ``Arm``; see their ``save``."""
     path = Path(path)
     arm = what if isinstance(what, Arm) else Arm(what)

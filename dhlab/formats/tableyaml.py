@@ -1,6 +1,7 @@
 """Table files in YAML: what an ``Arm`` looks like as text, read strictly and written losslessly."""
 
 import json
+from typing import Any
 
 import numpy as np
 
@@ -8,14 +9,14 @@ from .. import units
 from ..arm import Arm
 from ..table import COLUMNS, CONVENTIONS, DHTable, joint_letter
 from ..transform import from_xyz_rpy, to_xyz_rpy
-from .plainyaml import entries, fields, number, placed, text
+from .plainyaml import Item, entries, fields, number, placed, text
 
 __all__ = ["ARM_KEYS", "arm_from_item", "read_limits", "yaml_text"]
 
 ARM_KEYS = {"name", "source", "convention", "units", "joints", "base", "tool", "limits", "sign"}
 
 
-def arm_from_item(item, **inherited):
+def arm_from_item(item: Item, **inherited: Any) -> Arm:
     """The ``Arm`` that a mapping read by ``plainyaml`` describes; ``inherited`` gives name, limits
     … where it is silent.
     """
@@ -60,13 +61,14 @@ def arm_from_item(item, **inherited):
 def _joints(item):
     letters, rows = "", []
     for i, row in enumerate(entries(item, "joints"), 1):
-        row = fields(row, f"joints, row {i}", required=set(COLUMNS), allowed={*COLUMNS, "type"})
+        what = f"joints, row {i}"
+        given = fields(row, what, required=set(COLUMNS), allowed={*COLUMNS, "type"})
         letters += (
-            joint_letter(row["type"].plain(), f"{row['type'].where}: joints, row {i}, type")
-            if "type" in row
+            joint_letter(given["type"].plain(), f"{given['type'].where}: {what}, type")
+            if "type" in given
             else "R"
         )
-        rows.append([number(row[name], f"joints, row {i}, {name}") for name in COLUMNS])
+        rows.append([number(given[name], f"{what}, {name}") for name in COLUMNS])
     if not rows:
         raise ValueError(
             f"{item.where}: joints: expected at least one row {{theta, d, a, alpha}}, found an"
@@ -90,22 +92,27 @@ def _pose(item, key, to_m, to_rad):
     )
 
 
-def read_limits(item, letters, to_m, to_rad):
+def read_limits(
+    item: Item, letters: str, to_m: float, to_rad: float
+) -> list[tuple[float, float] | None] | None:
     """Limits per joint in radians and metres, from a list of pairs and nulls; null as a whole is
     None.
     """
     if item.value is None:
         return None
-    limits = []
+    limits: list[tuple[float, float] | None] = []
     for i, (pair, letter) in enumerate(zip(entries(item, "limits", len(letters)), letters), 1):
         scale = to_m if letter == "P" else to_rad
         what = f"limits, joint {i}"
-        ends = pair.value and [number(end, what) for end in entries(pair, what, 2)]
-        limits.append(ends and tuple(float(units.convert(end, scale)) for end in ends))
+        if not pair.value:
+            limits.append(pair.value)
+            continue
+        low, high = (units.convert(number(end, what), scale) for end in entries(pair, what, 2))
+        limits.append((float(low), float(high)))
     return limits
 
 
-def yaml_text(arm, angle, length):
+def yaml_text(arm: Arm, angle: str, length: str) -> str:
     """The YAML text of an arm, in the units named."""
     lines = [
         f"{key}: {json.dumps(getattr(arm, key), ensure_ascii=False)}"

@@ -2,9 +2,12 @@
 ``Arm`` as a URDF that simulators load.
 """
 
+from __future__ import annotations
+
 import re
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,6 +16,9 @@ from ..arm import Arm
 from ..transform import to_xyz_rpy
 from .files import write_text
 
+if TYPE_CHECKING:
+    from ..geometry.frames import PlacedArm
+
 __all__ = ["read_urdf", "to_urdf"]
 
 FREE = 1e6  # m or rad; URDF wants limits on every sliding joint, and no arm goes further than this
@@ -20,7 +26,13 @@ DUST = 1e-16  # what a cosine of 90° leaves in a length
 MASS, INERTIA = "0.001", "1e-06"  # simulators refuse or replace links without mass
 
 
-def read_urdf(path, base=None, tip=None, *, convention="standard"):
+def read_urdf(
+    path: str | Path,
+    base: str | None = None,
+    tip: str | None = None,
+    *,
+    convention: str = "standard",
+) -> PlacedArm:
     """The chain between two links of a URDF file, as an arm.
 
     Fixed joints are folded into their neighbours. The joint variables are the revolute, continuous
@@ -103,7 +115,7 @@ def _limits(stated):
     return None if low > high or (low <= -FREE and high >= FREE) else (low, high)
 
 
-def to_urdf(arm, path=None, *, overwrite=False):
+def to_urdf(arm: Arm, path: str | Path | None = None, *, overwrite: bool = False) -> str:
     r"""A URDF of an arm, with links and joints and next to no mass, for simulators and visualisers.
 
     Parameters
