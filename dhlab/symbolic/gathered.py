@@ -2,18 +2,21 @@
 added before anything is multiplied.
 """
 
-from .numbers import exact, the_sympy
+from collections.abc import Iterable
+
+from .numbers import Expression, Matrix, exact, the_sympy
 
 __all__ = ["gathered_product"]
 
 PARALLEL = 1e-30  # of numbers computed to DIGITS: exact zeros pass, 1.5708 for pi/2 does not
-# operations; an exact number longer than this is nothing to read, and SymPy needs minutes to print
-# some of them
+# operations; an exact number longer than this is nothing to read, and some take minutes to print
 LONG = 40
 DIGITS = 50
 
 
-def gathered_product(before, rows, after):
+def gathered_product(
+    before: Matrix, rows: Iterable[tuple[Expression, Expression, Matrix]], after: Matrix
+) -> Matrix:
     """``before · Π [Rz(turn) Tz(shift) bend] · after``.
 
     Parameters
@@ -30,16 +33,18 @@ def gathered_product(before, rows, after):
     --------
     >>> import sympy
     >>> x, y = sympy.symbols("x y")
-    >>> gathered_product(sympy.eye(4), [(x, 0, sympy.eye(4)), (y, 0, sympy.eye(4))], sympy.eye(4))[0, 0]
+    >>> one = sympy.eye(4)
+    >>> gathered_product(one, [(x, 0, one), (y, 0, one)], one)[0, 0]
     cos(x + y)
     """
     sympy = the_sympy()
-    factors, constant, run = [], before, None
+    factors: list[Matrix] = []
+    constant, run = before, None
     for turn, shift, bend in rows:
         if not (sympy.sympify(turn).free_symbols or sympy.sympify(shift).free_symbols):
             constant = _numbers(constant * _Run().moved(turn, shift).matrix() * bend)
             continue
-        joined = run and run.through(constant)
+        joined: _Run | None = run and run.through(constant)
         if not joined:
             factors += [run.matrix(), constant] if run else [constant]
         run, constant = (joined or _Run()).moved(turn, shift), bend
@@ -48,9 +53,7 @@ def gathered_product(before, rows, after):
 
 
 class _Run:
-    """``trans(p) · Rz(angle) · Rx(0 or 180°)``: all that a run of joints with parallel axes can
-    do.
-    """
+    """``trans(p) · Rz(angle) · Rx(0 or 180°)``: all that joints with parallel axes can do."""
 
     def __init__(self, angle=0, up=1, p=(0, 0, 0)):
         self.angle, self.up, self.p = angle, up, p

@@ -3,21 +3,26 @@ and the elementary moves made of them.
 """
 
 from functools import cache
+from types import ModuleType
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .. import units
 from ..transform import to_xyz_rpy
 
-__all__ = ["the_sympy", "exact", "exact_pose", "elementary"]
+Expression = Any  # SymPy is an optional dependency, so its types are not named
+Matrix = Any
 
-# a stored number with more digits than this came out of a computation: it is rounded before it is
-# made exact
+__all__ = ["Expression", "Matrix", "the_sympy", "exact", "exact_pose", "elementary"]
+
+# a stored number with more digits came out of a computation: it is rounded before it is made exact
 DIGITS = 12
 
 
 @cache
-def the_sympy():
+def the_sympy() -> ModuleType:
     """The module, or a sentence that says how to get it."""
     try:
         import sympy
@@ -29,7 +34,7 @@ def the_sympy():
     return sympy
 
 
-def exact(value, kind="length"):
+def exact(value: Expression, kind: str = "length") -> Expression:
     """The exact number that a float stands for: a decimal as a fraction, an angle that is a decimal
     number of degrees as a part of π.
 
@@ -62,9 +67,8 @@ def exact(value, kind="length"):
     if kind != "angle":
         return plain
     degrees = sympy.Rational(_digits(float(value) / units.ANGLE["deg"]))
-    as_turn = abs(float(degrees) * units.ANGLE["deg"] - value) < 1e-15 * max(
-        1.0, abs(value)
-    ) and len(str(degrees)) <= len(str(plain))
+    off = abs(float(degrees) * units.ANGLE["deg"] - value)
+    as_turn = off < 1e-15 * max(1.0, abs(value)) and len(str(degrees)) <= len(str(plain))
     return degrees * sympy.pi / 180 if as_turn else plain
 
 
@@ -73,7 +77,7 @@ def _digits(value):
     return repr(rounded if abs(rounded - value) < 1e-15 * max(1.0, abs(value)) else float(value))
 
 
-def exact_pose(T):
+def exact_pose(T: ArrayLike) -> Matrix:
     """A pose (4, 4) with exact roll, pitch, yaw and shift, as a SymPy matrix."""
     (x, y, z), rpy = to_xyz_rpy(T)
     roll, pitch, yaw = (exact(angle, "angle") for angle in rpy)
@@ -84,7 +88,7 @@ def exact_pose(T):
     return pose
 
 
-def elementary(kind, axis, value):
+def elementary(kind: str, axis: str, value: Expression) -> Matrix:
     """``Rot`` about or ``Trans`` along ``x``, ``y`` or ``z`` by an expression, as a SymPy matrix
     (4, 4).
     """
