@@ -1,8 +1,11 @@
 """The numbers of one URDF joint, read strictly, with the defaults that URDF gives them."""
 
 from dataclasses import dataclass
+from pathlib import Path
+from xml.etree.ElementTree import Element
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..transform import from_xyz_rpy
 from .plainyaml import FLOAT
@@ -25,12 +28,12 @@ class Joint:
 
     name: str
     kind: str
-    origin: np.ndarray
-    axis: np.ndarray
-    limits: tuple | None
+    origin: NDArray[np.float64]
+    axis: NDArray[np.float64]
+    limits: tuple[float | None, float | None] | None
 
 
-def read_joint(element, path):
+def read_joint(element: Element, path: str | Path) -> Joint:
     """The :class:`Joint` in a ``<joint>``.
 
     Parameters
@@ -56,7 +59,9 @@ def read_joint(element, path):
             f"{where}: axis: expected a direction, found 0 0 0; write the axis, such as 0 0 1"
         )
     limits = _limits(element, where) if kind in LIMITED else None
-    return Joint(element.get("name"), kind, from_xyz_rpy(xyz, rpy), np.array(axis, float), limits)
+    return Joint(
+        element.get("name", ""), kind, from_xyz_rpy(xyz, rpy), np.array(axis, float), limits
+    )
 
 
 def _kind(element, where):

@@ -1,12 +1,17 @@
 """The chain of joints between two links of a URDF file."""
 
-from .urdfjoint import read_joint
+from pathlib import Path
+from xml.etree.ElementTree import Element
+
+from .urdfjoint import Joint, read_joint
 from .urdfxml import read_parts
 
 __all__ = ["read_chain"]
 
 
-def read_chain(path, base, tip):
+def read_chain(
+    path: str | Path, base: str | None, tip: str | None
+) -> tuple[list[Joint], str, str, str]:
     """The joints from ``base`` to ``tip`` in order, and the names of the robot and of the two
     links.
 
@@ -36,7 +41,8 @@ def read_chain(path, base, tip):
 
 def _joint_above(links, joints, path):
     """From each link to the joint that carries it: (name, parent, child, element)."""
-    above, known = {}, set(links)
+    above: dict[str, tuple[str, str, str, Element]] = {}
+    known = set(links)
     for joint in joints:
         name, parent, child, _ = joint
         for link in (parent, child):

@@ -1,7 +1,9 @@
 """URDF's XML read safely, down to the names of its links and joints; numbers stay text here."""
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 from xml.parsers import expat
 
 from .files import read_text
@@ -18,7 +20,7 @@ OTHER_FORMATS = {
 EXPAND = "expand it first: xacro file.urdf.xacro > file.urdf"
 
 
-def read_parts(path):
+def read_parts(path: str | Path) -> tuple[str, list[str], list[tuple[str, str, str, Element]]]:
     """The name of the robot, its links and its joints.
 
     Parameters

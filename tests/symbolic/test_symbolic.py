@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from dhlab import Arm, DHTable, load, robots, symbolic
-from dhlab.symbolic import exact, numbers
+from dhlab.symbolic import exact
+from dhlab.symbolic.numbers import the_sympy
 from dhlab.transform import from_xyz_rpy, rot_x, rot_z, trans_x, trans_z
 
 sympy = pytest.importorskip("sympy")
@@ -194,7 +195,7 @@ def test_what_is_refused():
 
 def test_without_sympy(monkeypatch):
     monkeypatch.setitem(sys.modules, "sympy", None)
-    numbers.the_sympy.cache_clear()
+    the_sympy.cache_clear()
     for call in (symbolic.steps, symbolic.link, lambda: symbolic.product(load("ur5e"))):
         with pytest.raises(ValueError, match=r"pip install dhlab-kinematics\[symbolic\]"):
             call()
