@@ -5,12 +5,13 @@ those the data cannot tell.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
 from .calibrationwords import calibration_html, calibration_text
 from .inputs import measured, noise_of
 from .offsetmodel import OffsetModel
-from .unknowns import null_space, pivots, undetermined_groups
+from .unknowns import Undetermined, null_space, pivots, undetermined_groups
 
 __all__ = ["calibrate_offsets", "Calibration", "Residual"]
 
@@ -32,8 +33,8 @@ class Residual:
 
     position: float
     worst_position: float
-    rotation: float = None
-    worst_rotation: float = None
+    rotation: float | None = None
+    worst_rotation: float | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,28 +51,36 @@ class Calibration:
     """
 
     arm: Arm
-    offsets: np.ndarray
-    sigma: np.ndarray
-    undetermined: tuple
+    offsets: NDArray[np.float64]
+    sigma: NDArray[np.float64]
+    undetermined: tuple[Undetermined, ...]
     before: Residual
     after: Residual
-    base: np.ndarray
-    tool: np.ndarray
-    noise: tuple
-    explained: bool
+    base: NDArray[np.float64]
+    tool: NDArray[np.float64]
+    noise: tuple[float, float | None]
+    explained: bool | None
     poses: int
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Calibration of {len(self.offsets)} joints from {self.poses} poses>"
 
-    def __str__(self):
+    def __str__(self) -> str:
         return calibration_text(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return calibration_html(self)
 
 
-def calibrate_offsets(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
+def calibrate_offsets(
+    arm: Arm,
+    q: ArrayLike,
+    poses: ArrayLike,
+    *,
+    noise: float | tuple[float, float] | None = None,
+    base: str = "fixed",
+    tool: str = "fixed",
+) -> Calibration:
     """Joint zero offsets that bring a model as near as possible to measured poses, by least
     squares.
 
@@ -207,11 +216,11 @@ def _scatter(model, x, keep):
 def _residual(model, x):
     p, r = model.parts(x)
     p = np.linalg.norm(p, axis=1)
-    rotation = (None, None)
-    if r is not None:
-        r = 2 * np.arcsin(np.clip(np.linalg.norm(r, axis=1) / 2, 0, 1))  # parts are chords
-        rotation = float(np.sqrt((r**2).mean())), float(r.max())
-    return Residual(float(np.sqrt((p**2).mean())), float(p.max()), *rotation)
+    position, worst = float(np.sqrt((p**2).mean())), float(p.max())
+    if r is None:
+        return Residual(position, worst)
+    angle = 2 * np.arcsin(np.clip(np.linalg.norm(r, axis=1) / 2, 0, 1))  # parts are chords
+    return Residual(position, worst, float(np.sqrt((angle**2).mean())), float(angle.max()))
 
 
 def _result(model, x, keep, weights, given):

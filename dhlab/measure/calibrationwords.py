@@ -1,10 +1,16 @@
 """A calibration in print: degrees and millimetres, and what cannot be known said in words."""
 
+from __future__ import annotations
+
 from html import escape
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..printing import grid_html, grid_text, number
+
+if TYPE_CHECKING:
+    from .calibration import Calibration
 
 __all__ = ["calibration_text", "calibration_html"]
 
@@ -61,7 +67,7 @@ def _title(result):
     )
 
 
-def calibration_text(result):
+def calibration_text(result: Calibration) -> str:
     """A calibration as plain text."""
     return "\n".join(
         [
@@ -74,7 +80,7 @@ def calibration_text(result):
     )
 
 
-def calibration_html(result):
+def calibration_html(result: Calibration) -> str:
     """A calibration as HTML for a notebook."""
     return (
         grid_html(HEADINGS, _rows(result), _title(result))

@@ -5,6 +5,7 @@ deviations.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 __all__ = ["fit_circle", "Fit"]
@@ -22,16 +23,18 @@ class Fit:
     and standard deviations.
     """
 
-    axis: np.ndarray
-    centre: np.ndarray
+    axis: NDArray[np.float64]
+    centre: NDArray[np.float64]
     radius: float
-    at_zero: np.ndarray
+    at_zero: NDArray[np.float64]
     off_circle: float
     off_angle: float
-    sigma: dict
+    sigma: dict[str, float]
 
 
-def fit_circle(q, points, noise):
+def fit_circle(
+    q: NDArray[np.float64], points: NDArray[np.float64], noise: float | None
+) -> Fit | str:
     """The :class:`Fit` to ``points`` (m, 3) drawn at joint values ``q`` (m,), or a clause that says
     why there is none.
 
@@ -79,38 +82,17 @@ def _refine(points, centre, basis, radius):
     """Least squares over the centre (3, in the basis), two tilts of the normal and the radius."""
     y = (points - centre) @ basis.T
     size = np.abs(y).max()
-
-    def parts(x):
-        n = np.array([x[3], x[4], 1.0])
-        n /= np.linalg.norm(n)
-        out = y - x[:3]
-        h = out @ n
-        return out, n, h, np.linalg.norm(out - h[:, None] * n, axis=1)
-
-    def off(x):
-        _, _, h, rho = parts(x)
-        return np.r_[h, rho - x[5]]
-
-    def jacobian(x):
-        out, n, h, rho = parts(x)
-        length = np.sqrt(1 + x[3] ** 2 + x[4] ** 2)
-        dn = (np.eye(3)[:2] - np.outer(n[:2], n)) / length
-        dh = np.column_stack([np.tile(-n, (len(h), 1)), out @ dn.T, np.zeros(len(h))])
-        dy = np.column_stack([-out, np.zeros((len(h), 3))])
-        drho = (dy - h[:, None] * dh) / np.maximum(rho, 1e-12 * size)[:, None]
-        drho[:, 5] -= 1
-        return np.vstack([dh, drho])
-
     found = least_squares(
-        off,
+        _off,
         [0, 0, 0, 0, 0, radius],
-        jacobian,
+        _jacobian,
         x_scale=[size, size, size, 1, 1, size],
         xtol=1e-15,
         ftol=1e-15,
         gtol=1e-15,
+        args=(y, size),
     )
-    x, n = found.x, parts(found.x)[1] @ basis
+    x, n = found.x, _parts(found.x, y)[1] @ basis
     e1 = basis[0] - (basis[0] @ n) * n
     e1 /= np.linalg.norm(e1)
     return (
@@ -120,6 +102,35 @@ def _refine(points, centre, basis, radius):
         found.jac,
         found.fun,
     )
+
+
+def _parts(x, y):
+    """From the centre to the points ``y`` (m, 3), the normal (3,), and how far the points are along
+    the normal (m,) and from it (m,).
+    """
+    n = np.array([x[3], x[4], 1.0])
+    n /= np.linalg.norm(n)
+    out = y - x[:3]
+    h = out @ n
+    return out, n, h, np.linalg.norm(out - h[:, None] * n, axis=1)
+
+
+def _off(x, y, size):
+    """How far the points are off the plane and off the radius: (2 m,)."""
+    _, _, h, rho = _parts(x, y)
+    return np.r_[h, rho - x[5]]
+
+
+def _jacobian(x, y, size):
+    """Derivative of :func:`_off`: (2 m, 6)."""
+    out, n, h, rho = _parts(x, y)
+    length = np.sqrt(1 + x[3] ** 2 + x[4] ** 2)
+    dn = (np.eye(3)[:2] - np.outer(n[:2], n)) / length
+    dh = np.column_stack([np.tile(-n, (len(h), 1)), out @ dn.T, np.zeros(len(h))])
+    dy = np.column_stack([-out, np.zeros((len(h), 3))])
+    drho = (dy - h[:, None] * dh) / np.maximum(rho, 1e-12 * size)[:, None]
+    drho[:, 5] -= 1
+    return np.vstack([dh, drho])
 
 
 def _with_angles(q, points, centre, basis, radius, J, off, noise):

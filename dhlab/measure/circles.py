@@ -5,6 +5,7 @@ a model draws.
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
 from .circlefit import fit_circle
@@ -36,24 +37,24 @@ class Circle:
     points: int
     span: float
     fault: str = ""
-    axis: np.ndarray = None
-    centre: np.ndarray = None
-    radius: float = None
-    height: float = None
-    phase: float = None
-    off_circle: float = None
-    off_angle: float = None
-    sigma: dict = field(default_factory=dict)
-    differs: dict = field(default_factory=dict)
-    noise: float = None
+    axis: NDArray[np.float64] | None = None
+    centre: NDArray[np.float64] | None = None
+    radius: float | None = None
+    height: float | None = None
+    phase: float | None = None
+    off_circle: float | None = None
+    off_angle: float | None = None
+    sigma: dict[str, float] = field(default_factory=dict)
+    differs: dict[str, tuple[float, float]] = field(default_factory=dict)
+    noise: float | None = None
     convention: str = "standard"
 
     @property
-    def words(self):
+    def words(self) -> str:
         """What this circle says, in a sentence or two."""
         return circle_words(self)
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self.words
 
 
@@ -63,20 +64,22 @@ class CircleReport:
     (``left_out``).
     """
 
-    circles: tuple
+    circles: tuple[Circle, ...]
     left_out: int
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<CircleReport: {len(self.circles)} circles>"
 
-    def __str__(self):
+    def __str__(self) -> str:
         return report_text(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return report_html(self)
 
 
-def fit_circles(q, points, arm=None, *, noise=None):
+def fit_circles(
+    q: ArrayLike, points: ArrayLike, arm: Arm | None = None, *, noise: float | None = None
+) -> CircleReport:
     """Fit a circle to each stretch of measurements in which one joint alone moved, and compare it
     with the model's.
 

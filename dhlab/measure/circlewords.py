@@ -1,10 +1,16 @@
 """Circles in words: what each tells about the model, and what no arc can tell."""
 
+from __future__ import annotations
+
 from html import escape
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..printing import grid_html, grid_text, number
+
+if TYPE_CHECKING:
+    from .circles import Circle, CircleReport
 
 __all__ = ["circle_words", "report_text", "report_html", "NO_PROOF"]
 
@@ -33,7 +39,7 @@ HEADINGS = (
 COMPARED = ("joint", "axis, deg", "axis shift, mm", "height, mm", "radius, mm", "phase, deg")
 
 
-def circle_words(circle):
+def circle_words(circle: Circle) -> str:
     """A sentence or two on one circle."""
     start = f"Joint {circle.joint}: "
     if circle.fault:
@@ -180,7 +186,7 @@ def _sentences(report):
     yield NO_PROOF
 
 
-def report_text(report):
+def report_text(report: CircleReport) -> str:
     """A report as plain text."""
     parts = ["Measured circles", grid_text(HEADINGS, _rows(report))]
     compared = list(_compared(report))
@@ -192,7 +198,7 @@ def report_text(report):
     return "\n".join([*parts, *_sentences(report)])
 
 
-def report_html(report):
+def report_html(report: CircleReport) -> str:
     """A report as HTML for a notebook."""
     compared = list(_compared(report))
     tables = grid_html(HEADINGS, _rows(report), "Measured circles")

@@ -1,13 +1,16 @@
 """What both measurements take: configurations and the poses or points that were measured there."""
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..transform import pose_fault
 
 __all__ = ["measured", "noise_of"]
 
 
-def measured(q, poses, n, where):
+def measured(
+    q: ArrayLike, poses: ArrayLike, n: int | None, where: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """``q`` (m, n) and ``poses`` (m, 4, 4) or (m, 3) as float arrays, or a sentence; ``n`` None: as
     many joints as q has.
     """
@@ -40,7 +43,7 @@ def measured(q, poses, n, where):
     return q, poses
 
 
-def _array(given):
+def _array(given: ArrayLike) -> NDArray[np.float64]:
     try:
         array = np.asarray(given)
     except ValueError:  # ragged
@@ -48,7 +51,7 @@ def _array(given):
     return array.astype(float) if array.dtype.kind in "iuf" else np.array(np.nan)
 
 
-def noise_of(noise, where):
+def noise_of(noise: ArrayLike | None, where: str) -> tuple[float, float | None] | None:
     """(position in m, rotation in rad or None) from what was given as ``noise``; None stays
     None.
     """

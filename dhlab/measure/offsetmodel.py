@@ -2,14 +2,20 @@
 derivatives.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
 from ..table import DHTable
 
-__all__ = ["OffsetModel"]
+__all__ = ["OffsetModel", "Weights"]
+
+# standard deviations of a position (m) and of a turn (rad; None where none was measured)
+Weights = tuple[float, Any]
 
 PRECISION = {"xtol": 1e-13, "ftol": 1e-13, "gtol": 1e-13}
 
@@ -29,18 +35,17 @@ class OffsetModel:
         Whether W and E are free.
     """
 
-    def __init__(self, arm, q, poses, base, tool):
+    def __init__(
+        self, arm: Arm, q: NDArray[np.float64], poses: NDArray[np.float64], base: bool, tool: bool
+    ) -> None:
         self.arm, self.q, self.n, self.slides = arm, q, len(arm), arm.table.prismatic
-        self.points, self.R = (
-            (poses, None) if poses.ndim == 2 else (poses[:, :3, 3], poses[:, :3, :3])
-        )
+        self.points = poses if poses.ndim == 2 else poses[:, :3, 3]
+        self.R = None if poses.ndim == 2 else poses[:, :3, :3]
         self.n_base, self.n_tool = 6 * base, (3 if self.R is None else 6) * tool
-        self.size, self.numbers = (
-            self.n + self.n_base + self.n_tool,
-            self.points.size * (1 if self.R is None else 2),
-        )
+        self.size = self.n + self.n_base + self.n_tool
+        self.numbers = self.points.size * (1 if self.R is None else 2)
 
-    def start(self, offsets=None):
+    def start(self, offsets: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Unknowns to begin from: the offsets, with base and tool put where they fit best."""
         x = np.zeros(self.size)
         x[: self.n] = 0.0 if offsets is None else offsets
@@ -72,17 +77,19 @@ class OffsetModel:
         ]
         return rest[:3], rest[3:6], rest[6:9], rest[9:]
 
-    def base(self, x):
+    def base(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """W (4, 4)."""
         t, w, _, _ = self._split(x)
         return _pose(_exp(w), t)
 
-    def tool(self, x):
+    def tool(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """E (4, 4)."""
         _, _, u, e = self._split(x)
         return _pose(_exp(e), u)
 
-    def parts(self, x):
+    def parts(
+        self, x: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
         """Model minus measurement: positions (m, 3) in m, and rotations (m, 9) as chords, in rad to
         first order, or None.
         """
@@ -90,7 +97,7 @@ class OffsetModel:
         rotation = None if self.R is None else (T[:, :3, :3] - self.R).reshape(-1, 9) / np.sqrt(2)
         return T[:, :3, 3] - self.points, rotation
 
-    def residual(self, x, weights):
+    def residual(self, x: NDArray[np.float64], weights: Weights) -> NDArray[np.float64]:
         """All of it in standard deviations, flat; ``weights`` are (m, rad)."""
         p, r = self.parts(x)
         return (
@@ -99,15 +106,11 @@ class OffsetModel:
             else np.r_[p.ravel() / weights[0], r.ravel() / weights[1]]
         )
 
-    def jacobian(self, x, weights):
+    def jacobian(self, x: NDArray[np.float64], weights: Weights) -> NDArray[np.float64]:
         """Derivative of :meth:`residual` by the unknowns: (numbers, size)."""
         q, (t, w, u, e) = self._moved(x), self._split(x)
-        W, E, F, J = (
-            self.base(x),
-            self.tool(x),
-            self.arm.forward(q),
-            self.arm.jacobian(q) * self.arm.sign,
-        )
+        W, E, F = self.base(x), self.tool(x), self.arm.forward(q)
+        J = self.arm.jacobian(q) * self.arm.sign
         T = W @ F @ E
         omega = np.swapaxes(J[:, 3:], 1, 2)
         v = np.swapaxes(J[:, :3], 1, 2) + np.cross(omega, (F[:, :3, :3] @ u)[:, None])
@@ -138,7 +141,9 @@ class OffsetModel:
             )
         return np.vstack(rows)
 
-    def solve(self, x, weights, keep=None):
+    def solve(
+        self, x: NDArray[np.float64], weights: Weights, keep: NDArray[np.bool_] | None = None
+    ) -> NDArray[np.float64]:
         """Least squares from ``x``, over the unknowns in ``keep`` (all when left out)."""
         keep = np.ones(self.size, dtype=bool) if keep is None else keep
 
@@ -155,7 +160,7 @@ class OffsetModel:
         )
         return whole(found.x)
 
-    def corrected(self, x):
+    def corrected(self, x: NDArray[np.float64]) -> Arm:
         """The arm with offsets, base and tool put in."""
         table = self.arm.table
         theta = table.theta + np.where(self.slides, 0.0, x[: self.n])

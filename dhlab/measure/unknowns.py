@@ -1,15 +1,21 @@
 """Unknowns that the data cannot tell: directions without effect, in words."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import qr
+
+if TYPE_CHECKING:
+    from .offsetmodel import OffsetModel
 
 __all__ = ["Undetermined", "undetermined_groups", "null_space", "pivots"]
 
-NO_EFFECT = (
-    1e-9  # singular value over the largest; derivatives are exact, so true ones lie far above
-)
+# singular value over the largest; derivatives are exact, so true ones lie far above
+NO_EFFECT = 1e-9
 PART = 0.02  # component of a unit vector from which an unknown takes part
 VAGUE = {"R": np.deg2rad(5), "P": 0.02}  # rad, m; a worse standard deviation is said aloud
 
@@ -20,12 +26,12 @@ class Undetermined:
     can, but only roughly.
     """
 
-    joints: tuple
+    joints: tuple[int, ...]
     words: str
     vague: bool = False
 
 
-def null_space(J):
+def null_space(J: NDArray[np.float64]) -> NDArray[np.float64]:
     """Orthonormal columns: the directions of the unknowns without effect on the data.
 
     Examples
@@ -39,7 +45,7 @@ def null_space(J):
     return V[s <= NO_EFFECT * max(s[0], 1e-300)].T
 
 
-def pivots(N, n):
+def pivots(N: NDArray[np.float64], n: int) -> NDArray[np.bool_]:
     """Which unknowns to hold so that nothing is left free: one per direction, offsets (the first n)
     before others.
     """
@@ -51,7 +57,9 @@ def pivots(N, n):
     return held
 
 
-def undetermined_groups(J, sigma, model):
+def undetermined_groups(
+    J: NDArray[np.float64], sigma: NDArray[np.float64], model: OffsetModel
+) -> tuple[Undetermined, ...]:
     """Groups of joints that cannot be told apart (from each other, the base or the tool), and
     joints known only roughly.
     """

@@ -8,8 +8,10 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import units
+from ..arm import Arm
 from ..formats import plainyaml
 from ..formats.plainyaml import fields, number, text
 from ..formats.tablefile import read_arm
@@ -28,9 +30,9 @@ class CheckPose:
     None, and where it comes from.
     """
 
-    q: np.ndarray
-    xyz: np.ndarray
-    R: np.ndarray
+    q: NDArray[np.float64]
+    xyz: NDArray[np.float64]
+    R: NDArray[np.float64] | None
     source: str
 
 
@@ -44,12 +46,12 @@ class Entry:
     name: str
     topology: str
     ambiguity: str
-    tables: dict
-    notes: dict
-    checks: dict
+    tables: dict[str, Arm]
+    notes: dict[str, str]
+    checks: dict[str, list[CheckPose]]
 
 
-def robots():
+def robots() -> list[str]:
     """The names of the library's arms.
 
     Returns
@@ -64,7 +66,7 @@ def robots():
     return sorted(path.stem for path in FOLDER.glob("*.yaml"))
 
 
-def load(name):
+def load(name: str | Path) -> Arm:
     """A named arm of the library, or the arm in a table file.
 
     Parameters
@@ -112,7 +114,7 @@ def load(name):
 
 
 @cache
-def entry(key):
+def entry(key: str) -> Entry:
     """Everything the library says of one arm.
 
     Parameters
@@ -156,10 +158,10 @@ def _shared_limits(top, given):
     """The arm's limits, for a table that does not state its own; in degrees and metres."""
     if "limits" not in top or "limits" in given:
         return {}
-    letters = [
+    letters = "".join(
         "P" if "type" in row.value and row.value["type"].value == "prismatic" else "R"
         for row in given["joints"].value
-    ]
+    )
     return {"limits": read_limits(top["limits"], letters, units.LENGTH["m"], units.ANGLE["deg"])}
 
 

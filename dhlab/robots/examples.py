@@ -7,7 +7,7 @@ __all__ = ["example"]
 FOLDER = Path(__file__).parent / "files"
 
 
-def example(name):
+def example(name: str) -> Path:
     """The path of a file that came with the course.
 
     Parameters

@@ -11,6 +11,7 @@ def short(T: Expression) -> Expression:
 
     Examples
     --------
+    >>> from dhlab.symbolic import variables
     >>> q1, q2 = variables(2)
     >>> short(the_sympy().cos(q1 + q2))
     c_{12}
@@ -41,6 +42,7 @@ def latex(T: Expression, shorthand: bool = True) -> str:
 
     Examples
     --------
+    >>> from dhlab.symbolic import variables
     >>> q1, q2 = variables(2)
     >>> latex(the_sympy().cos(q1 + q2))
     'c_{12}'
