@@ -186,3 +186,39 @@ def chain_disagreement(arm, chain, seed=0, m=100):
     model = arm.forward(q)
     B, E = fit_base_and_tool(model, judged)
     return pose_errors(B @ model @ E, judged)
+
+
+def whole_pose_and_jacobian(arm, q):
+    """End pose and geometric Jacobian of an arm, base, tool and signs included: the product of
+    elementary matrices and, by the product rule, its derivatives; ω from dR Rᵀ.
+    """
+    table, factors, generators, places = arm.table, [arm.base], [], []
+    for (theta, d, a, alpha), letter, value in zip(
+        table.rows, table.joints, arm.sign * np.asarray(q), strict=True
+    ):
+        theta, d = (theta, d + value) if letter == "P" else (theta + value, d)
+        x_moves = shift([a, 0, 0]) @ turn([alpha, 0, 0])
+        z_moves = turn([0, 0, theta]) @ shift([0, 0, d])
+        standard = table.convention == "standard"
+        places.append(len(factors) + (not standard))
+        factors += [z_moves, x_moves] if standard else [x_moves, z_moves]
+        G = np.zeros((4, 4))
+        if letter == "P":
+            G[2, 3] = 1
+        else:
+            G[0, 1], G[1, 0] = -1, 1
+        generators.append(G)
+    factors.append(arm.tool)
+    T, J = _multiplied(factors), np.empty((6, len(table)))
+    for i, (G, k) in enumerate(zip(generators, places, strict=True)):
+        dT = arm.sign[i] * _multiplied([*factors[:k], G, *factors[k:]])
+        W = dT[:3, :3] @ T[:3, :3].T
+        J[:, i] = [*dT[:3, 3], W[2, 1], W[0, 2], W[1, 0]]
+    return T, J
+
+
+def _multiplied(factors):
+    T = np.eye(4)
+    for factor in factors:
+        T = T @ factor
+    return T

@@ -12,6 +12,7 @@ import sys
 NEEDED = {
     "chromium": ("chromium", "pages and JupyterLab looked at in a browser"),
     "bwrap": ("bubblewrap", "programs run in a cage"),
+    "gcc": ("gcc", "generated C compiled"),
     "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe"),
 }
 

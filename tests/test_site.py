@@ -29,6 +29,7 @@ PAGES = [
     "index",
     "doctor",
     "explorer",
+    "generate",
     "teaching",
     "add-an-exercise",
     "conventions",

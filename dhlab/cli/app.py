@@ -14,6 +14,7 @@ from .doctor import doctor
 from .export import export
 from .fk import fk
 from .from_urdf import from_urdf
+from .generate import generate
 from .grade import grade
 from .lab import lab
 from .release import release
@@ -47,6 +48,7 @@ app.command()(doctor)
 app.command()(fk)
 app.command(name="from-urdf")(from_urdf)
 app.command()(convert)
+app.command()(generate)
 app.command(name="robots")(list_robots)
 
 

@@ -82,6 +82,9 @@ def test_robots():
         (["nonsense"], "nonsense"),
         (["fk", "no-such.yaml"], "no such file"),
         (["lab", os.devnull], "folder"),
+        (["generate", "ur5e", "--to", "rust"], '"c" or "python"'),
+        (["generate", "ur5e", "--name", "2 arms"], "expected a letter"),
+        (["generate", "ur5e", "--out", os.devnull], "found one that exists"),
     ],
 )
 def test_errors_are_one_sentence_and_status_2(arguments, words):
@@ -138,3 +141,20 @@ def test_from_urdf(tmp_path):
     wrong = dhlab("convert", "ur5e", "--to", "modified")
     assert wrong.returncode == 2 and '"craig"' in wrong.stderr and wrong.stderr.count("\n") == 1
     assert dhlab("from-urdf", str(tmp_path / "none.urdf")).returncode == 2
+
+
+def test_generate_prints_or_writes_a_source_that_checks_itself(tmp_path):
+    printed = dhlab("generate", "ur5e", "--name", "left")
+    assert printed.returncode == 0
+    assert "void left_forward(const double q[6], double T[16])" in printed.stdout
+    out = tmp_path / "ur5e.py"
+    assert dhlab("generate", "ur5e", "--to", "python", "--out", str(out)).returncode == 0
+    done = subprocess.run([sys.executable, str(out)], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "universal_robots_ur5e: 6 poses, 0 of 312 numbers wrong\n"
+    before = out.read_bytes()
+    again = dhlab("generate", "panda", "--to", "python", "--out", str(out))
+    assert again.returncode == 2
+    assert "found one that exists" in again.stderr
+    assert out.read_bytes() == before
+    assert "--to" in dhlab("generate", "--help").stdout

@@ -1,0 +1,92 @@
+"""Source files for a controller: forward kinematics and Jacobian of one arm, in C or Python, with
+test values and a check of its own.
+
+It needs no SymPy. Joints on parallel axes are turned together and every operation is written down
+once, which takes as few operations as SymPy's ``cse`` of :func:`dhlab.symbolic.product` for the
+pose, and fewer for the Jacobian (``benchmarks/generated.py`` counts both).
+"""
+
+import re
+
+from ..arm import Arm
+from ..table import DHTable
+from .c import c_source
+from .formulas import forward_formulas, jacobian_formulas
+from .lines import Lines
+from .python import python_source
+from .samples import samples
+from .words import header, identifier
+
+__all__ = ["CHECKS", "LANGUAGES", "generate"]
+
+LANGUAGES = {"c": c_source, "python": python_source}
+CHECKS = {
+    "c": "gcc -std=c99 -DDHLAB_TEST {file} -lm -o check && ./check",
+    "python": "python {file}",
+}
+
+
+def generate(arm, language="c", *, name=None):
+    """Forward kinematics and Jacobian of one arm as one source file that needs nothing else.
+
+    C is C99 with ``math.h``: ``NAME_forward(const double q[n], double T[16])`` and
+    ``NAME_jacobian(const double q[n], double J[6*n])``, matrices row by row; with ``DHLAB_TEST``
+    defined, a ``main`` checks them. Python is ``NAME_forward(q)`` and ``NAME_jacobian(q)``, which
+    give rows; run as a program, it checks them. Base, tool, signs and offsets are in it; limits are
+    stated and not enforced.
+
+    Parameters
+    ----------
+    arm : Arm or DHTable
+    language : "c" or "python"
+    name : str, optional
+        What the functions' names begin with: a letter, then letters, digits and underscores. Made
+        from the arm's name when left out.
+
+    Returns
+    -------
+    str
+        The same arm gives the same text.
+
+    Raises
+    ------
+    ValueError
+        Something else than an arm or a table, a language that is not there, a name that is none,
+        lengths so large that a pose overflows.
+
+    Notes
+    -----
+    Angles of joints on parallel axes are added before the cosine is taken; for joint values of many
+    turns that rounds a little coarser than ``arm.forward``.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> text = dh.generate(dh.load("ur5e"), "c", name="ur5e")
+    >>> print(*[line for line in text.splitlines() if line.startswith("void")][:2], sep="\\n")
+    void ur5e_forward(const double q[6], double T[16]);
+    void ur5e_jacobian(const double q[6], double J[36]);
+    """
+    arm = Arm(arm) if isinstance(arm, DHTable) else arm
+    if not isinstance(arm, Arm):
+        raise ValueError(
+            f"generate: expected a DHTable or an Arm, found {type(arm).__name__}; make one with"
+            " DHTable.standard or dhlab.load"
+        )
+    if language not in list(LANGUAGES):
+        raise ValueError(f'generate: expected the language "c" or "python", found {language!r}')
+    name, tests = _named(arm, name), samples(arm)
+    formulas = {"forward": forward_formulas(arm), "jacobian": jacobian_formulas(arm)}
+    head = header(arm, formulas, CHECKS[language].format(file="FILE"))
+    return LANGUAGES[language](arm, name, head, *map(Lines, formulas.values()), tests)
+
+
+def _named(arm, name):
+    if name is None:
+        return identifier(arm.name)
+    if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,39}", name):
+        raise ValueError(
+            f"generate: name: expected a letter, then letters, digits or underscores, 40 at most,"
+            f" found {name!r}"
+        )
+    return name
