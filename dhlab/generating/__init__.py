@@ -1,9 +1,9 @@
 """Source files for a controller: forward kinematics and Jacobian of one arm, in C or Python, with
 test values and a check of its own.
 
-It needs no SymPy. Joints on parallel axes are turned together and every operation is written down
-once, which takes as few operations as SymPy's ``cse`` of :func:`dhlab.symbolic.product` for the
-pose, and fewer for the Jacobian (``benchmarks/generated.py`` counts both).
+It needs no SymPy. Joints on parallel axes are turned together, and every operation is written down
+once. On the arms of the library that takes at most two operations more than SymPy's ``cse`` of
+:func:`dhlab.symbolic.product`, and up to a quarter fewer (``benchmarks/generated.py``).
 """
 
 import re
