@@ -22,7 +22,7 @@ def generate(
             help="What the functions' names begin with; made from the arm's name when left out."
         ),
     ] = "",
-):
+) -> None:
     """Forward kinematics and Jacobian of one arm as one source file that checks itself."""
     from ..formats import files
     from ..generating import CHECKS
@@ -33,4 +33,4 @@ def generate(
         print(text, end="")
         return
     files.write_text(out, text)
-    print(f"{out}: written. To check it: {CHECKS[to].format(file=out)}")
+    print(f"{out}: written. To check it: {CHECKS[to].replace('FILE', out)}")

@@ -6,7 +6,12 @@ once. On the arms of the library that takes at most two operations more than Sym
 :func:`dhlab.symbolic.product`, and up to a quarter fewer (``benchmarks/generated.py``).
 """
 
+from __future__ import annotations
+
 import re
+from dataclasses import replace
+
+import numpy as np
 
 from ..arm import Arm
 from ..table import DHTable
@@ -20,13 +25,11 @@ from .words import header, identifier
 __all__ = ["CHECKS", "LANGUAGES", "generate"]
 
 LANGUAGES = {"c": c_source, "python": python_source}
-CHECKS = {
-    "c": "gcc -std=c99 -DDHLAB_TEST {file} -lm -o check && ./check",
-    "python": "python {file}",
-}
+RIGID = 1e-12  # an entry of a rotation; a base typed with seven digits is off by more
+CHECKS = {"c": "gcc -std=c99 -DDHLAB_TEST FILE -lm -o check && ./check", "python": "python FILE"}
 
 
-def generate(arm, language="c", *, name=None):
+def generate(arm: Arm | DHTable, language: str = "c", *, name: str | None = None) -> str:
     """Forward kinematics and Jacobian of one arm as one source file that needs nothing else.
 
     C is C99 with ``math.h``: ``NAME_forward(const double q[n], double T[16])`` and
@@ -57,7 +60,8 @@ def generate(arm, language="c", *, name=None):
     Notes
     -----
     Angles of joints on parallel axes are added before the cosine is taken; for joint values of many
-    turns that rounds a little coarser than ``arm.forward``.
+    turns that rounds a little coarser than ``arm.forward``. Where the rotation of base or tool was
+    given with few digits, the nearest rotation stands in for it, and the file's head says so.
 
     Examples
     --------
@@ -75,18 +79,41 @@ def generate(arm, language="c", *, name=None):
         )
     if language not in list(LANGUAGES):
         raise ValueError(f'generate: expected the language "c" or "python", found {language!r}')
-    name, tests = _named(arm, name), samples(arm)
-    formulas = {"forward": forward_formulas(arm), "jacobian": jacobian_formulas(arm)}
-    head = header(arm, formulas, CHECKS[language].format(file="FILE"))
-    return LANGUAGES[language](arm, name, head, *map(Lines, formulas.values()), tests)
+    name = _named(arm, name)
+    arm, notes = _rigid(arm)
+    tests = samples(arm)
+    forward, jacobian = forward_formulas(arm), jacobian_formulas(arm)
+    head = header(arm, {"forward": forward, "jacobian": jacobian}, notes, CHECKS[language])
+    return LANGUAGES[language](arm, name, head, Lines(forward), Lines(jacobian), tests)
 
 
-def _named(arm, name):
+def _named(arm: Arm, name: str | None) -> str:
     if name is None:
         return identifier(arm.name)
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,39}", name):
         raise ValueError(
-            f"generate: name: expected a letter, then letters, digits or underscores, 40 at most,"
+            "generate: name: expected a letter, then letters, digits or underscores, 40 at most,"
             f" found {name!r}"
         )
     return name
+
+
+def _rigid(arm: Arm) -> tuple[Arm, list[str]]:
+    """The arm with exact rotations in base and tool, and a sentence for each that was not."""
+    exact, notes = {}, []
+    for name in ("base", "tool"):
+        given = getattr(arm, name)
+        pose = _nearest_pose(given)
+        off = abs(pose - given).max()
+        if off > RIGID:
+            exact[name] = pose
+            notes.append(f"The rotation of the {name} was made exact; it was given {off:.1g} off.")
+    return replace(arm, **exact), notes
+
+
+def _nearest_pose(given):
+    """The rotation nearest to what was given, by its polar decomposition."""
+    U, _, Vt = np.linalg.svd(given[:3, :3])
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = U @ Vt, given[:3, 3]
+    return pose

@@ -1,6 +1,12 @@
 """The source in C99, which needs nothing but ``math.h``."""
 
+from __future__ import annotations
+
 import textwrap
+
+from ..arm import Arm
+from .lines import Lines
+from .samples import Samples
 
 __all__ = ["c_source"]
 
@@ -56,7 +62,9 @@ const double {name}_limits[{n}][2] = {{
 """
 
 
-def c_source(arm, name, header, forward, jacobian, samples):
+def c_source(
+    arm: Arm, name: str, header: list[str], forward: Lines, jacobian: Lines, samples: Samples
+) -> str:
     """The text of the file.
 
     Parameters

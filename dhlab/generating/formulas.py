@@ -5,9 +5,13 @@ takes four multiplications a run instead of nine; from where on the other way is
 out and counted.
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from .operations import Operations
+from ..arm import Arm
+from .operations import Number, Operations
 from .runs import joint_variables, runs_of, turned
 
 __all__ = ["Formulas", "forward_formulas", "jacobian_formulas"]
@@ -21,20 +25,20 @@ class Formulas:
     """``rows`` of a matrix, each entry a Value of ``program`` or a plain number."""
 
     program: Operations
-    rows: tuple
+    rows: tuple[Sequence[Number], ...]
 
     @property
-    def entries(self):
+    def entries(self) -> list[Number]:
         """All entries, row by row."""
         return [entry for row in self.rows for entry in row]
 
     @property
-    def count(self):
+    def count(self) -> dict[str, int]:
         """Multiplications, additions, sines and cosines, by name."""
         return self.program.count(self.entries)
 
 
-def forward_formulas(arm):
+def forward_formulas(arm: Arm) -> Formulas:
     """The end pose, tool included, with the fewest multiplications and additions of the groupings
     tried.
 
@@ -98,7 +102,7 @@ def _levers(run, beyond):
     return levers[::-1]
 
 
-def jacobian_formulas(arm):
+def jacobian_formulas(arm: Arm) -> Formulas:
     """The geometric Jacobian at the end point: a joint's lever is taken in the frame of its run,
     where its axis is z, and only the product of the two is turned into the world.
 

@@ -1,7 +1,10 @@
 """Formulas as lines of source text, in the arithmetic that C and Python share."""
 
+from __future__ import annotations
+
 from collections import Counter
 
+from .formulas import Formulas
 from .operations import Value
 
 __all__ = ["Lines"]
@@ -32,9 +35,11 @@ class Lines:
     s12 = sin(q12)
     """
 
-    def __init__(self, formulas):
-        self._program, self._names, self._labels = formulas.program, {}, {}
-        self.assignments = []
+    def __init__(self, formulas: Formulas):
+        self._program = formulas.program
+        self._names: dict[int, str] = {}
+        self._labels: dict[int, str] = {}
+        self.assignments: list[tuple[str, str]] = []
         needed = self._program.needed(formulas.entries)
         uses = Counter(k for node in needed for k in self._program.operands(node))
         uses.update(entry.node for entry in formulas.entries if isinstance(entry, Value))

@@ -1,6 +1,12 @@
 """The source in Python, which needs nothing but ``math``."""
 
+from __future__ import annotations
+
 import textwrap
+
+from ..arm import Arm
+from .lines import Lines
+from .samples import Samples
 
 __all__ = ["python_source"]
 
@@ -52,7 +58,9 @@ LIMITS = """
 """
 
 
-def python_source(arm, name, header, forward, jacobian, samples):
+def python_source(
+    arm: Arm, name: str, header: list[str], forward: Lines, jacobian: Lines, samples: Samples
+) -> str:
     """The text of the file; parameters as those of the C source.
 
     Returns

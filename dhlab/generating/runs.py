@@ -5,19 +5,25 @@ With ``p_k`` the way through run k and ``S_k`` the constant rotation behind it, 
 ``Π trans(p_k) Rz(angle_k) S_k``.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .operations import tidy
+from ..arm import Arm
+from .operations import Number, Operations, tidy
 
-__all__ = ["Run", "joint_variables", "runs_of", "turned"]
+__all__ = ["Run", "Vector", "joint_variables", "runs_of", "turned"]
 
+Vector = tuple[Number, Number, Number]
 QUARTER = math.pi / 2
 NEAR = 1e-15  # times the angle: what adding offsets in floating point leaves
 
 
-def joint_variables(arm):
+def joint_variables(arm: Arm) -> tuple[NDArray, NDArray]:
     """What turns the controller's q into joint variables: ``matrix @ q + offset`` is theta_i, or
     d_i of a prismatic joint. The one place that knows of signs and offsets.
 
@@ -48,20 +54,23 @@ class Run:
     and ``tilt`` (3, 3).
     """
 
-    def __init__(self, program, n):
-        self.program, self.shifts, self.joints = program, [], []
-        self.coefficients, self.constant, self.up = np.zeros(n), 0.0, 1.0
-        self.behind, self.tilt = (0.0, 0.0, 0.0), np.eye(3)
+    def __init__(self, program: Operations, n: int):
+        self.program, self.up = program, 1.0
+        self.shifts: list[Vector] = []
+        self.joints: list[tuple[int, float, int]] = []
+        self.coefficients, self.constant = np.zeros(n), 0.0
+        self.behind: Vector = (0.0, 0.0, 0.0)
+        self.tilt = np.eye(3)
 
-    def move(self, i, turn, slide):
+    def move(self, i: int, turn: tuple[NDArray, float], slide: tuple[NDArray, float]) -> None:
         """A joint: its turn about z and slide along z, each ``(coefficients of q, constant)``."""
         self.shifts.append(turned(self.cos_sin(), self.behind))
         self.joints.append((i, self.up, len(self.shifts)))
         self.coefficients = self.coefficients + self.up * turn[0]
         self.constant += self.up * turn[1]
-        self.shifts.append((0.0, 0.0, self.up * linear(self.program, *slide)))
+        self.shifts.append((0.0, 0.0, self.up * _linear(self.program, *slide)))
 
-    def fix(self, C):
+    def fix(self, C: NDArray) -> bool:
         """A constant pose (4, 4) behind the last joint; False where it tilts z, so that the run
         ends.
         """
@@ -78,17 +87,17 @@ class Run:
         self.tilt = np.diag([1.0, self.up, self.up])
         return True
 
-    def cos_sin(self):
+    def cos_sin(self) -> tuple[Number, Number]:
         """Cosine and sine of the angle so far; quarter turns in the constant swap them, exactly."""
         quarters, rest = round(self.constant / QUARTER), 0.0
         if abs(self.constant - quarters * QUARTER) > NEAR * max(1.0, abs(self.constant)):
             quarters, rest = 0, self.constant
-        angle = linear(self.program, self.coefficients, rest)
+        angle = _linear(self.program, self.coefficients, rest)
         c, s = self.program.cos(angle), self.program.sin(angle)
         return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
 
 
-def linear(program, coefficients, constant):
+def _linear(program, coefficients, constant):
     """``coefficients · q + constant`` with the constant last, so that sums of q can be shared."""
     total = 0.0
     for i in np.flatnonzero(coefficients):
@@ -96,13 +105,13 @@ def linear(program, coefficients, constant):
     return total + float(constant)
 
 
-def turned(cos_sin, v):
+def turned(cos_sin: Sequence[Number], v: Vector) -> Vector:
     """A vector turned about z."""
     (c, s), (x, y, z) = cos_sin, v
     return x * c - y * s, x * s + y * c, z
 
 
-def runs_of(arm, program):
+def runs_of(arm: Arm, program: Operations) -> list[Run]:
     """The runs of an arm from base to tool, in the operations of ``program``; the first has no
     joints where the base tilts z.
     """

@@ -2,10 +2,15 @@
 gives for them.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
+
+from ..arm import Arm
 
 __all__ = ["Samples", "samples"]
 
@@ -20,14 +25,14 @@ class Samples:
     of an arm's positions and velocities, which their errors are measured by.
     """
 
-    q: np.ndarray
-    T: np.ndarray
-    J: np.ndarray
+    q: NDArray
+    T: NDArray
+    J: NDArray
     T_length: float
     J_length: float
 
 
-def samples(arm):
+def samples(arm: Arm) -> Samples:
     """The samples of an arm, the same in every run; the first is q = 0.
 
     Parameters

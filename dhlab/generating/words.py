@@ -2,14 +2,18 @@
 or an identifier, whatever an arm is called.
 """
 
+from __future__ import annotations
+
 import re
 import textwrap
 import unicodedata
 
 import numpy as np
 
+from ..arm import Arm
 from ..printing import grid_text
 from ..units import written, written_rows
+from .formulas import Formulas
 
 __all__ = ["header", "identifier", "plain"]
 
@@ -28,7 +32,7 @@ JOINTS = (
 )
 
 
-def plain(text):
+def plain(text: str) -> str:
     """A text on one line, of characters that are printed, without what ends or opens a comment.
 
     Examples
@@ -43,7 +47,7 @@ def plain(text):
     return " ".join(printed.split())
 
 
-def identifier(name):
+def identifier(name: str) -> str:
     """A name that C and Python take, from whatever an arm is called.
 
     Examples
@@ -63,7 +67,7 @@ def identifier(name):
     return words[:NAME].strip("_")
 
 
-def header(arm, formulas, check):
+def header(arm: Arm, formulas: dict[str, Formulas], notes: list[str], check: str) -> list[str]:
     """The lines of the comment at the head.
 
     Parameters
@@ -71,6 +75,8 @@ def header(arm, formulas, check):
     arm : Arm
     formulas : dict
         The name of each function and its Formulas.
+    notes : list of str
+        What else is to be said of base and tool.
     check : str
         How the file is tested, as a command.
     """
@@ -84,7 +90,7 @@ def header(arm, formulas, check):
         JOINTS,
     ]
     lines = [line for text in paragraphs for line in _wrapped(text)]
-    lines += ["", *_table(arm).splitlines(), "", *_frames(arm), *_results(arm)]
+    lines += ["", *_table(arm).splitlines(), "", *_frames(arm), *notes, *_results(arm)]
     for name, formula in formulas.items():
         counts = ", ".join(f"{number} {kind}" for kind, number in formula.count.items())
         lines.append(f"Cost of {name}: {counts}")

@@ -14,7 +14,9 @@ import pytest
 from oracles import whole_pose_and_jacobian
 
 import dhlab as dh
+from dhlab.generating import formulas, runs
 from dhlab.generating.formulas import forward_formulas, jacobian_formulas
+from dhlab.generating.lines import Lines
 from dhlab.generating.words import identifier, plain
 from dhlab.robots import entry
 from dhlab.transform import from_xyz_rpy
@@ -216,9 +218,43 @@ def test_right_angles_leave_no_numbers_behind():
     assert {float(number) for number in numbers} <= {0, 1, 0.25, 0.5}, numbers
 
 
+def test_a_base_typed_with_few_digits_is_made_a_rotation_and_said_so(gcc, tmp_path):
+    base = from_xyz_rpy([0.1, 0, 0], [0, 0, np.pi / 4]).round(6)
+    tool = from_xyz_rpy([0, 0.1, 0], [0.4, 1.0, -0.2]).round(7)
+    arm = dh.Arm(dh.load("ur5e").table, base=base, tool=tool)
+    assert worst(InC(gcc, arm, tmp_path), arm, trials=5) < 1e-6
+    text = dh.generate(arm, "c")
+    assert "The rotation of the base was made exact; it was given 2e-07 off." in text
+    assert "The rotation of the tool was made exact" in text
+    assert "made exact" not in dh.generate(dh.load("ur5e").to("craig"), "c")
+
+
 def test_a_pose_that_does_not_depend_on_q_compiles(gcc, tmp_path):
     arm = dh.Arm(dh.DHTable.standard([[0, 0.1, 0, 0], [0, 0, 0.2, 90]], angle="deg", joints="PP"))
     assert worst(InC(gcc, arm, tmp_path), arm, trials=3) < 1e-15
+
+
+def test_joint_angles_may_be_mixtures_of_several_q(monkeypatch):
+    """As in an arm whose motors are coupled: one function says how, and both formulas follow it."""
+    arm = random_arm(3, 6, "standard")
+    mixture = np.diag(arm.sign) @ (np.eye(6) + np.diag([0, -1, 0, 0.25, 0], 1))
+    _, offset = runs.joint_variables(arm)
+    for module in (runs, formulas):
+        monkeypatch.setattr(module, "joint_variables", lambda arm: (mixture, offset))
+    for q in np.random.default_rng(2).uniform(-2, 2, (20, 6)):
+        own = arm.sign * (mixture @ q)
+        T, J = evaluated(forward_formulas(arm), q), evaluated(jacobian_formulas(arm), q)
+        assert abs(T - arm.forward(own)).max() < 1e-13
+        assert abs(J - arm.jacobian(own) @ np.diag(arm.sign) @ mixture).max() < 1e-13
+
+
+def evaluated(some, q):
+    """Formulas as numbers."""
+    lines = Lines(some)
+    names = {"cos": np.cos, "sin": np.sin, "q": q}
+    for name, text in lines.assignments:
+        names[name] = eval(text, names)
+    return np.array([[eval(text, names) for text in row] for row in lines.rows])
 
 
 def test_a_chain_of_a_hundred_joints(gcc, tmp_path):
@@ -336,8 +372,8 @@ def test_the_head_says_what_the_table_says():
     for words in ("Craig", "q in rad", "0.305", "0.16977", "-170 to 170 deg", "revolute  -1"):
         assert words in head, words
     forward, jacobian = forward_formulas(dh.load("ar4")), jacobian_formulas(dh.load("ar4"))
-    for name, formulas in (("forward", forward), ("jacobian", jacobian)):
-        assert f"Cost of {name}: {formulas.count['multiplications']} multiplications" in head
+    for name, part in (("forward", forward), ("jacobian", jacobian)):
+        assert f"Cost of {name}: {part.count['multiplications']} multiplications" in head
 
 
 @pytest.mark.parametrize("name", dh.robots())
@@ -346,11 +382,11 @@ def test_the_stated_cost_is_what_the_source_holds(name):
     text = dh.generate(arm, "python", name="arm")
     forward = text[text.index("def arm_forward") : text.index("def arm_jacobian")]
     jacobian = text[text.index("def arm_jacobian") : text.index("def _self_check")]
-    for body, formulas in ((forward, forward_formulas(arm)), (jacobian, jacobian_formulas(arm))):
+    for body, part in ((forward, forward_formulas(arm)), (jacobian, jacobian_formulas(arm))):
         code = body.partition('"""\n')[2]
-        assert code.count("*") == formulas.count["multiplications"]
-        assert len(re.findall(r"(?:cos|sin)\(", code)) == formulas.count["sines and cosines"]
-        assert len(re.findall(r" [+-] ", code)) == formulas.count["additions"]
+        assert code.count("*") == part.count["multiplications"]
+        assert len(re.findall(r"(?:cos|sin)\(", code)) == part.count["sines and cosines"]
+        assert len(re.findall(r" [+-] ", code)) == part.count["additions"]
 
 
 def test_a_table_will_do_and_names_can_be_chosen():
