@@ -178,6 +178,53 @@ class Arm:
             self.sign,
         )
 
+    def solve(self, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, method=None):
+        """The configurations that bring the end to a pose: the way back from :meth:`forward`.
+
+        Parameters
+        ----------
+        T : array (4, 4) or (m, 4, 4)
+            A pose of the end, tool included, in the frame that :meth:`forward` uses; or many. Its
+            rotation is made exact first.
+        limits : bool
+            Only what keeps the arm's stated limits.
+        near : array (n,), optional
+            Where the arm stands: the solution nearest to it comes first.
+        redundancy : number, sequence or dict, optional
+            For more than six joints, where one is held (radians): a value or several, or ``{joint
+            from 1: value or values}``. Left out, seven joints hold the usual one where it stands in
+            ``near``, in the middle of its range, or at the first value from there that serves.
+        tolerance : float
+            Metres and radians by which the end may miss; each solution says how much it does.
+        method : "closed form" or "search", optional
+            Left out: in closed form where there is one (with the extra ``[ik]``), else by search.
+
+        Returns
+        -------
+        dhlab.inverse.Solutions
+            A sequence of q (n,), true when there is one; without one, its ``reason`` and
+            ``nearest`` say why and what comes nearest. A list of them for many poses.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> arm = dh.load("ur5e")
+        >>> if answer := arm.solve(arm.forward([0.1, -1, 1, 0.4, 0.5, 0.6])):
+        ...     print(len(answer), answer[0].round(6))
+        8 [ 0.1 -1.   1.   0.4  0.5  0.6]
+        """
+        from .inverse import solve
+
+        return solve(
+            self,
+            T,
+            limits=limits,
+            near=near,
+            redundancy=redundancy,
+            tolerance=tolerance,
+            method=method,
+        )
+
     def to(self, convention):
         """The same arm with its table in another convention, ``"standard"`` or ``"craig"``; base
         and tool take up the difference.

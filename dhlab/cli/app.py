@@ -16,6 +16,7 @@ from .fk import fk
 from .from_urdf import from_urdf
 from .generate import generate
 from .grade import grade
+from .ik import ik
 from .lab import lab
 from .release import release
 from .robots import list_robots
@@ -46,6 +47,7 @@ app.command()(grade)
 app.add_typer(export, name="export")
 app.command()(doctor)
 app.command()(fk)
+app.command()(ik)
 app.command(name="from-urdf")(from_urdf)
 app.command()(convert)
 app.command()(generate)

@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from ..units import ANGLE, LENGTH
+
 __all__ = [
     "ArmName",
     "Convention",
@@ -16,6 +18,7 @@ __all__ = [
     "give",
     "class_of",
     "settings_of",
+    "units_of",
 ]
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")]
@@ -60,6 +63,19 @@ def give(model, out, as_json):
     if out:
         model.save(out)
     print(json.dumps(described(model), ensure_ascii=False) if as_json else model)
+
+
+def units_of(text, verb):
+    """The unit of length and that of angles in a text such as "mm,deg"."""
+    parts = [part.strip() for part in text.split(",")]
+    lengths = [part for part in parts if part in LENGTH]
+    angles = [part for part in parts if part in ANGLE]
+    if len(parts) != 2 or len(lengths) != 1 or len(angles) != 1:
+        raise ValueError(
+            f"{verb}: --units: expected a unit of length and one of angle, such as mm,deg or m,rad,"
+            f" found {text!r}"
+        )
+    return lengths[0], angles[0]
 
 
 def class_of(path):

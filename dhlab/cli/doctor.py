@@ -8,15 +8,16 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 
 from ..formats.files import read_text
 from ..robots import load
+from ..units import ANGLE, LENGTH
+from .common import units_of
 
 __all__ = ["doctor"]
 
-LENGTHS, ANGLES = {"m": 1.0, "mm": 1e-3}, {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180}
+ANGLES = {**ANGLE, "°": ANGLE["deg"]}
 
 
 def doctor(
@@ -98,7 +99,9 @@ def doctor(
     """
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
-    lengths, angles = (None, None) if protocol else _units(units or _written_units(poses))
+    lengths, angles = (
+        (None, None) if protocol else units_of(units or _written_units(poses), "doctor")
+    )
     model = load(arm)
     if protocol:
         _give_protocol(model, sheet, as_json)
@@ -155,20 +158,6 @@ def _written_units(path):
     return found[1]
 
 
-def _units(text):
-    parts = [part.strip() for part in text.split(",")]
-    lengths, angles = (
-        [part for part in parts if part in LENGTHS],
-        [part for part in parts if part in ("rad", "deg")],
-    )
-    if len(parts) != 2 or len(lengths) != 1 or len(angles) != 1:
-        raise ValueError(
-            "doctor: --units: expected a unit of length and one of angle, such as mm,deg or m,rad,"
-            f" found {text!r}"
-        )
-    return lengths[0], angles[0]
-
-
 def _noise(text):
     """(m, rad) or one number from "1mm,0.2deg"; None when nothing was given."""
     if not text.strip():
@@ -176,7 +165,7 @@ def _noise(text):
     parts = [part.strip() for part in text.split(",")]
     if len(parts) > 2:
         raise _bad_noise(text)
-    return tuple(_amount(part, known, text) for part, known in zip(parts, (LENGTHS, ANGLES)))
+    return tuple(_amount(part, known, text) for part, known in zip(parts, (LENGTH, ANGLES)))
 
 
 def _amount(part, known, text):

@@ -1,0 +1,145 @@
+"""The solutions of one target with some joints held: found, verified, merged, kept to limits."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..transform import inverse
+from .closedform import closed_form
+from .descent import Problem, approach
+from .families import settled, still_free
+from .joints import counted, inside_by_turns, nearest_by_turns, variables
+from .merging import merged
+from .prepared import folder_of, is_ready
+from .question import free_joints
+from .residuals import residuals
+from .search import SHARP, arm_length, search
+
+__all__ = ["Candidates", "by_closed_form", "by_search", "form_for", "needs_preparation"]
+
+SEARCH = "search"
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """What was found for one target.
+
+    Parameters
+    ----------
+    q : array (k, n)
+        Verified by the arm's own :meth:`Arm.forward`.
+    outside : array (j, n)
+        The same, but outside the limits, where these were to be kept.
+    families : tuple of (k) tuples
+        The joints of each that can move while the end stays.
+    hold : dict
+        Joints from 0 and the value of q they were held at.
+    method : str
+    complete : bool
+    seen : array (n,) or None
+        Where a search came nearest.
+    """
+
+    q: np.ndarray
+    outside: np.ndarray
+    families: tuple
+    hold: dict
+    method: str
+    complete: bool
+    seen: np.ndarray | None = None
+
+
+def form_for(arm, hold):
+    """The closed form that is ready for use with these joints held, or None."""
+    form = _any_form(arm, hold)
+    ready = form is not None and (not form.general or (not hold and is_ready(arm.table)))
+    return form if ready else None
+
+
+def needs_preparation(arm):
+    """Whether a closed form could be had for this arm, were it derived first."""
+    form = _any_form(arm, {})
+    return form is not None and form.general and not is_ready(arm.table)
+
+
+def _any_form(arm, hold):
+    at = np.zeros(len(arm))
+    at[list(hold)] = list(hold.values())
+    v = variables(arm, at)
+    return closed_form(arm.table, tuple((joint, float(v[joint])) for joint in sorted(hold)))
+
+
+def by_closed_form(question, form, hold):
+    """Every solution that ssik knows for one question."""
+    arm = question.arm
+    T_0n = inverse(arm.base) @ question.T @ inverse(arm.tool)
+    if form.general:
+        with folder_of(arm.table):
+            v = form.solve(T_0n)
+    else:
+        v = form.solve(T_0n)
+    return _sorted_out(question, counted(arm, v), hold, f"closed form, ssik {form.name}", True)
+
+
+def by_search(questions, hold):
+    """What a search finds for each question; these share everything but the target."""
+    if not questions:
+        return []
+    first = questions[0]
+    spare = free_joints(first.arm, hold).sum() > 6
+    founds = search(
+        first.arm,
+        np.array([question.T for question in questions]),
+        tolerance=first.tolerance,
+        held=hold,
+        near=first.near,
+        within=first.limits and spare,
+    )
+    return [
+        _sorted_out(question, found.q, hold, f"search from {found.starts} starts", False, found)
+        for question, found in zip(questions, founds, strict=True)
+    ]
+
+
+def _sorted_out(question, q, hold, method, complete, found=None):
+    """Verified, one of each, one of each family, in order, and kept to the limits."""
+    arm, T, tolerance = question.arm, question.T, question.tolerance
+    free = free_joints(arm, hold)
+    q = _verified(question, q, free)
+    families = [still_free(arm, row, T, tolerance, free) for row in q]
+    if any(families):
+        q = [
+            settled(arm, row, T, question.reference, tolerance, free) if joints else row
+            for row, joints in zip(q, families, strict=True)
+        ]
+    q, members = merged(arm, q, T, tolerance)
+    families = [families[same[0]] for same in members]
+    q = nearest_by_turns(arm, q, question.reference)
+    if arm.limits:
+        q = inside_by_turns(arm, q)
+    order = np.argsort(np.abs(q - question.reference).max(axis=1), kind="stable")
+    kept = arm.within_limits(q).all(axis=1) | (not question.limits)
+    return Candidates(
+        q[[k for k in order if kept[k]]],
+        q[[k for k in order if not kept[k]]],
+        tuple(families[k] for k in order if kept[k]),
+        hold,
+        method,
+        complete,
+        None if found is None else found.nearest,
+    )
+
+
+def _verified(question, q, free):
+    """Those of ``q`` (k, n) that reach the target; what is nearly there is walked the rest of the
+    way first.
+    """
+    off = residuals(question.arm, q, question.T)
+    rough = (off > SHARP * question.tolerance).any(axis=1)
+    if rough.any():
+        T = np.broadcast_to(question.T, (int(rough.sum()), 4, 4))
+        problem = Problem(question.arm, T, arm_length(question.arm), free=free)
+        q = q.copy()
+        q[rough] = approach(problem, q[rough])
+        off = residuals(question.arm, q, question.T)
+    return q[(off <= question.tolerance).all(axis=1)]
