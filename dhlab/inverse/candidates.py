@@ -7,7 +7,7 @@ import numpy as np
 from ..transform import inverse
 from .closedform import closed_form
 from .descent import Problem, approach
-from .families import settled, still_free
+from .families import flat, settled, still_free
 from .joints import counted, inside_by_turns, nearest_by_turns, variables
 from .merging import merged
 from .prepared import folder_of, is_ready
@@ -17,7 +17,7 @@ from .search import SHARP, arm_length, search
 
 __all__ = ["Candidates", "by_closed_form", "by_search", "form_for", "needs_preparation"]
 
-SEARCH = "search"
+SAMPLES = 8  # of the solutions of an arm with joints to spare, when none is held
 
 
 @dataclass(frozen=True)
@@ -105,19 +105,15 @@ def _sorted_out(question, q, hold, method, complete, found=None):
     """Verified, one of each, one of each family, in order, and kept to the limits."""
     arm, T, tolerance = question.arm, question.T, question.tolerance
     free = free_joints(arm, hold)
-    q = _verified(question, q, free)
-    families = [still_free(arm, row, T, tolerance, free) for row in q]
-    if any(families):
-        q = [
-            settled(arm, row, T, question.reference, tolerance, free) if joints else row
-            for row, joints in zip(q, families, strict=True)
-        ]
+    q, families = _families(question, _verified(question, q, free), free)
     q, members = merged(arm, q, T, tolerance)
     families = [families[same[0]] for same in members]
     q = nearest_by_turns(arm, q, question.reference)
     if arm.limits:
         q = inside_by_turns(arm, q)
     order = np.argsort(np.abs(q - question.reference).max(axis=1), kind="stable")
+    if free.sum() > 6:
+        order = order[:SAMPLES]
     kept = arm.within_limits(q).all(axis=1) | (not question.limits)
     return Candidates(
         q[[k for k in order if kept[k]]],
@@ -128,6 +124,21 @@ def _sorted_out(question, q, hold, method, complete, found=None):
         complete,
         None if found is None else found.nearest,
     )
+
+
+def _families(question, q, free):
+    """Solutions (k, n), those of a family moved to its member nearest to the reference, and the
+    joints of each that can move.
+    """
+    arm, T, tolerance = question.arm, question.T, question.tolerance
+    if free.sum() > 6:  # every solution is of a family, and nothing is gained by moving it
+        return q, [()] * len(q)
+    q, families = q.copy(), [()] * len(q)
+    for k in np.flatnonzero(flat(arm, q, free)):
+        families[k] = still_free(arm, q[k], T, tolerance, free)
+        if families[k]:
+            q[k] = settled(arm, q[k], T, question.reference, tolerance, free)
+    return q, families
 
 
 def _verified(question, q, free):

@@ -5,12 +5,18 @@ import numpy as np
 from .joints import nearest_by_turns
 from .residuals import missing, residuals
 
-__all__ = ["settled", "still_free"]
+__all__ = ["flat", "settled", "still_free"]
 
 FLAT = 1e-5  # of the largest singular value: a direction in which the end hardly moves
 PROBE = 0.02  # rad or m: so far a joint of a family moves, and the end is back in place
 SHARE = 1e-3  # of the largest component: which joints take part
 CORRECTIONS, WALK = 5, 200
+
+
+def flat(arm, q, free):
+    """Where the Jacobian of the free joints loses rank: booleans (k,) for ``q`` (k, n)."""
+    sizes = np.linalg.svd(arm.jacobian(q)[..., free], compute_uv=False)
+    return sizes[:, -1] <= FLAT * sizes[:, 0]
 
 
 def still_free(arm, q, T, tolerance, free=None):

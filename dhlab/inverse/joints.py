@@ -19,7 +19,7 @@ def variables(arm, q):
     --------
     >>> import dhlab as dh
     >>> variables(dh.load("ar4"), np.ones(6))
-    array([ 1.,  1.,  1.,  1.,  1., -1.])
+    array([-1.,  1.,  1.,  1.,  1.,  1.])
     """
     return arm.sign * np.asarray(q, dtype=float)
 

@@ -77,8 +77,8 @@ def elbow_arm(arm):
     --------
     >>> import dhlab as dh
     >>> puma = elbow_arm(dh.load("puma560"))
-    >>> round(puma.upper, 4), round(puma.fore, 4), round(puma.aside, 4)
-    (0.4318, 0.4323, 0.1501)
+    >>> round(puma.upper, 4), round(puma.fore, 4), round(puma.aside, 5)
+    (0.4318, 0.4323, 0.15005)
     >>> elbow_arm(dh.load("ur5e")) is None
     True
     """
@@ -99,10 +99,10 @@ def elbow_arm(arm):
     return ElbowArm(
         base,
         centre,
-        forward=abs(normal.a),
-        aside=abs((wrist - origin) @ z[1]),
-        upper=np.linalg.norm(across(p[2] - p[1], z[1])),
-        fore=np.linalg.norm(across(wrist - p[2], z[2])),
+        forward=abs(float(normal.a)),
+        aside=abs(float((wrist - origin) @ z[1])),
+        upper=float(np.linalg.norm(across(p[2] - p[1], z[1]))),
+        fore=float(np.linalg.norm(across(wrist - p[2], z[2]))),
     )
 
 

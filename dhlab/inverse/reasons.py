@@ -103,6 +103,7 @@ class _Reach:
                 f"Out of reach: in no orientation does the end come nearer than about {_mm(metres)}"
                 f" to this position.{told}{also}",
                 metres=metres,
+                short=exact,
                 certain=bool(exact),
             )
         radians = self.orientation(at)
@@ -112,6 +113,7 @@ class _Reach:
                 "The position can be reached, but not in this orientation: the nearest there is"
                 f" about {number(np.rad2deg(radians), 4)}° away.{told}{also}",
                 radians=radians,
+                short=exact,
                 certain=bool(exact),
             )
         return Reason(

@@ -45,7 +45,7 @@ def usual_holds(arm, near=None):
     [0.0, 0.3927, -0.3927]
     """
     joint = joint_to_hold(arm)
-    low, high = (bound[joint] for bound in bounds(arm))
+    low, high = (float(bound[joint]) for bound in bounds(arm))
     if not np.isfinite([low, high]).all():
         low, high = -np.pi, np.pi
     middle = (low + high) / 2 if near is None else float(near[joint])

@@ -40,7 +40,7 @@ def arm_length(arm):
     --------
     >>> import dhlab as dh
     >>> round(arm_length(dh.load("ur5e")), 3)
-    0.857
+    0.85
     """
     axes = joint_axes(arm)
     slides = [
@@ -48,7 +48,7 @@ def arm_length(arm):
         for low, high, slide in zip(*bounds(arm), arm.table.prismatic, strict=True)
         if slide and np.isfinite(high - low)
     ]
-    return max(axes.reach, max(slides, default=0.0)) or max(axes.largest, 1e-3)
+    return float(max(axes.reach, max(slides, default=0.0)) or max(axes.largest, 1e-3))
 
 
 def starts(arm, count, generator, low, high):

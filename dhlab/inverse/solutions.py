@@ -61,6 +61,9 @@ class Reason:
     metres, radians : float
         By how much: the distance to the nearest position ("reach"), the angle to the nearest
         orientation at that position ("orientation"), the least that a limit is broken ("limits").
+    short : float
+        Metres by which the wrist centre lacks reach in this orientation, exactly; 0 where the arm's
+        geometry does not give it.
     certain : bool
         True where the arm's geometry proves it; else a search from many starts says so, and its
         numbers are the least that it found.
@@ -70,6 +73,7 @@ class Reason:
     sentence: str
     metres: float = 0.0
     radians: float = 0.0
+    short: float = 0.0
     certain: bool = False
 
     def to_dict(self):
