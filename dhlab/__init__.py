@@ -1,57 +1,23 @@
 """dhlab: learn, teach and debug Denavit-Hartenberg kinematics. Radians and metres inside; degrees
 and millimetres where people write.
+
+``__init__.pyi`` beside this file is the one list of names; each is loaded when it is first asked
+for, and so is a room (``dhlab.transform``), so that ``import dhlab`` costs little.
 """
 
 from importlib import import_module
+from importlib.util import find_spec
 
-from . import symbolic
-from .arm import Arm
-from .formats.urdf import read_urdf, to_urdf
-from .geometry.equivalence import equivalent
-from .geometry.frames import NearlyParallelWarning, assign_frames
-from .robots import load, robots
-from .table import DHTable
-
-# what needs scipy's optimisers or the pictures is loaded when it is first asked for
-LATER = {
-    "calibrate_offsets": "measure",
-    "diagnose": "doctor",
-    "diagnose_function": "doctor",
-    "explore": "view.explorer",
-    "generate": "generating",
-    "recognise_table": "doctor",
-    "fit_circles": "measure",
-    "read_poses": "formats.posefile",
-}
+import lazy_loader
 
 __version__ = "0.1.0"
-__all__ = [
-    "Arm",
-    "DHTable",
-    "NearlyParallelWarning",
-    "assign_frames",
-    "calibrate_offsets",
-    "diagnose",
-    "diagnose_function",
-    "equivalent",
-    "explore",
-    "fit_circles",
-    "generate",
-    "load",
-    "read_poses",
-    "read_urdf",
-    "recognise_table",
-    "robots",
-    "symbolic",
-    "to_urdf",
-]
+
+_load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 
 def __getattr__(name):
-    if name not in LATER:
-        raise AttributeError(f"dhlab has no {name!r}; it has {', '.join(__all__)}")
-    return getattr(import_module(f".{LATER[name]}", __name__), name)
-
-
-def __dir__():
-    return [*globals(), *LATER]
+    if name in __all__:
+        return _load(name)
+    if not name.startswith("_") and find_spec(f"{__name__}.{name}"):
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"dhlab has no {name!r}; it has {', '.join(__all__)}")

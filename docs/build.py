@@ -149,7 +149,8 @@ def _key(notebook):
     for path in sorted(
         p
         for p in (ROOT / "dhlab").rglob("*")
-        if p.suffix in (".py", ".yaml", ".js", ".urdf", ".csv") and "node_modules" not in p.parts
+        if p.suffix in (".py", ".pyi", ".yaml", ".js", ".urdf", ".csv")
+        and "node_modules" not in p.parts
     ):
         found.update(path.read_bytes())
     for package in ("numpy", "matplotlib", "ipython"):

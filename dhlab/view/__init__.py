@@ -2,29 +2,9 @@
 says in words and numbers what it shows.
 
 Look at one with ``view.arm(dhlab.load("ur5e"))``; every function returns a :class:`Picture`.
+``__init__.pyi`` lists the names; each is loaded when it is first asked for.
 """
 
-from .explorer import Explorer, explore
-from .picture import Picture
-from .pictures.arm import arm, frames, poses
-from .pictures.axes import axes
-from .pictures.circle import circle
-from .pictures.compared import compared
-from .pictures.condition import condition
-from .pictures.conventions import conventions
-from .pictures.link import link
+import lazy_loader
 
-__all__ = [
-    "Explorer",
-    "Picture",
-    "arm",
-    "axes",
-    "circle",
-    "compared",
-    "condition",
-    "conventions",
-    "explore",
-    "frames",
-    "link",
-    "poses",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -97,7 +97,7 @@ def _package():
         path
         for path in sorted(PACKAGE.rglob("*"))
         if path.is_file()
-        and path.suffix in (".py", ".yaml", ".html", ".js", ".csv", ".urdf", ".json")
+        and path.suffix in (".py", ".pyi", ".yaml", ".html", ".js", ".csv", ".urdf", ".json")
     )
     named = {path.relative_to(PACKAGE).as_posix(): path for path in found}
     return {

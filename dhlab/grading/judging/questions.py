@@ -19,8 +19,9 @@ __all__ = ["Course", "handed_out_checks", "scored", "request", "warm_modules"]
 FRESH = 2**31
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
 LATER = {
-    "dh.diagnose": "dhlab.doctor",
-    "dh.recognise": "dhlab.doctor",
+    "dh.diagnose": "dhlab.doctor.arms.poses",
+    "dh.diagnose_function": "dhlab.doctor.programs.functions",
+    "dh.recognise": "dhlab.doctor.tables.dialects",
     "dh.symbolic": "sympy",
     "dh.calibrate": "dhlab.measure",
     "dh.fit_circles": "dhlab.measure",

@@ -1,0 +1,20 @@
+from . import symbolic as symbolic
+from .arm import Arm as Arm
+from .doctor import diagnose as diagnose
+from .doctor import diagnose_function as diagnose_function
+from .doctor import recognise_table as recognise_table
+from .formats.posefile import read_poses as read_poses
+from .formats.urdf import read_urdf as read_urdf
+from .formats.urdf import to_urdf as to_urdf
+from .generating import generate as generate
+from .geometry.equivalence import equivalent as equivalent
+from .geometry.frames import NearlyParallelWarning as NearlyParallelWarning
+from .geometry.frames import assign_frames as assign_frames
+from .measure import calibrate_offsets as calibrate_offsets
+from .measure import fit_circles as fit_circles
+from .robots import load as load
+from .robots import robots as robots
+from .table import DHTable as DHTable
+from .view.explorer import explore as explore
+
+__version__: str

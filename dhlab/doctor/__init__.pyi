@@ -1,0 +1,14 @@
+from .arms.motion import diagnose_motion as diagnose_motion
+from .arms.poses import diagnose as diagnose
+from .arms.protocol import Protocol as Protocol
+from .arms.protocol import protocol as protocol
+from .catalogue import Mistake as Mistake
+from .catalogue import catalogue as catalogue
+from .diagnosis import Diagnosis as Diagnosis
+from .finding import Finding as Finding
+from .programs.explain import explain_function as explain_function
+from .programs.functions import diagnose_function as diagnose_function
+from .tables.dialects import Reading as Reading
+from .tables.dialects import Recognised as Recognised
+from .tables.dialects import recognise_table as recognise_table
+from .tables.rows import explain_rows as explain_rows

@@ -1,0 +1,12 @@
+from .explorer import Explorer as Explorer
+from .explorer import explore as explore
+from .picture import Picture as Picture
+from .pictures.arm import arm as arm
+from .pictures.arm import frames as frames
+from .pictures.arm import poses as poses
+from .pictures.axes import axes as axes
+from .pictures.circle import circle as circle
+from .pictures.compared import compared as compared
+from .pictures.condition import condition as condition
+from .pictures.conventions import conventions as conventions
+from .pictures.link import link as link
