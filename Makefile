@@ -39,8 +39,9 @@ bench: .venv/test
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "dhlab needs Python 3.11 or newer; found: $$($(PYTHON) --version 2>&1). Say which to use: make lab PYTHON=python3.12"; exit 1; }
 	@$(PYTHON) -m venv .venv || { rm -rf .venv; echo "Python could not make a virtual environment; on Debian and Ubuntu: apt install python3-venv"; exit 1; }
 
+# --no-compile: Python compiles a module when it is first used, and most never are
 .venv/lab: .venv/bin/python pyproject.toml constraints.txt
-	$(PIP) --editable '.[lab]'
+	$(PIP) --no-compile --editable '.[lab]'
 	@touch $@
 
 .venv/test: .venv/bin/python pyproject.toml constraints.txt
