@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, SupportsFloat
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,7 +37,7 @@ HTML_HEADINGS = {
 TITLES = {"standard": "standard DH", "craig": "Craig DH"}
 
 
-def number(value: float, digits: int = 6) -> str:
+def number(value: SupportsFloat, digits: int = 6) -> str:
     """A number with at most ``digits`` decimals and no trailing zeros.
 
     Examples
@@ -45,8 +45,7 @@ def number(value: float, digits: int = 6) -> str:
     >>> number(0.4), number(-90.0), number(1e-17), number(0.1625)
     ('0.4', '-90', '0', '0.1625')
     """
-    text = np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
-    return text
+    return np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
 
 
 def _cells(table, sign):

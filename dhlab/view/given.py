@@ -1,6 +1,9 @@
 """What the pictures were given: checked, and in one shape."""
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
 from ..transform import pose_fault
@@ -17,7 +20,7 @@ __all__ = [
 ]
 
 
-def given_poses(poses):
+def given_poses(poses: ArrayLike) -> NDArray[np.float64]:
     """One pose or several as an array (k, 4, 4), or a sentence."""
     try:
         chain = np.asarray(poses)
@@ -39,7 +42,7 @@ def given_poses(poses):
     return chain.astype(float)
 
 
-def given_names(names, count, default):
+def given_names(names: Iterable[object] | None, count: int, default: list[str]) -> list[str]:
     """One text per thing to be named, or a sentence; ``default`` when there are none."""
     if names is None:
         return default
@@ -55,7 +58,7 @@ def given_names(names, count, default):
     return [str(name) for name in listed]
 
 
-def require_arm(arm, where):
+def require_arm(arm: object, where: str) -> None:
     """A sentence when this is no Arm."""
     if not isinstance(arm, Arm):
         raise ValueError(
@@ -64,7 +67,7 @@ def require_arm(arm, where):
         )
 
 
-def given_arm_at(arm, q):
+def given_arm_at(arm: Arm, q: ArrayLike | None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """One configuration (n,) and the arm's frames at it (n + 1, 4, 4), or a sentence."""
     require_arm(arm, "view.arm")
     q = np.zeros(len(arm)) if q is None else q
@@ -77,7 +80,7 @@ def given_arm_at(arm, q):
     return np.asarray(q, dtype=float), chain
 
 
-def given_arm_at_all(arm, qs):
+def given_arm_at_all(arm: Arm, qs: ArrayLike) -> NDArray[np.float64]:
     """The arm's frames (k, n + 1, 4, 4) at every configuration, or a sentence."""
     require_arm(arm, "view.poses")
     chains = arm.frames(qs)
@@ -89,7 +92,9 @@ def given_arm_at_all(arm, qs):
     return chains
 
 
-def all_frames(arm, chain):
+def all_frames(
+    arm: Arm, chain: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], list[str], list[str]]:
     """Every frame of an arm with its tool's: poses (k, 4, 4), subscripts, and what to write at the
     origins.
 
@@ -105,6 +110,6 @@ def all_frames(arm, chain):
     return np.concatenate([chain, [chain[-1] @ arm.tool]]), [*names, "tool"], [*titles, "tool"]
 
 
-def spread(points):
+def spread(points: NDArray[np.float64]) -> float:
     """The longest side of the upright box around points (k, 3)."""
-    return np.ptp(points, axis=0).max()
+    return float(np.ptp(points, axis=0).max())

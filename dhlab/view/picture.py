@@ -4,10 +4,15 @@ it.
 
 import base64
 import io
+from collections.abc import Sequence
 from html import escape
 from pathlib import Path
+from typing import Any
 
 import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
 from PIL import Image
 
 from ..formats import files
@@ -51,12 +56,20 @@ class Picture:
     {4} and {5} share one origin.
     """
 
-    def __init__(self, figure, alt, headings, rows, caption, points=None):
+    def __init__(
+        self,
+        figure: Figure,
+        alt: str,
+        headings: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        caption: str,
+        points: dict[str, NDArray[np.float64]] | None = None,
+    ) -> None:
         self.figure, self.alt, self.points = figure, alt, points or {}
         self.table = f"{caption}\n{grid_text(headings, rows)}"
         self.table_html = grid_html([escape(heading) for heading in headings], rows, caption)
 
-    def save(self, path, overwrite=False):
+    def save(self, path: str | Path, overwrite: bool = False) -> None:
         """Write the picture as ``.png``, ``.svg`` or ``.pdf``: the whole file or nothing.
 
         Parameters
@@ -103,7 +116,7 @@ class Picture:
             )
         return buffer.getvalue() if suffix != ".png" else _fewer_colours(buffer)
 
-    def _repr_mimebundle_(self, include=None, exclude=None):
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, str]:
         data = base64.b64encode(self._bytes(".png")).decode("ascii")
         # the file has more dots than that, for fine screens
         width = round(self.figure.get_figwidth() * 100)
@@ -119,7 +132,7 @@ class Picture:
 
     summary = "The frames as a table"
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Picture: {self.alt}>"
 
 

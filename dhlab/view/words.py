@@ -2,8 +2,12 @@
 table of the frames.
 """
 
-import numpy as np
+from collections.abc import Iterable, Sequence
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..arm import Arm
 from ..printing import number
 from .drawing.triads import coincident
 
@@ -23,7 +27,7 @@ __all__ = [
 FRAME_HEADINGS = ("frame", "x (m)", "y (m)", "z (m)", "x axis", "y axis", "z axis")
 
 
-def frame_rows(poses, names):
+def frame_rows(poses: NDArray[np.float64], names: Iterable[str]) -> list[list[str]]:
     """A row of texts per frame: name, origin in metres, directions of x, y and z."""
     return [
         [name, *(number(v, 4) for v in pose[:3, 3]), *(_vector(axis) for axis in pose[:3, :3].T)]
@@ -35,7 +39,7 @@ def _vector(axis):
     return "(" + ", ".join(number(v, 3) for v in axis) + ")"
 
 
-def direction(axis):
+def direction(axis: NDArray[np.float64]) -> str:
     """A unit vector (3,) in words: the world axis it lies on, or its three components.
 
     Examples
@@ -50,7 +54,7 @@ def direction(axis):
     return f"along {_vector(axis)}"
 
 
-def place(point):
+def place(point: Iterable[float]) -> str:
     """A point (3,) in words, to a tenth of a millimetre.
 
     Examples
@@ -61,7 +65,7 @@ def place(point):
     return ", ".join(f"{letter} = {number(v, 4)}" for letter, v in zip("xyz", point)) + " m"
 
 
-def listed(words):
+def listed(words: Iterable[str]) -> str:
     """Words as a list in a sentence.
 
     Examples
@@ -81,7 +85,7 @@ def _shared_origins(poses, names):
     )
 
 
-def joint_words(joints):
+def joint_words(joints: str) -> str:
     """How many joints of which kind.
 
     Examples
@@ -95,7 +99,7 @@ def joint_words(joints):
     )
 
 
-def configuration(joints, q):
+def configuration(joints: str, q: ArrayLike) -> str:
     """Joint values as a person writes them.
 
     Examples
@@ -105,17 +109,17 @@ def configuration(joints, q):
     """
     return ", ".join(
         f"{number(value, 4)} m" if letter == "P" else f"{number(np.rad2deg(value), 2)}°"
-        for letter, value in zip(joints, q)
+        for letter, value in zip(joints, np.asarray(q))
     )
 
 
-def who(arm):
+def who(arm: Arm) -> str:
     """An arm's name and joints, as a sentence begins."""
     kind = f"with {joint_words(arm.table.joints)}"
     return f"{arm.name}: an arm {kind}" if arm.name else f"An arm {kind}"
 
 
-def arm_sentences(arm, q, poses, names):
+def arm_sentences(arm: Arm, q: ArrayLike, poses: NDArray[np.float64], names: Sequence[str]) -> str:
     """What is to be seen of an arm at ``q``; the last of the poses is its end."""
     end = poses[-1]
     return (
@@ -125,7 +129,7 @@ def arm_sentences(arm, q, poses, names):
     )
 
 
-def frame_sentences(poses, names):
+def frame_sentences(poses: NDArray[np.float64], names: Sequence[str]) -> str:
     """Where each frame is and which way its z axis points; of many, the last."""
     told = list(zip(poses, names))
     told = told if len(told) <= 4 else told[-1:]

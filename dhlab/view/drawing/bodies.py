@@ -3,15 +3,17 @@ axes.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .scene import Face, Stroke
+from ...arm import Arm
+from .scene import Face, Scene, Stroke
 from .style import INK, JOINT, JOINT_CAP, LINK, QUIET
 from .triads import coincident
 
 __all__ = ["dh_path", "joint_places", "add_arm", "add_joint", "add_tool"]
 
 
-def dh_path(convention, chain):
+def dh_path(convention: str, chain: NDArray[np.float64]) -> NDArray[np.float64]:
     """The way from origin to origin, along d and a, as one path.
 
     Parameters
@@ -40,7 +42,9 @@ def dh_path(convention, chain):
     return path
 
 
-def joint_places(convention, chain):
+def joint_places(
+    convention: str, chain: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Where each joint is drawn, in the middle of its d: centres and axis directions, both (n,
     3).
     """
@@ -50,7 +54,7 @@ def joint_places(convention, chain):
     return (path[1::2] + path[2::2]) / 2, chain[1:, :3, 2]
 
 
-def add_arm(scene, arm, chain, size):
+def add_arm(scene: Scene, arm: Arm, chain: NDArray[np.float64], size: float) -> None:
     """Add links and joints at these frames (n + 1, 4, 4); ``size`` is the arm's spread in
     metres.
     """
@@ -65,13 +69,21 @@ def add_arm(scene, arm, chain, size):
             )
 
 
-def add_joint(scene, letter, centre, axis, radius, length, gid):
+def add_joint(
+    scene: Scene,
+    letter: str,
+    centre: NDArray[np.float64],
+    axis: NDArray[np.float64],
+    radius: float,
+    length: float,
+    gid: str,
+) -> None:
     """Add one joint: a cylinder for "R", a box for "P"."""
     add = _add_box if letter == "P" else _add_cylinder
     add(scene, centre, axis, radius, length, gid)
 
 
-def add_tool(scene, start, end):
+def add_tool(scene: Scene, start: NDArray[np.float64], end: NDArray[np.float64]) -> None:
     """Add the line from the last frame to the tool's."""
     scene.add(Stroke(np.array([start, end]), QUIET, 2.2, (0, (2, 1)), "body", gid="tool-line"))
 

@@ -5,6 +5,7 @@ lengths equal, which kinematics needs.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Camera", "orbit", "best_orbit", "clearest_side", "PLANES", "widest_plane"]
 
@@ -15,20 +16,20 @@ class Camera:
     (3,) in the world.
     """
 
-    right: np.ndarray
-    up: np.ndarray
-    toward: np.ndarray
+    right: NDArray[np.float64]
+    up: NDArray[np.float64]
+    toward: NDArray[np.float64]
 
-    def flat(self, points):
+    def flat(self, points: ArrayLike) -> NDArray[np.float64]:
         """Points (..., 3) on the picture: (..., 2), in metres; one scale for all directions."""
         return np.asarray(points, dtype=float) @ np.column_stack([self.right, self.up])
 
-    def depth(self, points):
+    def depth(self, points: ArrayLike) -> NDArray[np.float64]:
         """How near (..., 3) points are to the viewer; larger is nearer."""
         return np.asarray(points, dtype=float) @ self.toward
 
 
-def orbit(elevation=24.0, azimuth=-58.0):
+def orbit(elevation: float = 24.0, azimuth: float = -58.0) -> Camera:
     """A camera at these angles, degrees, as mplot3d counts them: x to the right, y away, z up."""
     e, a = np.deg2rad([elevation, azimuth])
     toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
@@ -36,7 +37,7 @@ def orbit(elevation=24.0, azimuth=-58.0):
     return Camera(right, np.cross(toward, right), toward)
 
 
-def best_orbit(directions):
+def best_orbit(directions: NDArray[np.float64]) -> Camera:
     """The camera near the usual one from which these directions (k, 3) are long on the picture and
     far from each other.
     """
@@ -55,7 +56,12 @@ def _clarity(tips):
     return min(0.45, gaps[np.triu_indices(len(tips), 1)].min())
 
 
-def clearest_side(camera, line, sides, obstacles):
+def clearest_side(
+    camera: Camera,
+    line: NDArray[np.float64],
+    sides: NDArray[np.float64],
+    obstacles: NDArray[np.float64],
+) -> NDArray[np.float64]:
     """The shift out of ``sides`` (k, 3) that takes a line (m, 3) furthest from the obstacles (j, 3)
     on the picture; far shifts count less.
     """
@@ -77,7 +83,7 @@ PLANES = {
 }
 
 
-def widest_plane(points):
+def widest_plane(points: NDArray[np.float64]) -> str:
     """The name of the plane of two world axes over which points (k, 3) spread most; x-z when in
     doubt.
 

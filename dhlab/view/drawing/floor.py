@@ -4,9 +4,11 @@ arm's shadow.
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
 
 from ...printing import number
-from .scene import Dot, Label, Stroke
+from .camera import Camera
+from .scene import Dot, Label, Scene, Stroke
 from .style import FLOOR, QUIET, SHADOW, SIZES
 
 __all__ = ["add_floor", "add_wall", "add_shadow", "add_drops", "floor_height"]
@@ -14,7 +16,7 @@ __all__ = ["add_floor", "add_wall", "add_shadow", "add_drops", "floor_height"]
 FLOOR_TICKS, WALL_TICKS = 7, 5  # a side view is smaller, and its numbers stand side by side
 
 
-def floor_height(points):
+def floor_height(points: NDArray[np.float64]) -> float:
     """Where the floor lies under points (k, 3): at 0 when they stand on it or a little above, else
     at the lowest.
     """
@@ -23,7 +25,7 @@ def floor_height(points):
     return 0.0 if -1e-9 <= low + 0.02 * size and low <= max(high - low, 0.5 * size) else low
 
 
-def add_floor(scene, camera, z):
+def add_floor(scene: Scene, camera: Camera, z: float) -> None:
     """Add grid, ticks and the names of the axes, large enough for all that the scene holds so far.
 
     Parameters
@@ -45,7 +47,7 @@ def add_floor(scene, camera, z):
     _add_scale(scene, camera, 2, low, high, ticks[2], -camera.right, camera.up)
 
 
-def add_wall(scene, camera, plane):
+def add_wall(scene: Scene, camera: Camera, plane: str) -> None:
     """Add grid, ticks and names of a view that sees the two world axes of ``plane`` ("x-z") in
     their true length.
     """
@@ -140,14 +142,14 @@ def _beyond(out, ticks):
     )
 
 
-def add_shadow(scene, path, z, width=5.0):
+def add_shadow(scene: Scene, path: NDArray[np.float64], z: float, width: float = 5.0) -> None:
     """Add what a light from straight above would show of a path (k, 3): it tells near from far."""
     flat = np.array(path)
     flat[:, 2] = z
     scene.add(Stroke(flat, SHADOW, width, layer="shadow", gid="shadow"))
 
 
-def add_drops(scene, points, z):
+def add_drops(scene: Scene, points: NDArray[np.float64], z: float) -> None:
     """Add plumb lines from points (k, 3) to the floor."""
     for point in points:
         foot = np.array([point[0], point[1], z])

@@ -4,11 +4,15 @@ that hides least.
 All coordinates here are page points from the panel's lower left corner.
 """
 
+from typing import Any
+
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.text import Text
+from numpy.typing import NDArray
 
-from .camera import Camera
-from .scene import LAYERS, Dot, Face
+from .paint import Panel
+from .scene import LAYERS, Dot, Face, Label, Scene
 from .style import FONT, QUIET, halo
 
 __all__ = ["place_labels"]
@@ -20,7 +24,7 @@ SAME = 9.0  # page points; one label for two of one text at points nearer than t
 SPACING = 2.5  # between the samples that stand for a line
 
 
-def place_labels(scene, panel):
+def place_labels(scene: Scene, panel: Panel) -> list[Text]:
     """Write every label of a scene where it is best read.
 
     Parameters
@@ -45,7 +49,7 @@ def place_labels(scene, panel):
         (boxes, costs + _doubt(k, boxes, labels, own) + _hidden(boxes, ink, panel.size))
         for k, (boxes, costs) in enumerate(choices)
     ]
-    taken = [None] * len(texts)
+    taken: list[Any] = [None] * len(texts)
     # those with least choice first
     order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))
     for sweep in range(3):  # the second and third time each one knows where all others are
@@ -63,12 +67,10 @@ def place_labels(scene, panel):
 
 def _once(labels, panel):
     """The labels, without those that say of almost the same point what another one says already."""
-    kept = {}
+    kept: dict[tuple[str, str, str | None], list[tuple[NDArray[np.float64], Label]]] = {}
     for label in labels:
-        at, same = (
-            panel.to_page(panel.camera.flat(label.anchor)),
-            kept.setdefault((label.text, label.color, label.gid), []),
-        )
+        at = panel.to_page(panel.camera.flat(label.anchor))
+        same = kept.setdefault((label.text, label.color, label.gid), [])
         if all(np.hypot(*(at - there)) >= SAME for there, _ in same):
             same.append((at, label))
     chosen = {id(label) for same in kept.values() for _, label in same}
@@ -178,7 +180,7 @@ def _distance(boxes, points):
     return np.linalg.norm(beyond, axis=-1).min(axis=1)
 
 
-def _wanted(label, camera: Camera):
+def _wanted(label, camera):
     """The unit direction (2,) on the page in which a label wants to stand; up when it does not
     care.
     """

@@ -2,13 +2,16 @@
 measured lengths.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ... import transform
 from ...printing import number
-from .camera import clearest_side
+from ...table import DHTable
+from .camera import Camera, clearest_side
 from .scene import Face, Label, Scene, Stroke
 from .style import AXES, INK, QUIET, SIZES
 
@@ -32,31 +35,31 @@ class Move:
 
     kind: str
     value: float
-    start: np.ndarray
-    end: np.ndarray
+    start: NDArray[np.float64]
+    end: NDArray[np.float64]
     row: int
     axis: int
 
     @property
-    def is_turn(self):
+    def is_turn(self) -> bool:
         return self.kind in ("theta", "alpha")
 
     @property
-    def is_nothing(self):
+    def is_nothing(self) -> bool:
         return abs(self.value) < NOTHING
 
     @property
-    def letter(self):
+    def letter(self) -> str:
         """The axis about or along which it is measured."""
         return "z" if self.kind in ("theta", "d") else "x"
 
     @property
-    def direction(self):
+    def direction(self) -> NDArray[np.float64]:
         """That axis (3,); the move leaves it where it is."""
         return self.start[:3, 2 if self.letter == "z" else 0]
 
     @property
-    def amount(self):
+    def amount(self) -> str:
         """The value as a person writes it."""
         return (
             f"{number(np.rad2deg(self.value), 4)}°"
@@ -65,7 +68,7 @@ class Move:
         )
 
 
-def moves_of(table, i, q):
+def moves_of(table: DHTable, i: int, q: float) -> list[Move]:
     """The four moves of row i (1-based) in the order of its convention, from frame {i-1} at the
     world's origin.
     """
@@ -81,7 +84,7 @@ def moves_of(table, i, q):
     return moves
 
 
-def add_move(scene: Scene, move, length, camera):
+def add_move(scene: Scene, move: Move, length: float, camera: Camera) -> None:
     """Draw one move; ``length`` is a triad's. A length is put where there is room among what the
     scene holds so far.
     """
@@ -134,7 +137,7 @@ def _add_length(scene, move, length, color, camera):
         for reach in ((0.12, 0.18) if move.kind == "a" else (0.3, 0.45, 0.6))
     ]
     line = ends[0] + np.linspace(0.1, 0.9, 15)[:, None] * (ends[1] - ends[0])
-    shift = clearest_side(camera, line, sides, _samples(scene))
+    shift = clearest_side(camera, line, np.array(sides), _samples(scene))
     for end in ends:
         scene.add(Stroke(np.array([end, end + 1.15 * shift]), QUIET, 0.8, layer="aid"))
     scene.add(
@@ -164,7 +167,7 @@ def _samples(scene):
     )
 
 
-def add_link_and_axes(scene, moves, length):
+def add_link_and_axes(scene: Scene, moves: Sequence[Move], length: float) -> None:
     """The bent link from {i-1} to {i}, and the lines on which the two z axes lie."""
     path = [move.start[:3, 3] for move in moves] + [moves[-1].end[:3, 3]]
     for start, end in zip(path[:-1], path[1:]):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike, NDArray
 
 from .camera import Camera
 from .labels import place_labels
@@ -30,13 +31,13 @@ class View:
     camera: Camera
     title: str = ""
     # page points kept free left, below, right, above: room for labels
-    frame: tuple = (38.0, 14.0, 28.0, 20.0)
+    frame: tuple[float, float, float, float] = (38.0, 14.0, 28.0, 20.0)
 
-    def margins(self):
+    def margins(self) -> NDArray[np.float64]:
         """The room for labels, and above for the title."""
         return np.array(self.frame) + [0, 0, 0, 16.0 if self.title else 0.0]
 
-    def box(self):
+    def box(self) -> NDArray[np.float64]:
         """The corners (2, 2) of the scene on the picture, metres."""
         flat = self.camera.flat(self.scene.points())
         low, high = flat.min(axis=0), flat.max(axis=0)
@@ -44,20 +45,20 @@ class View:
         slack = np.clip(least - (high - low), 0, None) / 2
         return np.array([low - slack, high + slack])
 
-    def scale(self, room):
+    def scale(self, room: ArrayLike) -> float:
         """Page points per metre at which the scene and its labels fill a room (2,) of the page."""
         left, bottom, right, top = self.margins()
         return np.min(
             (np.asarray(room) - [left + right, bottom + top]) / np.diff(self.box(), axis=0)[0]
         )
 
-    def size(self, scale):
+    def size(self, scale: float) -> NDArray[np.float64]:
         """Width and height (2,) on the page at a scale, labels included."""
         left, bottom, right, top = self.margins()
         return np.diff(self.box(), axis=0)[0] * scale + [left + right, bottom + top]
 
 
-def compose(views, title=""):
+def compose(views: list[View], title: str = "") -> Figure:
     """Put one view on a page, or a large and a small one.
 
     Parameters
@@ -78,7 +79,7 @@ def compose(views, title=""):
     page = np.array(
         [max(area[0], _title_width(title), LEAST_WIDTH), area[1] + head]
     ) + 2 * EDGE * np.array([1, 0.5])
-    figure = Figure(figsize=page / 72, dpi=DPI, facecolor="white")
+    figure = Figure(figsize=(page[0] / 72, page[1] / 72), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
     for k, line in enumerate(title.splitlines()):
         figure.text(

@@ -8,10 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
+from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import ConvexHull
 
 from .camera import Camera
-from .scene import LAYERS, Dot, Face
+from .scene import LAYERS, Dot, Face, Scene
 
 __all__ = ["Panel", "paint"]
 
@@ -25,19 +26,19 @@ class Panel:
     axes: Axes
     camera: Camera
     scale: float
-    lower: np.ndarray
+    lower: NDArray[np.float64]
     size: np.ndarray  # (2,) page points
 
-    def to_page(self, flat):
+    def to_page(self, flat: ArrayLike) -> NDArray[np.float64]:
         """Metres on the picture (..., 2) in page points from the panel's corner."""
         return (np.asarray(flat) - self.lower) * self.scale
 
-    def from_page(self, points):
+    def from_page(self, points: ArrayLike) -> NDArray[np.float64]:
         """The way back."""
         return np.asarray(points) / self.scale + self.lower
 
 
-def paint(scene, panel):
+def paint(scene: Scene, panel: Panel) -> None:
     """Draw all items of a scene, the labels excepted."""
     depths = panel.camera.depth(scene.points())
     low, span = depths.min(), np.ptp(depths) or 1.0
@@ -100,14 +101,13 @@ def _stroke(stroke, panel, zorder):
             )
         )
     shaft = _arrow_head(stroke, flat, panel, zorder) if stroke.head else flat
-    cap = "butt" if stroke.head else "round"
     panel.axes.add_line(
         Line2D(
             *shaft.T,
             color=stroke.color,
             linewidth=stroke.width,
             linestyle=stroke.dash,
-            solid_capstyle=cap,
+            solid_capstyle="butt" if stroke.head else "round",
             dash_capstyle="butt",
             solid_joinstyle="round",
             zorder=zorder,

@@ -5,6 +5,7 @@ or how large it becomes.
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .style import INK, SIZES
 
@@ -20,40 +21,42 @@ class Stroke:
     of the page.
     """
 
-    points: np.ndarray
+    points: NDArray[np.float64]
     color: str = INK
     width: float = 1.0
     dash: object = "-"
     layer: str = "body"
     head: float = 0.0
     casing: float = 0.0  # white on either side, which keeps crossing lines apart
-    gid: str = None
+    gid: str | None = None
 
 
 @dataclass
 class Face:
     """A filled polygon (k, 3); with ``outline`` what is seen of a solid with these corners."""
 
-    points: np.ndarray
+    points: NDArray[np.float64]
     fill: str
     edge: str = "none"
     layer: str = "body"
     alpha: float = 1.0
     outline: bool = False
-    normal: np.ndarray = None  # (3,) outward; a face that looks away from the viewer is not drawn
+    normal: NDArray[np.float64] | None = (
+        None  # (3,) outward; a face that looks away from the viewer is not drawn
+    )
     lift: float = 0.0  # metres toward the viewer, for the order of drawing only
-    gid: str = None
+    gid: str | None = None
 
 
 @dataclass
 class Dot:
     """A point (3,) as a small disc; ``size`` in points of the page."""
 
-    point: np.ndarray
+    point: NDArray[np.float64]
     size: float = 4.0
     color: str = INK
     layer: str = "frame"
-    gid: str = None
+    gid: str | None = None
 
 
 @dataclass
@@ -62,33 +65,35 @@ class Label:
     exactly is found out later.
     """
 
-    anchor: np.ndarray
+    anchor: NDArray[np.float64]
     text: str
-    toward: np.ndarray = None
+    toward: NDArray[np.float64] | None = None
     color: str = INK
     size: float = SIZES["name"]
     math: bool = False
     far: bool = False  # may stand further off, joined by a thin line
-    fixed: float = None  # exactly this many points off, whatever is there
-    root: np.ndarray = (
-        None  # (3,) where the arrow begins whose tip is the anchor; the label may stand beside it
-    )
-    gid: str = None
+    fixed: float | None = None  # exactly this many points off, whatever is there
+    # (3,) where the arrow begins whose tip is the anchor; the label may stand beside it
+    root: NDArray[np.float64] | None = None
+    gid: str | None = None
 
 
 @dataclass
 class Scene:
     """Things to draw, in the order they were added."""
 
-    items: list = field(default_factory=list)
-    labels: list = field(default_factory=list)
+    items: list[Stroke | Face | Dot] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
 
-    def add(self, *items):
+    def add(self, *items: Stroke | Face | Dot | Label) -> None:
         """Add strokes, faces, dots and labels."""
         for item in items:
-            (self.labels if isinstance(item, Label) else self.items).append(item)
+            if isinstance(item, Label):
+                self.labels.append(item)
+            else:
+                self.items.append(item)
 
-    def points(self):
+    def points(self) -> NDArray[np.float64]:
         """Every point (k, 3) that must be inside the picture."""
         points = [
             np.atleast_2d(item.point if isinstance(item, Dot) else item.points)
@@ -96,7 +101,7 @@ class Scene:
         ]
         return np.vstack(points + [np.atleast_2d(label.anchor) for label in self.labels])
 
-    def named(self):
+    def named(self) -> dict[str, NDArray[np.float64]]:
         """The points (k, 3) of the items that have a name."""
         return {
             item.gid: np.atleast_2d(item.point if isinstance(item, Dot) else item.points)

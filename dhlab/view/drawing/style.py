@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from matplotlib import patheffects
+from matplotlib.patheffects import AbstractPathEffect
 
 __all__ = [
     "AXES",
@@ -58,12 +59,12 @@ POSES = (
 )
 
 
-def halo(width=2.6):
+def halo(width: float = 2.6) -> list[AbstractPathEffect]:
     """White around a text, so that it can be read on top of a line."""
     return [patheffects.withStroke(linewidth=width, foreground="white")]
 
 
-def axis_name(letter, name):
+def axis_name(letter: str, name: str) -> str:
     """An axis as mathematical text, its frame as the subscript; a name that is no plain word or
     number is left out.
 

@@ -1,8 +1,11 @@
 """Frames as three lettered arrows; frames that share an origin or an axis share the label."""
 
-import numpy as np
+from collections.abc import Sequence
 
-from .scene import Dot, Label, Stroke
+import numpy as np
+from numpy.typing import NDArray
+
+from .scene import Dot, Label, Scene, Stroke
 from .style import AXES, INK, SIZES, axis_name
 
 __all__ = ["add_triads", "coincident", "NEAR"]
@@ -11,7 +14,7 @@ NEAR = 1e-6  # metres; closer origins are one point to every eye
 PARALLEL = 1 - 1e-6
 
 
-def coincident(points):
+def coincident(points: NDArray[np.float64]) -> list[list[int]]:
     """Indices of points (k, 3) in groups that share a place, in order.
 
     Examples
@@ -19,7 +22,7 @@ def coincident(points):
     >>> coincident([[0, 0, 0], [1, 0, 0], [0, 0, 0]])
     [[0, 2], [1]]
     """
-    groups = []
+    groups: list[list[int]] = []
     for k, point in enumerate(np.asarray(points, dtype=float)):
         for group in groups:
             if np.linalg.norm(points[group[0]] - point) < NEAR:
@@ -30,7 +33,15 @@ def coincident(points):
     return groups
 
 
-def add_triads(scene, poses, names, length, *, titles=None, subscripts=True):
+def add_triads(
+    scene: Scene,
+    poses: NDArray[np.float64],
+    names: Sequence[str],
+    length: float,
+    *,
+    titles: Sequence[str] | None = None,
+    subscripts: bool = True,
+) -> None:
     """Add one triad per pose to a scene.
 
     Parameters

@@ -1,12 +1,17 @@
 """Arms as plain numbers for the explorer's JavaScript; and numbers from it, checked."""
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from traitlets import TraitType
+
+from ...arm import Arm
 
 __all__ = ["Numbers", "arm_data", "pose_data"]
 
 
-def arm_data(arm):
+def arm_data(arm: Arm) -> dict[str, Any]:
     """An arm as JSON: radians and metres, matrices row by row."""
     return {
         "name": arm.name,
@@ -20,7 +25,7 @@ def arm_data(arm):
     }
 
 
-def pose_data(T):
+def pose_data(T: ArrayLike) -> list[float]:
     """A pose (4, 4) as 16 numbers, row by row."""
     return np.asarray(T, dtype=float).ravel().tolist()
 
@@ -28,7 +33,7 @@ def pose_data(T):
 class Numbers(TraitType):
     """So many finite numbers: a read-only array here, a list on the way to JavaScript."""
 
-    def __init__(self, **keywords):
+    def __init__(self, **keywords: Any) -> None:
         super().__init__(np.zeros(0), **keywords)
         self.tag(
             sync=True,
@@ -36,7 +41,7 @@ class Numbers(TraitType):
             from_json=lambda value, widget: value,
         )
 
-    def validate(self, obj, value):
+    def validate(self, obj: Any, value: Any) -> NDArray[np.float64]:
         """The numbers as an array, or a sentence."""
         count = obj.counts[self.name]
         try:
@@ -52,8 +57,8 @@ class Numbers(TraitType):
         array.flags.writeable = False
         return array
 
-    def set(self, obj, value):
+    def set(self, obj: Any, value: Any) -> None:
         """Keep the array and tell nobody when nothing changes."""
-        new = self._validate(obj, value)
+        new: Any = self._validate(obj, value)
         if not np.array_equal(new, obj._trait_values.get(self.name)):
             super().set(obj, new)

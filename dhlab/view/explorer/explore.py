@@ -3,18 +3,26 @@ numbers.
 """
 
 import inspect
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
+from ...arm import Arm
 from ...geometry.conversion import as_arm
+from ...table import DHTable
+from ..pictures.compared import measured_and_predicted
 from . import stills
 from .content import arm_data, pose_data
+from .placing import Placing, axes_of
 from .widget import Explorer
 
 __all__ = ["arm_bundle", "explore"]
 
 
-def explore(arm, mode="arm", **needs):
+def explore(
+    arm: Arm | DHTable | Sequence[Sequence[Any]], mode: str = "arm", **needs: Any
+) -> Explorer:
     """Take hold of an arm, a row of its table, two conventions, measurements or bare axes, in 3D.
 
     Parameters
@@ -188,9 +196,7 @@ def _compare(arm, *, q=None, poses=None, other=None):
 
 
 def _measured(arm, q, poses):
-    from ..pictures.compared import _given as checked
-
-    q, T, p, turns = checked(arm, q, poses)
+    q, T, p, turns = measured_and_predicted(arm, q, poses)
     full = np.array(T) if turns is None else np.asarray(poses, dtype=float)
     full[:, :3, 3] = p
     data = {
@@ -214,8 +220,6 @@ def _measured(arm, q, poses):
 
 
 def _place(arm, *, end=None, convention=None):
-    from .placing import Placing, axes_of
-
     name = "Frames on bare axes"
     if not isinstance(arm, (list, tuple)):
         arm = as_arm(arm, "explore")
@@ -242,7 +246,7 @@ def _place(arm, *, end=None, convention=None):
     )
 
 
-MODES = {
+MODES: dict[str, Callable[..., Explorer]] = {
     "arm": _arm,
     "link": _link,
     "conventions": _conventions,
@@ -251,7 +255,7 @@ MODES = {
 }
 
 
-def arm_bundle(arm):
+def arm_bundle(arm: Arm) -> Any:
     """How an arm shows itself: the explorer with the arm's table as what is seen without it; the
     table alone where no notebook asks.
     """

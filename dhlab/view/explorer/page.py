@@ -3,11 +3,12 @@ or a table.
 """
 
 import json
+from typing import Any
 
 __all__ = ["wrapped"]
 
 
-def wrapped(fallback, data, state):
+def wrapped(fallback: str, data: dict[str, Any], state: dict[str, Any]) -> str:
     """The element that the module ``explorer.js`` makes alive on a page; no id in it, so that the
     same explorer is the same text.
     """

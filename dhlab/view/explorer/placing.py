@@ -4,9 +4,15 @@ that a page without a kernel plays.
 Every choice is judged by :class:`dhlab.placing.Placement`; here is only what to show.
 """
 
-import numpy as np
+from collections.abc import Iterable, Sequence
+from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arm import Arm
 from ...placing.board import Placement
+from ...placing.judgement import Judgement
 from .content import arm_data
 
 __all__ = ["Placing", "axes_of"]
@@ -15,7 +21,9 @@ __all__ = ["Placing", "axes_of"]
 DIGITS = 9
 
 
-def axes_of(arm):
+def axes_of(
+    arm: Arm,
+) -> tuple[list[tuple[NDArray[np.float64], NDArray[np.float64], str]], NDArray[np.float64]]:
     """The bare axes of an arm at its zero pose, as ``assign_frames`` takes them, and its end pose
     there.
     """
@@ -33,22 +41,23 @@ class Placing:
     was asked.
     """
 
-    def __init__(self, axes, end, convention):
+    def __init__(self, axes: Iterable[Sequence[Any]], end: ArrayLike, convention: str) -> None:
         self.given, self.turn = (axes, end, convention), 0
         self.start_over()
 
-    def start_over(self, keep=()):
+    def start_over(self, keep: Iterable[tuple[str, ArrayLike, ArrayLike | None]] = ()) -> None:
         """Put all frames away, but for the steps to keep."""
         self.turn += 1
-        self.placement, self.made = Placement(*self.given), []
+        self.placement = Placement(*self.given)
+        self.made: list[tuple[str, ArrayLike, ArrayLike | None]] = []
         for step in keep:
             self.make(*step)
 
-    def back(self):
+    def back(self) -> None:
         """Take back the last right step."""
         self.start_over(self.made[:-1])
 
-    def make(self, step, value, point=None):
+    def make(self, step: str, value: ArrayLike, point: ArrayLike | None = None) -> Judgement:
         """Make a step such as "z1"; returns the Judgement."""
         self.turn += 1
         letter, i = step[:1], step[1:]
@@ -68,7 +77,7 @@ class Placing:
             "x": self.placement.set_x,
         }[letter]
 
-    def data(self):
+    def data(self) -> dict[str, Any]:
         """What does not change: axes, base, end, and a worked placement."""
         placement = self.placement
         axes = [
@@ -85,11 +94,8 @@ class Placing:
 
     def _worked(self):
         """The frames that ``assign_frames`` finds, made step by step."""
-        worked, frames, steps = (
-            Placement(*self.given),
-            self.placement.model.frames(np.zeros(len(self.placement))),
-            [],
-        )
+        worked, steps = Placement(*self.given), []
+        frames = self.placement.model.frames(np.zeros(len(self.placement)))
         while not worked.finished:
             step = worked.missing[0]
             letter, i = step[0], int(step[1:])
@@ -113,7 +119,7 @@ class Placing:
             "steps": (0, len(steps)),
         }
 
-    def answer(self, judgement=None):
+    def answer(self, judgement: Judgement | None = None) -> dict[str, Any]:
         """What the view shows after a step: what is placed, what is said, what comes next and what
         is offered for it.
         """
@@ -196,7 +202,7 @@ def _different(values, size):
     """Each point or direction (k, 3) once, sorted by its coordinates, so that the order says
     nothing about what is right.
     """
-    kept = []
+    kept: list[NDArray[np.float64]] = []
     for value in values[np.lexsort(np.round(values, 6).T)]:
         if all(np.linalg.norm(value - other) > 1e-4 * size for other in kept):
             kept.append(value)

@@ -1,7 +1,9 @@
 """The still pictures: what is seen where no program runs, and stored with a notebook."""
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ...arm import Arm
 from .. import words
 from ..drawing.bodies import dh_path
 from ..drawing.camera import orbit
@@ -18,55 +20,37 @@ from ..pictures.axes import axes as axes_picture
 from ..pictures.compared import compared as measured
 from ..pictures.conventions import conventions
 from ..pictures.link import link
+from .placing import Placing
 
 __all__ = ["arm", "conventions", "link", "measured", "two", "place"]
 
 SECOND = "#916008"
 
 
-def arm(arm, q):
+def arm(arm: Arm, q: NDArray[np.float64]) -> Picture:
     """The arm with its frames."""
     return arm_picture(arm, q, side=False)
 
 
-def place(placing):
+def place(placing: Placing) -> Picture:
     """The bare axes, the base and the end."""
     axes, end, _ = placing.given
     return axes_picture(axes, end)
 
 
-def two(first, second, q):
+def two(first: Arm, second: Arm, q: NDArray[np.float64]) -> Picture:
     """Two arms at one configuration, each as a line from origin to origin."""
-    scene, rows, ends = Scene(), [], []
     titles = (
         first.name or "first",
         (second.name if second.name != first.name and second.name else "second"),
     )
-    for one, color, title in ((second, SECOND, titles[1]), (first, LINK, titles[0])):
-        chain = one.frames(q)
-        end = chain[-1] @ one.tool
-        path = np.vstack([dh_path(one.table.convention, chain), end[:3, 3]])
-        scene.add(
-            Stroke(path, color, 4.0, casing=1.0),
-            *(Dot(point, 4.0, color, "aid") for point in path[::2]),
-            Label(path[-1], title, far=True),
-        )
-        rows = (
-            words.frame_rows(
-                np.concatenate([chain, [end]]),
-                [f"{{{i}}} {title}" for i in range(len(chain))] + [f"end {title}"],
-            )
-            + rows
-        )
-        ends.append(end)
-    add_triads(
-        scene,
-        np.array(ends),
-        ["2", "1"],
-        0.12 * spread(scene.points()),
-        titles=["", ""],
-        subscripts=False,
-    )
+    scene, arms = Scene(), ((first, titles[0], LINK), (second, titles[1], SECOND))
+    poses = [np.concatenate([one.frames(q), [one.forward(q)]]) for one in (first, second)]
+    for (one, title, color), chain in zip(reversed(arms), reversed(poses)):
+        _add_line(scene, dh_path(one.table.convention, chain[:-1]), chain[-1], color, title)
+    ends = np.array([chain[-1] for chain in reversed(poses)])
+    size = 0.12 * spread(scene.points())
+    add_triads(scene, ends, ["2", "1"], size, titles=["", ""], subscripts=False)
     camera = orbit()
     add_floor(scene, camera, floor_height(scene.points()))
     apart = 1000 * np.linalg.norm(ends[0][:3, 3] - ends[1][:3, 3])
@@ -78,6 +62,20 @@ def two(first, second, q):
         compose([View(scene, camera)], f"{titles[0]} (grey) and {titles[1]} (gold)"),
         alt,
         words.FRAME_HEADINGS,
-        rows,
+        [row for chain, title in zip(poses, titles) for row in _rows(chain, title)],
         TABLE,
     )
+
+
+def _add_line(scene, path, end, color, title):
+    path = np.vstack([path, end[:3, 3]])
+    scene.add(
+        Stroke(path, color, 4.0, casing=1.0),
+        *(Dot(point, 4.0, color, "aid") for point in path[::2]),
+        Label(path[-1], title, far=True),
+    )
+
+
+def _rows(chain, title):
+    names = [f"{{{i}}} {title}" for i in range(len(chain) - 1)]
+    return words.frame_rows(chain, [*names, f"end {title}"])

@@ -2,12 +2,14 @@
 explorer's ``text/html`` stays.
 """
 
+from typing import Any
+
 __all__ = ["without_widgets"]
 
 LIVE = "application/vnd.jupyter.widget-view+json"
 
 
-def without_widgets(notebook):
+def without_widgets(notebook: Any) -> Any:
     """Take the live views, which name a kernel's objects by random ids, out of a notebook's
     outputs, and their state out of its metadata.
 

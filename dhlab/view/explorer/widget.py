@@ -3,14 +3,19 @@ on a page.
 """
 
 from pathlib import Path
+from typing import Any
 
 import anywidget
 import numpy as np
+from numpy.typing import ArrayLike
 from traitlets import Dict, Enum, Int, observe, validate
 
+from ...arm import Arm
+from ...placing.judgement import Judgement
 from ...table import CONVENTIONS, DHTable
 from .content import Numbers
 from .page import wrapped
+from .placing import Placing
 
 __all__ = ["Explorer"]
 
@@ -59,7 +64,16 @@ class Explorer(anywidget.AnyWidget):
     step = Int().tag(sync=True)
     _answer = Dict().tag(sync=True)
 
-    def __init__(self, mode, arm, data, still, *, state, placing=None):
+    def __init__(
+        self,
+        mode: str,
+        arm: Arm | None,
+        data: dict[str, Any],
+        still: Any,
+        *,
+        state: dict[str, Any],
+        placing: Placing | None = None,
+    ) -> None:
         self.mode, self._arm, self._still, self.placing = mode, arm, still, placing
         self.counts = {"q": len(state["q"]), "row": len(state["row"])}
         super().__init__(_data=data, **state)
@@ -68,24 +82,24 @@ class Explorer(anywidget.AnyWidget):
         self.on_msg(lambda widget, message, buffers: self._heard(message))
 
     @property
-    def arm(self):
+    def arm(self) -> Arm | None:
         """The arm shown; in mode "place" the finished one, None until then."""
         if self.placing is None:
             return self._arm
         return self.placing.placement.arm if self.placing.placement.finished else None
 
     @property
-    def table(self):
+    def table(self) -> DHTable | None:
         """The numbers as they are shown, joint variables included, as a DHTable; in mode "link" one
         row, in mode "place" None until it is finished.
         """
-        if self.mode == "link":
-            return DHTable(
-                self.convention, *self.row[:, None], self._arm.table.joints[self._data["index"] - 1]
-            )
+        if self._arm is not None and self.mode == "link":
+            theta, d, a, alpha = self.row[:, None]
+            letter = self._arm.table.joints[self._data["index"] - 1]
+            return DHTable(self.convention, theta, d, a, alpha, letter)
         arm = self.arm
         if arm is None or self.mode == "place":
-            return arm and arm.table
+            return None if arm is None else arm.table
         moved, table = arm.sign * self.q, arm.table
         return DHTable(
             table.convention,
@@ -96,7 +110,7 @@ class Explorer(anywidget.AnyWidget):
             table.joints,
         )
 
-    def place(self, step, value, point=None):
+    def place(self, step: str, value: ArrayLike, point: ArrayLike | None = None) -> Judgement:
         """Mode "place": make a step as hands would, and see it in the view.
 
         Parameters
@@ -142,13 +156,16 @@ class Explorer(anywidget.AnyWidget):
         """
         if message.get("still"):
             self.send({"still": self._still()._repr_mimebundle_()["text/html"]})
-        elif message.get("again") or message.get("back"):
-            self.placing.start_over() if message.get("again") else self.placing.back()
+        elif self.placing and message.get("again"):
+            self.placing.start_over()
+            self._answer = self.placing.answer()
+        elif self.placing and message.get("back"):
+            self.placing.back()
             self._answer = self.placing.answer()
         else:
             self.place(message["step"], message["value"], message.get("point"))
 
-    def state(self):
+    def state(self) -> dict[str, Any]:
         """What a page without a kernel starts from."""
         return {
             "q": self.q.tolist(),
@@ -158,14 +175,12 @@ class Explorer(anywidget.AnyWidget):
             "_answer": self._answer,
         }
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Explorer, mode {self.mode}: {self._data['title']}>"
 
-    def _repr_mimebundle_(self, *, still=None, **keywords):
-        live, still = (
-            super()._repr_mimebundle_(**keywords),
-            still or self._still()._repr_mimebundle_(),
-        )
+    def _repr_mimebundle_(self, *, still: Any = None, **keywords: Any) -> Any:
+        live: Any = super()._repr_mimebundle_(**keywords)
+        still = still or self._still()._repr_mimebundle_()
         stored = {
             "text/html": wrapped(still["text/html"], self._data, self.state()),
             "text/plain": still["text/plain"],

@@ -1,7 +1,11 @@
 """The pictures of whole arms and of frames."""
 
-import numpy as np
+from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arm import Arm
 from .. import words
 from ..drawing.bodies import add_arm, add_tool, dh_path
 from ..drawing.camera import PLANES, orbit, widest_plane
@@ -18,7 +22,9 @@ __all__ = ["frames", "arm", "poses"]
 TABLE = "Origins and axes of the frames, in the world frame"
 
 
-def frames(poses, names=None, *, title=None):
+def frames(
+    poses: ArrayLike, names: Sequence[str] | None = None, *, title: str | None = None
+) -> Picture:
     """Frames in space, each as three lettered arrows.
 
     Parameters
@@ -41,7 +47,8 @@ def frames(poses, names=None, *, title=None):
     Examples
     --------
     >>> from dhlab import transform, view
-    >>> picture = view.frames([np.eye(4), transform.trans([0.4, 0, 0.1]) @ transform.rot_x(np.pi / 2)])
+    >>> second = transform.trans([0.4, 0, 0.1]) @ transform.rot_x(np.pi / 2)
+    >>> picture = view.frames([np.eye(4), second])
     >>> print(picture.table)
     Origins and axes of the frames, in the world frame
      frame  x (m)  y (m)  z (m)  x axis     y axis     z axis
@@ -63,7 +70,7 @@ def frames(poses, names=None, *, title=None):
     return _picture([View(scene, camera)], title or "", alt, words.frame_rows(chain, shown))
 
 
-def arm(arm, q=None, *, frames=True, side=True):
+def arm(arm: Arm, q: ArrayLike | None = None, *, frames: bool = True, side: bool = True) -> Picture:
     """An arm: links along the DH path, joints on their axes, frames, and a view from the side.
 
     Parameters
@@ -147,7 +154,7 @@ def _side_view(arm, chain, poses, titles, size):
     return View(scene, camera, f"{kind}, {plane.replace('-', '–')} plane", (40.0, 34.0, 24.0, 20.0))
 
 
-def poses(arm, qs, *, names=None):
+def poses(arm: Arm, qs: ArrayLike, *, names: Sequence[str] | None = None) -> Picture:
     """Several configurations of one arm in one picture, told apart by line style and colour, named
     at the end.
 
@@ -174,7 +181,8 @@ def poses(arm, qs, *, names=None):
     >>> import dhlab as dh
     >>> from dhlab import view
     >>> arm = dh.load("article-6r")
-    >>> print(view.poses(arm, [[0] * 6, [np.pi / 2, 0, 0, 0, 0, 0]], names=["zero", "turned"]).table)
+    >>> qs = [[0] * 6, [np.pi / 2, 0, 0, 0, 0, 0]]
+    >>> print(view.poses(arm, qs, names=["zero", "turned"]).table)
     End frames, in the world frame
      frame   x (m)  y (m)  z (m)  x axis     y axis     z axis
      zero    0.75   -0.2   0.1    (1, 0, 0)  (0, 0, 1)  (0, -1, 0)

@@ -2,11 +2,15 @@
 common normals between them, the tool.
 """
 
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...geometry.lines import nearest_on
 from ...placing.board import Placement
-from ...placing.geometry import geometry
+from ...placing.geometry import Geometry, geometry
 from ...printing import number
 from .. import words
 from ..drawing.bodies import add_joint
@@ -29,7 +33,14 @@ AXIS_DASH = (0, (9, 2, 2, 2))
 BEYOND, BELOW, STEP, TRIAD = 0.22, 0.04, 0.09, 0.15
 
 
-def axes(axes, end, frames=None, *, normals=True, title=None):
+def axes(
+    axes: Iterable[Sequence[Any]],
+    end: ArrayLike,
+    frames: Mapping[int, ArrayLike] | None = None,
+    *,
+    normals: bool = True,
+    title: str | None = None,
+) -> Picture:
     """Joint axes as lines, arrow heads in the direction of positive motion, with the tool's frame
     at the end.
 
@@ -80,15 +91,15 @@ def axes(axes, end, frames=None, *, normals=True, title=None):
     _add_lines(scene, given, pairs, size, height)
     if normals:
         _add_normals(scene, pairs, size)
-    names = {**{i: str(i) for i in frames or {}}, "tool": "tool"}
+    placed = frames or {}
     add_triads(
         scene,
-        np.array([*(frames or {}).values(), bare.end]),
-        list(names.values()),
+        np.array([*placed.values(), bare.end]),
+        [*map(str, placed), "tool"],
         TRIAD * size,
-        titles=[*(f"{{{i}}}" for i in frames or {}), "tool"],
+        titles=[*(f"{{{i}}}" for i in placed), "tool"],
     )
-    add_drops(scene, [p for p, *_ in given], height)
+    add_drops(scene, np.array([p for p, *_ in given]), height)
     add_floor(scene, camera, height)
     rows = [_row(k, *line, pairs) for k, line in enumerate(given, 1)]
     picture = Picture(
@@ -107,13 +118,10 @@ def _pairs(given, reach):
     """How each line lies to the next: Geometry, or None beside a sliding joint, whose line may be
     anywhere.
     """
-    found = []
+    found: list[Geometry | None] = []
     for k, ((p, w, one), (q, z, other)) in enumerate(zip(given[:-1], given[1:]), 1):
-        anchor = (
-            found[-1].feet[1]
-            if found and found[-1] is not None and found[-1].feet is not None
-            else p
-        )
+        before = found[-1] if found else None
+        anchor = p if before is None or before.feet is None else before.feet[1]
         found.append(
             None
             if "P" in (one, other)
@@ -129,14 +137,8 @@ def _add_lines(scene, given, pairs, size, height):
     for k, (p, z, letter) in enumerate(given[:-1], 1):
         # the normals that leave this axis and arrive on it
         beside = [(pairs[k - 1], 0), (pairs[k - 2] if k > 1 else None, 1)]
-        on_it = [
-            p,
-            *(
-                pair.feet[side]
-                for pair, side in beside
-                if pair is not None and pair.feet is not None
-            ),
-        ]
+        feet = [pair.feet[side] for pair, side in beside if pair and pair.feet is not None]
+        on_it = [p, *feet]
         stops = np.clip([(point - p) @ z for point in on_it], -size, size)
         used = p + np.outer([stops.min(), stops.max()], z)
         start, tip, foot = _to_floor(used, z, BEYOND * size, height, BELOW * size)
@@ -175,11 +177,10 @@ def _to_floor(used, z, beyond, floor, below):
 
 def _add_normals(scene, pairs, size):
     for k, pair in enumerate(pairs, 1):
-        if (
-            pair is None
-            or pair.feet is None
-            or np.abs(pair.feet - nearest_on(*pair.other, pair.feet[0])).max() > 2 * size
-        ):
+        if pair is None or pair.feet is None:
+            continue
+        p, z = pair.other
+        if np.abs(pair.feet - nearest_on(p, z, pair.feet[0])).max() > 2 * size:
             continue
         scene.add(
             Stroke(pair.feet, QUIET, 1.1, (0, (3, 2)), "aid", casing=0.6, gid=f"normal:{k}"),

@@ -1,7 +1,9 @@
 """One joint moved alone: the circle that was measured, and the one that the arm's table draws."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ...arm import Arm
 from ...measure import fit_circles
 from ...printing import number
 from .. import words
@@ -23,7 +25,7 @@ HEADINGS = ("circle", "axis", "centre (m)", "radius (m)", "first point (m)", "la
 FINE = 121  # configurations along the model's arc
 
 
-def circle(arm, q, points, *, title=None):
+def circle(arm: Arm, q: ArrayLike, points: ArrayLike, *, title: str | None = None) -> Picture:
     """Measured points of one joint's sweep and the arc that the arm's table draws at the same joint
     values, each with its axis.
 

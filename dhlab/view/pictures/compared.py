@@ -1,8 +1,10 @@
 """Predicted against measured: where an arm's table says the end is, and where it was found."""
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
+from ...arm import Arm
 from ...printing import number
 from .. import words
 from ..drawing.bodies import dh_path
@@ -14,23 +16,19 @@ from ..drawing.style import AXES, INK
 from ..given import require_arm, spread
 from ..picture import Picture
 
-__all__ = ["compared"]
+__all__ = ["compared", "measured_and_predicted"]
 
 FAINT = "#c9ced4"
 ERROR = AXES[0].color
 HEADINGS = ("pose", "measured x, y, z (m)", "predicted x, y, z (m)", "error (mm)")
 NUMBERED = 14  # with more poses only the worst are numbered
-SMALL, SEEN = (
-    0.015,
-    0.08,
-    # of the picture's size: where even the longest line is shorter, all are drawn longer, to this at
-    # least
-)
+# of the picture's size: where even the longest line is shorter, all are drawn longer, to this
+SMALL, SEEN = 0.015, 0.08
 FACTORS = [step * 10**k for k in range(6) for step in (1, 2, 5)][2:]
 NOTHING = 1e-9  # m, rad
 
 
-def compared(arm, q, measured, *, title=None):
+def compared(arm: Arm, q: ArrayLike, measured: ArrayLike, *, title: str | None = None) -> Picture:
     """Measured end points as open circles, predicted ones as dots, a line between the two, and the
     arm where it is furthest off.
 
@@ -62,14 +60,15 @@ def compared(arm, q, measured, *, title=None):
     --------
     >>> import dhlab as dh
     >>> from dhlab import view
-    >>> arm, q = dh.load("article-6r"), [[0.3, 0.4, -0.7, 0.5, 0.9, 0.2], [1.1, 0.8, -0.5, 0.2, 0.4, 0.3]]
+    >>> arm = dh.load("article-6r")
+    >>> q = [[0.3, 0.4, -0.7, 0.5, 0.9, 0.2], [1.1, 0.8, -0.5, 0.2, 0.4, 0.3]]
     >>> print(view.compared(arm, q, arm.forward(q)[:, :3, 3] + [0, 0, 0.05]).table)
     Measured and predicted end points
      pose  measured x, y, z (m)    predicted x, y, z (m)   error (mm)
      1     0.646, 0.0301, 0.1868   0.646, 0.0301, 0.1368   50
      2     0.4338, 0.4288, 0.5217  0.4338, 0.4288, 0.4717  50
     """
-    q, T, p, turns = _given(arm, q, measured)
+    q, T, p, turns = measured_and_predicted(arm, q, measured)
     errors = np.linalg.norm(p - T[:, :3, 3], axis=1)
     worst = int(np.argmax(errors if turns is None or errors.max() > NOTHING else turns))
     path = _path(arm, q[worst])
@@ -77,10 +76,12 @@ def compared(arm, q, measured, *, title=None):
     factor = _longer(errors.max(), size)
     ends = p + factor * (T[:, :3, 3] - p)
     views = [_view(path, p, ends, errors), _side_view(path, p, ends, errors)]
+    headings, rows = _table(T, p, errors, turns)
     picture = Picture(
         compose(views, _title(title, arm, errors, worst, factor)),
         _alt(arm, q, errors, turns, worst, factor),
-        *_table(T, p, errors, turns),
+        headings,
+        rows,
         "Measured and predicted end points",
         views[0].scene.named(),
     )
@@ -88,7 +89,11 @@ def compared(arm, q, measured, *, title=None):
     return picture
 
 
-def _given(arm, q, measured):
+def measured_and_predicted(
+    arm: Arm, q: ArrayLike, measured: ArrayLike
+) -> tuple[
+    NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64] | None
+]:
     """q (m, n), predicted poses, measured positions and the angle between measured and predicted
     (m,) or None.
     """

@@ -6,7 +6,9 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
+from numpy.typing import ArrayLike
 
+from ...arm import Arm
 from ...printing import number
 from .. import words
 from ..drawing.page import DPI
@@ -24,7 +26,7 @@ CURVE, LOST = AXES[2].color, AXES[0].color
 HEADINGS = ("condition number", "smallest singular value", "rank")
 
 
-def condition(arm, qs, joint, *, title=None):
+def condition(arm: Arm, qs: ArrayLike, joint: int, *, title: str | None = None) -> Picture:
     """The condition number of the Jacobian along a path, on a logarithmic scale, against the value
     of one joint.
 
@@ -116,7 +118,7 @@ def _given(arm, qs, joint):
 def _figure(arm, along, numbers, joint, title):
     figure = Figure(figsize=(560 / 72, 250 / 72), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
-    axes = figure.add_axes([0.1, 0.2, 0.86, 0.66])
+    axes = figure.add_axes((0.1, 0.2, 0.86, 0.66))
     lost = numbers > SINGULAR
     top = 2 * numbers[~lost].max(initial=10 * numbers.min())
     axes.semilogy(along, np.where(lost, np.nan, numbers), color=CURVE, linewidth=2.0, gid="curve")
@@ -132,18 +134,7 @@ def _figure(arm, along, numbers, joint, title):
             fontsize=SIZES["tick"],
         )
     axes.set(xlim=(along.min(), along.max()), ylim=(0.7 * numbers.min(), top))
-    axes.set_xlabel(
-        f"joint {joint} ({_unit(arm, joint)[1]})", color=INK, family=FONT, fontsize=SIZES["tick"]
-    )
-    axes.set_ylabel("condition number", color=INK, family=FONT, fontsize=SIZES["tick"])
-    axes.yaxis.set(
-        major_locator=LogLocator(subs=(1, 2, 5)),
-        minor_locator=NullLocator(),
-        major_formatter=StrMethodFormatter("{x:g}"),
-    )
-    axes.grid(True, color=FLOOR, linewidth=0.8)
-    axes.tick_params(labelsize=SIZES["tick"], labelcolor=INK, color=QUIET)
-    axes.spines[["top", "right"]].set_visible(False)
+    _letter(axes, f"joint {joint} ({_unit(arm, joint)[1]})")
     name = title if title is not None else f"{arm.name or 'Arm'}: how near to a singularity"
     figure.text(
         0.5,
@@ -157,6 +148,21 @@ def _figure(arm, along, numbers, joint, title):
         parse_math=False,
     )
     return figure
+
+
+def _letter(axes, along):
+    """Scales, grid and names of the axes."""
+    style = {"color": INK, "family": FONT, "fontsize": SIZES["tick"]}
+    axes.set_xlabel(along, **style)
+    axes.set_ylabel("condition number", **style)
+    axes.yaxis.set(
+        major_locator=LogLocator(subs=(1, 2, 5)),
+        minor_locator=NullLocator(),
+        major_formatter=StrMethodFormatter("{x:g}"),
+    )
+    axes.grid(True, color=FLOOR, linewidth=0.8)
+    axes.tick_params(labelsize=SIZES["tick"], labelcolor=INK, color=QUIET)
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _shown(value):

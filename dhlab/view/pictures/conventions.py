@@ -3,7 +3,9 @@ the two part.
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ...arm import Arm
 from ...printing import number
 from ...transform import trans
 from .. import words
@@ -32,7 +34,7 @@ NAMES = {"standard": "standard", "craig": "Craig"}
 PARTED = np.deg2rad(0.01)  # axes nearer than this are one direction to every eye
 
 
-def conventions(arm, q=None):
+def conventions(arm: Arm, q: ArrayLike | None = None) -> Picture:
     """The same arm side by side in both conventions: standard frames on the left, Craig's on the
     right.
 
@@ -58,7 +60,8 @@ def conventions(arm, q=None):
     --------
     >>> import dhlab as dh
     >>> from dhlab import view
-    >>> arm = dh.Arm(dh.DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg"), name="two links")
+    >>> table = dh.DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg")
+    >>> arm = dh.Arm(table, name="two links")
     >>> print(view.conventions(arm).table)
     The frames of both conventions, in the world frame
      frame  standard: x, y, z (m)  its z axis  is the axis of  Craig: x, y, z (m)  its z axis  is

@@ -18,7 +18,7 @@ __all__ = ["link"]
 CONVENTIONS = {"standard": "the standard convention", "craig": "Craig's convention"}
 
 
-def link(table, i, q=0.0):
+def link(table: DHTable, i: int, q: float = 0.0) -> Picture:
     """Row i of a table, its parameters drawn as what they are: theta and alpha arcs about z and x,
     d and a lengths along them.
 
@@ -58,7 +58,7 @@ def link(table, i, q=0.0):
     moves = moves_of(table, i, q)
     first, last = np.eye(4), moves[-1].end
     reach = np.linalg.norm([move.value for move in moves if not move.is_turn])
-    length = 0.42 * reach or 0.1
+    length = 0.42 * float(reach) or 0.1
     scene = Scene()
     add_link_and_axes(scene, moves, length)
     add_triads(scene, np.array([first, last]), [str(i - 1), str(i)], 0.85 * length)
