@@ -54,7 +54,7 @@ app.command()(generate)
 app.command(name="robots")(list_robots)
 
 
-def main():
+def main() -> None:
     """The entry point of the ``dhlab`` command."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):

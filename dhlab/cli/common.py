@@ -1,10 +1,11 @@
 """What several verbs take and print."""
 
 import json
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
+from ..arm import Arm
 from ..units import ANGLE, LENGTH
 
 __all__ = [
@@ -41,7 +42,7 @@ Course = Annotated[
 ]
 
 
-def described(arm):
+def described(arm: Arm) -> dict[str, Any]:
     """An arm for JSON: its table in metres and radians, base, tool, limits, source."""
     table = arm.table
     return {
@@ -58,7 +59,7 @@ def described(arm):
     }
 
 
-def give(model, out, as_json):
+def give(model: Arm, out: str, as_json: bool) -> None:
     """Print an arm, and write it where asked."""
     if out:
         model.save(out)

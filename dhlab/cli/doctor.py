@@ -93,7 +93,7 @@ def doctor(
     as_json: Annotated[
         bool, typer.Option("--json", help="Print JSON for a program to read.")
     ] = False,
-):
+) -> None:
     """What is wrong with an arm's table, from measured poses; or, with --protocol, what to
     measure.
     """

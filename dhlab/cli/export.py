@@ -26,7 +26,7 @@ def nbgrader(
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="A new course folder.")],
     roster: Roster = "",
     course: Course = "",
-):
+) -> None:
     """A course that nbgrader generates, grades and exports; everybody has the same numbers."""
     from ..grading.exports.nbgrader import export_nbgrader
 
@@ -39,7 +39,7 @@ def nbgrader(
 
 
 @export.command()
-def gradescope(out: Out, roster: Roster = "", course: Course = "", key: Key = ""):
+def gradescope(out: Out, roster: Roster = "", course: Course = "", key: Key = "") -> None:
     """An autograder zip for a Gradescope programming assignment."""
     from ..grading.exports.gradescope import export_gradescope
     from ..grading.handing_out.release import KEY_NAME
@@ -56,7 +56,7 @@ def gradescope(out: Out, roster: Roster = "", course: Course = "", key: Key = ""
 
 
 @export.command()
-def canvas(marks: Marks, out: Out, roster: Roster = ""):
+def canvas(marks: Marks, out: Out, roster: Roster = "") -> None:
     """A CSV for the import of Canvas's gradebook."""
     from ..grading.exports.gradebooks import canvas_csv
 
@@ -64,7 +64,7 @@ def canvas(marks: Marks, out: Out, roster: Roster = ""):
 
 
 @export.command()
-def moodle(marks: Marks, out: Out, roster: Roster = ""):
+def moodle(marks: Marks, out: Out, roster: Roster = "") -> None:
     """A CSV for the grade import of Moodle."""
     from ..grading.exports.gradebooks import moodle_csv
 

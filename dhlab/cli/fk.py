@@ -34,7 +34,7 @@ def fk(
         bool, typer.Option("--frames", help="Print every frame of the chain as well.")
     ] = False,
     as_json: Json = False,
-):
+) -> None:
     """Forward kinematics: where the end is, tool included."""
     model = load(arm)
     values = _joint_values(q, model, deg)

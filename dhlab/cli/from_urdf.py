@@ -23,7 +23,7 @@ def from_urdf(
     to: Convention = "standard",
     out: NewTable = "",
     as_json: Json = False,
-):
+) -> None:
     """The DH table of a URDF chain: the same pose for every q."""
     from ..formats.urdf import read_urdf
 

@@ -55,7 +55,7 @@ def grade(
     as_json: Annotated[
         bool, typer.Option("--json", help="Print JSON for a program to read.")
     ] = False,
-):
+) -> None:
     """Grade a class: marks and feedback for every student, and a report of what the class got
     wrong.
     """
@@ -95,30 +95,35 @@ def grade(
 
 
 def _tell_plan(planned, as_json):
-    from ..grading.cage.cage import RISKS, best_level
-    from ..printing import grid_text
+    from ..grading.cage.cage import best_level
 
     level = planned.course.settings.cage or best_level()
     if as_json:
-        print(
-            json.dumps(
-                {
-                    "lessons": planned.course.lessons,
-                    "cage": level,
-                    "notes": planned.notes,
-                    "students": {
-                        student: {
-                            "notebooks": [notebook.name for notebook in mine.notebooks],
-                            "handed_in": _when(mine, planned.course),
-                            "notes": mine.notes,
-                        }
-                        for student, mine in planned.found.items()
-                    },
-                },
-                ensure_ascii=False,
-            )
-        )
-        return
+        print(json.dumps(_plan_data(planned, level), ensure_ascii=False))
+    else:
+        print(_plan_text(planned, level))
+
+
+def _plan_data(planned, level):
+    return {
+        "lessons": planned.course.lessons,
+        "cage": level,
+        "notes": planned.notes,
+        "students": {
+            student: {
+                "notebooks": [notebook.name for notebook in mine.notebooks],
+                "handed_in": _when(mine, planned.course),
+                "notes": mine.notes,
+            }
+            for student, mine in planned.found.items()
+        },
+    }
+
+
+def _plan_text(planned, level):
+    from ..grading.cage.cage import RISKS
+    from ..printing import grid_text
+
     rows = [
         [
             student,
@@ -128,17 +133,15 @@ def _tell_plan(planned, as_json):
         ]
         for student, mine in planned.found.items()
     ]
-    print(grid_text(["student", "handed in", "when", "notes"], rows))
-    print(
-        "\n".join(
-            [
-                "",
-                f"Lessons: {', '.join(planned.course.lessons)}.",
-                f"Cage: {RISKS[level]}.",
-                *(f"Note: {note}." for note in planned.notes),
-                "Nothing was run or written.",
-            ]
-        )
+    return "\n".join(
+        [
+            grid_text(["student", "handed in", "when", "notes"], rows),
+            "",
+            f"Lessons: {', '.join(planned.course.lessons)}.",
+            f"Cage: {RISKS[level]}.",
+            *(f"Note: {note}." for note in planned.notes),
+            "Nothing was run or written.",
+        ]
     )
 
 

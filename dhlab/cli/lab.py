@@ -16,7 +16,7 @@ def lab(
         int, typer.Option(help="The port JupyterLab listens on; a free one when left out.")
     ] = 0,
     browser: Annotated[bool, typer.Option(help="Open a browser window.")] = True,
-):
+) -> None:
     """Open the course in JupyterLab, on your own copy of the lessons."""
     from ..course.workspace import open_lab
 

@@ -31,7 +31,7 @@ def release(
     same: Annotated[
         bool, typer.Option("--same", help="The same numbers for everybody; no key.")
     ] = False,
-):
+) -> None:
     """Hand out: a folder of lessons per student, each with the student's own numbers; without a
     roster, one folder for all.
     """

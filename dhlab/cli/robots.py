@@ -17,7 +17,7 @@ def list_robots(
         str, typer.Argument(help="One arm, such as ur5e or piper.sdk_old; all when left out.")
     ] = "",
     as_json: Json = False,
-):
+) -> None:
     """The arms of the library, or the table, source and limits of one."""
     if name:
         arm = load(name)
