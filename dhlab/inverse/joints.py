@@ -82,6 +82,8 @@ def inside_by_turns(arm, q):
     """
     low, high = bounds(arm)
     q = np.array(q, dtype=float)
+    if ((low <= q) & (q <= high)).all():
+        return q
     for joint in np.flatnonzero(~arm.table.prismatic):
         turn = counted(arm, TURN * np.eye(len(arm))[joint])
         tries = q[:, None, :] + np.array([0, -1, 1])[:, None] * turn

@@ -43,6 +43,8 @@ def merged(arm, q, T, tolerance):
     [array([0, 1, 2])]
     """
     q = nearest_by_turns(arm, np.reshape(q, (-1, len(arm))), np.zeros(len(arm)))
+    if _clearly_apart(arm, q):
+        return q, [np.array([k]) for k in range(len(q))]
     kept, members, left = [], [], np.arange(len(q))
     while len(left):
         first = q[left[0]]
@@ -57,3 +59,9 @@ def merged(arm, q, T, tolerance):
         members.append(left[same])
         left = left[~same]
     return np.reshape(kept, (-1, len(arm))), members
+
+
+def _clearly_apart(arm, q):
+    """Whether every two differ by more than what needs a closer look."""
+    apart = np.abs(nearest_by_turns(arm, q[:, None] - q, np.zeros(len(arm)))).max(axis=-1)
+    return (apart >= CLOSE).sum() == len(q) * (len(q) - 1)
