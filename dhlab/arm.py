@@ -3,10 +3,14 @@ name and a source.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from . import kinematics
+from .fast.chain import chain_of
+from .fast.inputs import as_numbers, require_finite
+from .fast.paths import Kinematics
 from .table import DHTable
 from .transform import require_pose
 
@@ -94,7 +98,7 @@ class Arm:
         """The number of joints."""
         return len(self.table)
 
-    def forward(self, q):
+    def forward(self, q, out=None):
         """End pose, tool included.
 
         Parameters
@@ -112,9 +116,9 @@ class Arm:
         >>> dh.load("article-6r").forward([0] * 6)[:3, 3].round(6)
         array([ 0.75, -0.2 ,  0.1 ])
         """
-        return self.frames(q)[..., -1, :, :] @ self.tool
+        return self._kinematics.forward(q, out)
 
-    def frames(self, q):
+    def frames(self, q, out=None):
         """Every frame of the chain; ``frames[0]`` is the base, ``frames[i] = base · A_1 … A_i``;
         the tool is not included.
 
@@ -133,7 +137,7 @@ class Arm:
         >>> dh.load("article-6r").frames([0] * 6).shape
         (7, 4, 4)
         """
-        return kinematics.frames(self.base, self.links(q))
+        return self._kinematics.frames(q, out)
 
     def links(self, q):
         """Every link matrix ``A_i`` at ``q`` (..., n); returns (..., n, 4, 4).
@@ -150,7 +154,7 @@ class Arm:
         d = table.d + np.where(slides, moved, 0.0)
         return kinematics.link_matrices(table.convention, theta, d, table.a, table.alpha)
 
-    def jacobian(self, q):
+    def jacobian(self, q, out=None):
         """Geometric Jacobian at the end point (tool included), in the frame :meth:`forward` uses.
 
         Parameters
@@ -169,14 +173,13 @@ class Arm:
         >>> int(np.linalg.matrix_rank(dh.load("article-6r").jacobian([0] * 6)))
         4
         """
-        chain = self.frames(q)
-        return kinematics.jacobian(
-            self.table.convention,
-            chain,
-            chain[..., -1, :, :] @ self.tool,
-            self.table.prismatic,
-            self.sign,
-        )
+        return self._kinematics.jacobian(q, out)
+
+    @cached_property
+    def _kinematics(self):
+        """What the fast paths keep of this arm; nothing of an arm ever changes."""
+        chain = chain_of(self.table, self.base, self.tool, self.sign)
+        return Kinematics(chain, self.name)
 
     def solve(self, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, method=None):
         """The configurations that bring the end to a pose: the way back from :meth:`forward`.
@@ -301,28 +304,8 @@ class Arm:
 
     def _checked(self, q):
         """``q`` as floats (..., n), or a sentence."""
-        n = len(self)
-        unit = "radians, metres for a prismatic joint"
-        try:
-            array = np.asarray(q)
-        except ValueError:  # ragged
-            array = np.array(None)
-        if array.dtype.kind not in "iuf":
-            raise ValueError(
-                f"q: expected {n} numbers ({unit}), found {type(q).__name__} that does not hold"
-                " plain numbers only"
-            )
-        if array.shape[-1:] != (n,):
-            found = f"{array.shape[-1]} values" if array.ndim else "a single number"
-            raise ValueError(
-                f"q: expected {n} values, one per joint of {self.name or 'the arm'} ({unit}), found"
-                f" {found}; a batch has shape (..., {n})"
-            )
-        if not np.isfinite(array).all():
-            joint = np.argwhere(~np.isfinite(array))[0][-1] + 1
-            raise ValueError(
-                f"q: joint {joint} is NaN or infinite, expected a finite number ({unit})"
-            )
+        array = as_numbers(q, len(self), self.name)
+        require_finite(array)
         return array.astype(float)
 
     def __eq__(self, other):

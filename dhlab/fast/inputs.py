@@ -1,0 +1,58 @@
+"""Whether ``q`` and ``out`` are what they should be, at next to no cost when they are."""
+
+import numpy as np
+
+__all__ = ["as_numbers", "require_finite", "result_for"]
+
+UNIT = "radians, metres for a prismatic joint"
+
+
+def as_numbers(q, n, name):
+    """``q`` as an array (..., n) of real numbers, or a sentence; ``name`` is the arm's."""
+    try:
+        array = np.asarray(q)
+    except ValueError:  # ragged
+        array = np.array(None)
+    if array.dtype.kind not in "iuf":
+        raise ValueError(
+            f"q: expected {n} numbers ({UNIT}), found {type(q).__name__} that does not hold plain"
+            " numbers only"
+        )
+    if array.shape[-1:] != (n,):
+        found = f"{array.shape[-1]} values" if array.ndim else "a single number"
+        raise ValueError(
+            f"q: expected {n} values, one per joint of {name or 'the arm'} ({UNIT}), found {found};"
+            f" a batch has shape (..., {n})"
+        )
+    return array
+
+
+def require_finite(q):
+    """A sentence that names the joint where ``q`` (..., n) is NaN or infinite."""
+    if not np.isfinite(q).all():
+        joint = np.argwhere(~np.isfinite(q))[0][-1] + 1
+        raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({UNIT})")
+
+
+def result_for(q, shape, out):
+    """An array (..., *shape) to write the results of ``q`` (..., n) to: ``out``, or a new one, of
+    single precision when ``q`` is.
+    """
+    shape = q.shape[:-1] + shape
+    if out is None:
+        return np.empty(shape, np.float32 if q.dtype == np.float32 else float)
+    if not isinstance(out, np.ndarray) or out.dtype not in (np.float64, np.float32):
+        found = out.dtype if isinstance(out, np.ndarray) else type(out).__name__
+        raise ValueError(
+            f"out: expected an array of float64 or float32, found {found}; make one with"
+            f" numpy.empty({shape})"
+        )
+    if out.shape != shape or not out.flags.writeable:
+        found = out.shape if out.shape != shape else "one that is read-only"
+        raise ValueError(
+            f"out: expected a writeable array of shape {shape} for this q, found {found}; make one"
+            f" with numpy.empty({shape})"
+        )
+    if np.shares_memory(q, out):
+        raise ValueError("out: expected memory of its own, found some of q; give another array")
+    return out

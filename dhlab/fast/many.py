@@ -1,0 +1,229 @@
+"""Many poses at once in plain numpy.
+
+What makes it fast, beside the walk itself (``walk.py``):
+
+* *Numbers of one kind lie together.* The poses are held as rows: all x components, then all y
+  components and so on, so that every numpy call runs over thousands of neighbouring numbers. Only
+  the result is turned round into (..., 4, 4), in one copy (``_write``).
+* *A chunk stays in the cache.* All that is done to a thousand poses is done before the next ones
+  are touched, so that numpy's intermediate arrays never travel to memory (``_chunks``).
+* *Cosine and sine come from one tangent.* With t = tan(angle / 2) and r = 2 / (1 + t²) they are
+  r - 1 and t·r. numpy's tan is vectorised for doubles on processors with AVX-512, its sin and cos
+  are not; elsewhere one tangent still costs less than both (``phases``).
+* *x and y are one complex row.* With w = x + i·y, turning a frame about z is the one product
+  w·exp(-i·angle), where real numbers take four products and two sums (``Frames.turn``).
+* *A right angle costs no product.* At alpha = ±90° y and z change places (``Frames.tilt``).
+* *What is 0 is skipped*: zero d and a, an alpha of 0, the zeros of base and tool.
+* *The last row is never computed.* It is 0 0 0 1 and stands ready (``_poses``).
+"""
+
+import numpy as np
+
+from .inputs import require_finite
+from .walk import along_the_joints, frame_by_frame, to_the_end
+
+__all__ = ["forward", "frames", "jacobian", "phases"]
+
+CACHE = 1 << 21  # bytes; half of a usual L2 cache
+LINE = 8  # doubles in a line of the cache
+
+
+def forward(chain, q, out):
+    """End poses of ``q`` (m, n) into ``out`` (m, 4, 4)."""
+    block = _poses(chain, q, 1)[0]
+    for part, result, rows in _chunks(q, out, block):
+        frame = to_the_end(chain, Frames(chain, part, joined=True))
+        frame.behind(chain.end, rows)
+        _write(rows, result)
+
+
+def frames(chain, q, out):
+    """Every frame of ``q`` (m, n) into ``out`` (m, n + 1, 4, 4)."""
+    block = _poses(chain, q, len(chain) + 1)
+    for part, result, rows in _chunks(q, out, block):
+        frame = Frames(chain, part, joined=False)
+        for i in frame_by_frame(chain, frame):
+            frame.hold(rows[i])
+        _write(rows, result)
+
+
+def jacobian(chain, q, out):
+    """Jacobians of ``q`` (m, n) into ``out`` (m, 6, n): column i is z × (end - p) over z, or z over
+    0 where the joint slides.
+    """
+    block = _columns(chain, q)
+    for part, result, (v, z, p) in _chunks(q, out, block):
+        frame = Frames(chain, part, joined=True)
+        for i in along_the_joints(chain, frame):
+            z[:, i], p[:, i] = frame.z, frame.p
+        np.subtract(frame.point(chain.end[:3, 3])[:, None], p, out=p)
+        for k in range(3):
+            i, j = (k + 1) % 3, (k + 2) % 3
+            np.subtract(z[i] * p[j], z[j] * p[i], out=v[k])
+        for i, slides in enumerate(chain.slides):
+            if slides:
+                v[:, i], z[:, i] = z[:, i], 0.0
+        _write(_per_count(chain, np.stack((v, z))), result)
+
+
+class Frames:
+    """A frame per pose: ``w`` = x + i·y, ``z`` and ``p``, each three rows of one number per pose
+    (of one number for all, as long as they are the same). The moves are those of ``walk.py``.
+    """
+
+    def __init__(self, chain, q, joined):
+        x, y, self.z, self._p = chain.base[:3].T[..., None]
+        self.w = x + 1j * y
+        self.lengths, half = _variables(chain, q)
+        for i in range(1, len(chain)):
+            if joined and chain.steps[i].parallel:
+                half[i] += half[i - 1]  # the angle of the run so far
+        self.phases = phases(half)
+        self.chain, self.turns, self.laid = chain, False, None
+
+    @property
+    def p(self):
+        """The origin. What was laid out in the plane is added first: x·cos + y·sin is the real part
+        of w·exp(-i·angle).
+        """
+        if self.laid is not None:
+            self._p = self._p + (self.w * self.laid).real
+            self.laid = None
+        return self._p
+
+    def enter(self, i):
+        self.i, d = i, self.lengths[i]
+        self.turns = self.turns or not self.chain.slides[i] or self.chain.theta[i] != 0
+        if np.ndim(d) or d:
+            self._p = self._p + self.z * d
+
+    def lay(self, a):
+        if a:
+            step = self.phases[self.i] * a
+            self.laid = step if self.laid is None else self.laid + step
+
+    def turn(self, a):
+        if self.laid is not None and a:
+            self.lay(a)
+            a = 0.0
+        p = self.p
+        if self.turns:
+            self.w = self.w * self.phases[self.i]
+        self.turns, self._p = False, p
+        self.go(a)
+
+    def go(self, a):
+        if a:
+            self._p = self._p + self.w.real * a
+
+    def tilt(self, step):
+        y, z = self.w.imag, self.z
+        if step.parallel:
+            return
+        if step.c == 0.0:
+            self.z = y * -step.s
+            self.w.imag = z * step.s
+        else:
+            self.z = z * step.c - y * step.s
+            self.w.imag = y * step.c + z * step.s
+
+    def point(self, xyz):
+        return _sum(zip((1.0, *xyz), (self.p, self.w.real, self.w.imag, self.z)))
+
+    def hold(self, rows):
+        """This frame into ``rows`` (4, 4, m)."""
+        rows[:3, 0], rows[:3, 1], rows[:3, 2], rows[:3, 3] = (
+            self.w.real,
+            self.w.imag,
+            self.z,
+            self.p,
+        )
+
+    def behind(self, pose, rows):
+        """This frame moved by a constant pose into ``rows`` (4, 4, m)."""
+        axes = (self.w.real, self.w.imag, self.z)
+        for k in range(3):
+            rows[:3, k] = _sum(zip(pose[:3, k], axes))
+        rows[:3, 3] = self.point(pose[:3, 3])
+
+
+def _sum(terms):
+    """Σ k·rows over (k, rows), without the terms that are 0 and the products by 1."""
+    total = None
+    for k, rows in terms:
+        if k:
+            term = rows if k == 1.0 else rows * k
+            total = term if total is None else total + term
+    return 0.0 if total is None else total
+
+
+def _variables(chain, q):
+    """Per joint its d (a row where it slides), and a row of half its angle each, turned round: the
+    phase of a turn is exp(-i·angle).
+    """
+    rates, offsets = chain.rates
+    rows = rates @ q.T if chain.coupled else q.T * rates
+    if offsets is not None:
+        rows += offsets
+    lengths = chain.d.tolist()
+    for i, slides in enumerate(chain.slides):
+        if slides:
+            lengths[i] = rows[i].copy()
+            rows[i] = -0.5 * chain.theta[i]
+    return lengths, rows
+
+
+def phases(half):
+    """exp(2i·half) of an array of half angles.
+
+    Near 180° t is huge, r nearly 0, and t·r = 2 / t as exact as anywhere.
+    """
+    t = np.tan(half)
+    r = t * t
+    r += 1.0
+    np.divide(2.0, r, out=r)
+    e = np.empty(half.shape, complex)
+    np.subtract(r, 1.0, out=e.real)
+    np.multiply(t, r, out=e.imag)
+    return e
+
+
+def _chunks(q, out, block):
+    """Parts of ``q`` and of ``out``, and as much of ``block`` (..., m) as they need."""
+    size = block.shape[-1]
+    for start in range(0, len(q), size):
+        part = q[start : start + size]
+        require_finite(part)
+        yield part, out[start : start + size], block[..., : len(part)]
+
+
+def _size(chain, q, doubles):
+    size = CACHE // (8 * (5 * len(chain) + 30 + doubles))
+    return min(len(q), max(size // 64, 1) * 64 + LINE)
+
+
+def _poses(chain, q, k):
+    block = np.zeros((k, 4, 4, _size(chain, q, 16 * k)))
+    block[:, 3, 3] = 1.0
+    return block
+
+
+def _columns(chain, q):
+    return np.empty((3, 3, len(chain), _size(chain, q, 18 * len(chain))))
+
+
+def _per_count(chain, J):
+    if chain.coupled:
+        return chain.counts.T @ J
+    sign = np.diag(chain.counts)
+    if (sign != 1).any():
+        J *= sign[:, None]
+    return J
+
+
+def _write(rows, result):
+    """Rows (..., m) turned round into poses (m, ...); a zero loses its sign."""
+    rows += 0.0
+    if result.ndim == 3 and rows.ndim == 4:
+        rows = rows.reshape(6, *rows.shape[2:])
+    result.transpose(*range(1, result.ndim), 0)[...] = rows

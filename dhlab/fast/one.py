@@ -1,0 +1,152 @@
+"""One pose in plain floats: for a single pose numpy costs more to call than to compute.
+
+``forward``, ``frames`` and ``jacobian`` return their numbers as one flat list, row by row. They are
+written for anything that adds and multiplies: run on floats they give the pose; run on the symbols
+of ``straight.py`` they give the program of one arm, which does the same operations in the same
+order, so that both give the same bits.
+"""
+
+import math
+
+from .walk import along_the_joints, frame_by_frame, to_the_end
+
+__all__ = ["Floats", "Frame", "forward", "frames", "jacobian"]
+
+LAST_ROW = [0.0, 0.0, 0.0, 1.0]
+
+
+class Floats:
+    """What a walk needs beside sums and products, for floats; ``straight.Program`` has the same for
+    symbols.
+    """
+
+    cos, sin = math.cos, math.sin
+
+    @staticmethod
+    def keep(value):
+        """Give an intermediate result a name; a float needs none."""
+        return value
+
+
+def forward(chain, q, numbers=Floats):
+    """The end pose of ``q`` (n numbers): 16 numbers."""
+    return to_the_end(chain, Frame(chain, q, numbers)).behind(chain.end.tolist())
+
+
+def frames(chain, q, numbers=Floats):
+    """Every frame: (n + 1)·16 numbers."""
+    frame, found = Frame(chain, q, numbers), []
+    for _ in frame_by_frame(chain, frame):
+        found += frame.rows()
+    return found
+
+
+def jacobian(chain, q, numbers=Floats):
+    """The Jacobian at the end point, 6·n numbers: column i is z × (end - p) over z, or z over 0
+    where the joint slides; by the chain rule they are added up per unit of what is counted.
+    """
+    frame = Frame(chain, q, numbers)
+    axes = [(frame.z, frame.p) for _ in along_the_joints(chain, frame)]
+    end = frame.point([row[3] for row in chain.end.tolist()])
+    columns = [
+        [*z, 0.0, 0.0, 0.0] if slides else [*_moment(z, end, p), *z]
+        for (z, p), slides in zip(axes, chain.slides)
+    ]
+    counts = chain.counts.T.tolist()
+    return [weighed(rates, row) for row in zip(*columns) for rates in counts]
+
+
+class Frame:
+    """Axes ``x``, ``y``, ``z`` and origin ``p``, three numbers each; the moves are those of
+    ``walk.py``.
+    """
+
+    def __init__(self, chain, q, numbers):
+        self.x, self.y, self.z, self._p = zip(*chain.base[:3].tolist())
+        self.numbers = numbers
+        moved = [weighed(rates, q) for rates in chain.counts.tolist()]
+        zeros = zip(moved, chain.theta.tolist(), chain.d.tolist(), chain.slides)
+        self.variables = [
+            (theta, m + d) if slides else (m + theta, d) for m, theta, d, slides in zeros
+        ]
+        self.angle, self.laid = 0.0, None
+
+    @property
+    def p(self):
+        """The origin; what was laid out in the plane of x and y is added first."""
+        if self.laid is not None:
+            self._p = self._shifted(self._kept(self.laid), (self.x, self.y))
+            self.laid = None
+        return self._p
+
+    def enter(self, i):
+        theta, d = self.variables[i]
+        self.angle = self.numbers.keep(self.angle + theta)
+        self._p = self._shifted((d,), (self.z,))
+
+    def lay(self, a):
+        if a:
+            step = [a * part for part in self._direction()]
+            self.laid = step if self.laid is None else [i + j for i, j in zip(self.laid, step)]
+
+    def turn(self, a):
+        if self.laid is not None:
+            self.lay(a)
+            a = 0.0
+        self._p, (c, s) = self.p, self._direction()
+        pairs = list(zip(self.x, self.y))
+        self.x = self._kept(i * c + j * s for i, j in pairs)
+        self.y = self._kept(j * c - i * s for i, j in pairs)
+        self.angle = 0.0
+        self.go(a)
+
+    def go(self, a):
+        self._p = self._shifted((a,), (self.x,))
+
+    def tilt(self, step):
+        pairs = list(zip(self.y, self.z))
+        self.y = self._kept(j * step.c + k * step.s for j, k in pairs)
+        self.z = self._kept(k * step.c - j * step.s for j, k in pairs)
+
+    def point(self, xyz):
+        """A point of this frame in the world."""
+        self._p = self.p
+        return self._shifted(xyz, (self.x, self.y, self.z))
+
+    def rows(self):
+        """This frame as 16 numbers."""
+        rows = zip(self.x, self.y, self.z, self.p)
+        return [number for row in rows for number in row] + LAST_ROW
+
+    def behind(self, pose):
+        """This frame moved by a constant pose, as 16 numbers."""
+        axes = list(zip(self.x, self.y, self.z))
+        columns = [[weighed(column[:3], axis) for axis in axes] for column in zip(*pose)]
+        columns[3] = self.point([row[3] for row in pose])
+        return [number for row in zip(*columns) for number in row] + LAST_ROW
+
+    def _direction(self):
+        """Cosine and sine of the run's angle."""
+        keep = self.numbers.keep
+        return keep(self.numbers.cos(self.angle)), keep(self.numbers.sin(self.angle))
+
+    def _shifted(self, lengths, axes):
+        weights = (1.0, *lengths)
+        return self._kept(weighed(weights, row) for row in zip(self._p, *axes))
+
+    def _kept(self, values):
+        return tuple(self.numbers.keep(value) for value in values)
+
+
+def weighed(weights, terms):
+    """The sum of weight · term."""
+    total = 0.0
+    for weight, term in zip(weights, terms):
+        total = total + weight * term
+    return total
+
+
+def _moment(z, end, p):
+    """z × (end - p)"""
+    x, y, w = (i - j for i, j in zip(end, p))
+    return z[1] * w - z[2] * y, z[2] * x - z[0] * w, z[0] * y - z[1] * x

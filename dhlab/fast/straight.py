@@ -1,0 +1,136 @@
+"""The program of one arm: what is left of ``one.py`` when every number of the table is known.
+
+The walk is run once on symbols in place of the joint angles. A sum or a product of symbols is
+noted down as text; what is multiplied by 0 or added to 0 vanishes, what is multiplied by 1 stays as
+it is, and what is constant is worked out at once. What was noted is a straight line of Python with
+neither loops nor zeros, and no call but cos and sin. For the first joints of an arm it reads ::
+
+    c1 = cos(q1)
+    s1 = sin(q1)
+    ...
+"""
+
+import math
+from struct import Struct
+
+import numpy as np
+
+__all__ = ["straight"]
+
+SUM, PRODUCT, ATOM = range(3)  # what an expression is, and so how tightly it holds together
+
+
+def straight(kinematics, chain, shape):
+    """The straight-line form of ``one.forward``, ``one.frames`` or ``one.jacobian`` for one chain.
+
+    Parameters
+    ----------
+    kinematics : function
+    chain : Chain
+    shape : tuple
+        Of the result.
+
+    Returns
+    -------
+    function
+        From a list of n floats to an array; None where they are not all finite.
+    """
+    program, names = Program(), [f"q{i}" for i in range(1, len(chain) + 1)]
+    symbols = [Symbol(program, name) for name in names]
+    results = ", ".join(str(0.0 + number) for number in kinematics(chain, symbols, program))
+    total = " + ".join(names)
+    lines = [
+        f"[{', '.join(names)}] = q",
+        f"total = {total}",
+        "if total - total: return None",  # NaN where one of them is NaN or infinite
+        *program.lines,
+        f"result = empty({shape})",
+        f"pack(result, 0, {results})",  # straight into its memory, without a list
+        "return result",
+    ]
+    source = "def kinematics(q):\n    " + "\n    ".join(lines)
+    pack = Struct(f"{math.prod(shape)}d").pack_into
+    scope = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
+    exec(source, scope)  # numbers and the names above only
+    return scope["kinematics"]
+
+
+class Program:
+    """The lines so far; takes the place of ``one.Floats``."""
+
+    def __init__(self):
+        self.lines, self.named = [], {}
+
+    def cos(self, angle):
+        """The cosine of a symbol as a symbol, of a float as a float."""
+        return self._call("cos", angle)
+
+    def sin(self, angle):
+        """The sine, likewise."""
+        return self._call("sin", angle)
+
+    def _call(self, name, angle):
+        if isinstance(angle, Symbol):
+            return Symbol(self, f"{name}({angle})")
+        return getattr(math, name)(angle)
+
+    def keep(self, value):
+        """A name for an expression, so that it is worked out once."""
+        if not isinstance(value, Symbol) or value.text.isidentifier():
+            return value
+        if value.text not in self.named:
+            self.named[value.text] = f"v{len(self.lines)}"
+            self.lines.append(f"{self.named[value.text]} = {value.text}")
+        return Symbol(self, self.named[value.text], value.negative)
+
+
+class Symbol:
+    """An expression that is not known yet, and its sign."""
+
+    def __init__(self, program, text, negative=False, kind=ATOM):
+        self.program, self.text, self.negative, self.kind = program, text, negative, kind
+
+    def __str__(self):
+        return f"-{self.within(ATOM)}" if self.negative else self.text
+
+    def within(self, kind):
+        """The text without its sign, in brackets where it holds together less tightly."""
+        return self.text if self.kind >= kind else f"({self.text})"
+
+    def __neg__(self):
+        return Symbol(self.program, self.text, not self.negative, self.kind)
+
+    def __mul__(self, other):
+        if not isinstance(other, Symbol):
+            return _scaled(self, other)
+        text = f"{self.within(PRODUCT)}*{other.within(ATOM)}"
+        return Symbol(self.program, text, self.negative != other.negative, PRODUCT)
+
+    def __add__(self, other):
+        if not isinstance(other, Symbol):
+            return self if other == 0 else self + _constant(self.program, other)
+        if self.negative and not other.negative:
+            return other + self
+        sign = "-" if self.negative != other.negative else "+"
+        text = f"{self.text} {sign} {other.within(PRODUCT)}"
+        return Symbol(self.program, text, self.negative and other.negative, SUM)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+def _constant(program, number):
+    return Symbol(program, repr(abs(number)), number < 0)
+
+
+def _scaled(symbol, factor):
+    if factor == 0:
+        return 0.0
+    if abs(factor) == 1:
+        return -symbol if factor < 0 else symbol
+    return _constant(symbol.program, factor) * symbol
