@@ -1,5 +1,5 @@
-"""``Arm``: a DH table with what the table alone does not say: base, tool, joint signs, limits, a
-name and a source.
+"""``Arm``: a DH table with what the table alone does not say: base, tool, joint signs, coupled
+joints, limits, a name and a source.
 """
 
 from dataclasses import dataclass
@@ -7,10 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
-from . import kinematics
-from .fast.chain import chain_of
 from .fast.inputs import as_numbers, require_finite
 from .fast.paths import Kinematics
+from .fast.plain import Plain
 from .table import DHTable
 from .transform import require_pose
 
@@ -20,7 +19,7 @@ __all__ = ["Arm"]
 @dataclass(frozen=True, eq=False, repr=False)
 class Arm:
     """A serial arm: ``base · A_1 … A_n · tool`` with joint variable ``theta_i`` (or ``d_i``) ``=
-    sign_i · q_i + offset_i``.
+    sign_i · q_i + offset_i``; where joints are coupled, ``coupling @ (sign · q) + offset``.
 
     Parameters
     ----------
@@ -34,6 +33,11 @@ class Arm:
         How each joint counts; +1 when left out.
     name, source : str, optional
         What the arm is called and where its numbers come from.
+    coupling : (n, n), optional
+        What the controller counts is not always a joint's angle: where motor 2 carries the linkage
+        of joint 3 along (Fanuc, parallelogram arms), or two motors drive a wrist together, row i
+        says what joint i makes of each number of q. In radians and metres; each joint its own when
+        left out. ``limits`` stay limits of q.
 
     Raises
     ------
@@ -45,6 +49,9 @@ class Arm:
     >>> arm = Arm(DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg"), name="two links")
     >>> arm.forward([0, 0])[:3, 3]
     array([0.4, 0. , 0.1])
+    >>> parallelogram = Arm(arm.table, coupling=[[1, 0], [-1, 1]])  # link 2 keeps its direction
+    >>> parallelogram.forward([0.5, 0])[:3, 3].round(3) + 0
+    array([ 0.308,  0.168, -0.092])
     """
 
     table: DHTable
@@ -54,6 +61,7 @@ class Arm:
     sign: np.ndarray = None
     name: str = ""
     source: str = ""
+    coupling: np.ndarray = None
 
     def __post_init__(self):
         if not isinstance(self.table, DHTable):
@@ -68,6 +76,7 @@ class Arm:
             pose.flags.writeable = False
             object.__setattr__(self, name, pose)
         object.__setattr__(self, "sign", _signs(self.sign, n))
+        object.__setattr__(self, "coupling", _coupling(self.coupling, n))
         object.__setattr__(self, "limits", _limits(self.limits, n))
         for name in ("name", "source"):
             given = getattr(self, name)
@@ -105,10 +114,13 @@ class Arm:
         ----------
         q : array (..., n)
             Radians (revolute) or metres (prismatic).
+        out : array (..., 4, 4), optional
+            Where to write the result, float64 or float32; a new array when left out.
 
         Returns
         -------
         array (..., 4, 4)
+            Of single precision when q is (computed in double, rounded once), of double otherwise.
 
         Examples
         --------
@@ -126,6 +138,8 @@ class Arm:
         ----------
         q : array (..., n)
             Radians or metres.
+        out : array (..., n + 1, 4, 4), optional
+            Where to write the result, float64 or float32; a new array when left out.
 
         Returns
         -------
@@ -148,11 +162,7 @@ class Arm:
         >>> dh.load("article-6r").links([0] * 6)[1, 0, 3]
         np.float64(0.4)
         """
-        moved = self.sign * self._checked(q)
-        slides, table = self.table.prismatic, self.table
-        theta = table.theta + np.where(slides, 0.0, moved)
-        d = table.d + np.where(slides, moved, 0.0)
-        return kinematics.link_matrices(table.convention, theta, d, table.a, table.alpha)
+        return self._kinematics.plain.links(self._checked(q))
 
     def jacobian(self, q, out=None):
         """Geometric Jacobian at the end point (tool included), in the frame :meth:`forward` uses.
@@ -161,11 +171,13 @@ class Arm:
         ----------
         q : array (..., n)
             Radians or metres.
+        out : array (..., 6, n), optional
+            Where to write the result, float64 or float32; a new array when left out.
 
         Returns
         -------
         array (..., 6, n)
-            Rows v then ω, per unit of each joint variable.
+            Rows v then ω, per unit of each number of q.
 
         Examples
         --------
@@ -178,8 +190,8 @@ class Arm:
     @cached_property
     def _kinematics(self):
         """What the fast paths keep of this arm; nothing of an arm ever changes."""
-        chain = chain_of(self.table, self.base, self.tool, self.sign)
-        return Kinematics(chain, self.name)
+        plain = Plain(self.table, self.base, self.tool, self.sign, self.coupling)
+        return Kinematics(plain, self.name)
 
     def solve(self, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, method=None):
         """The configurations that bring the end to a pose: the way back from :meth:`forward`.
@@ -284,6 +296,18 @@ class Arm:
 
         return slide(self, i, h)
 
+    def joint_values(self, q):
+        """What ``q`` (..., n) makes of the joints, before the offsets of the table: sign · q, and
+        ``coupling @ (sign · q)`` where the joints are coupled; (..., n).
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> dh.load("ur5e").flip_z(2).joint_values([0, 0, 0.5, 0, 0, 0])
+        array([ 0. ,  0. , -0.5,  0. ,  0. ,  0. ])
+        """
+        return self._kinematics.plain.joint_values(self._checked(q))
+
     def within_limits(self, q):
         """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint
         without limits always is.
@@ -314,7 +338,9 @@ class Arm:
         """
         if not isinstance(other, Arm):
             return NotImplemented
-        arrays = ((getattr(self, k), getattr(other, k)) for k in ("base", "tool", "sign"))
+        arrays = (
+            (getattr(self, k), getattr(other, k)) for k in ("base", "tool", "sign", "coupling")
+        )
         return (
             self.table == other.table
             and self.limits == other.limits
@@ -333,6 +359,7 @@ class Arm:
             self.sign,
             self.name,
             self.source,
+            self.coupling,
         )
 
     def __repr__(self):
@@ -366,6 +393,31 @@ def _signs(sign, n):
         )
     signs.flags.writeable = False
     return signs
+
+
+def _coupling(coupling, n):
+    """A read-only matrix, or None where every joint is its own."""
+    if coupling is None:
+        return None
+    try:
+        matrix = np.array(coupling, dtype=float)
+    except (TypeError, ValueError):
+        matrix = np.array(np.nan)
+    if matrix.shape != (n, n) or not np.isfinite(matrix).all():
+        found = "NaN or infinity" if matrix.shape == (n, n) else repr(coupling)[:60]
+        raise ValueError(
+            f"Arm: coupling: expected a matrix of {n} rows with {n} finite numbers each, found"
+            f" {found}; row i says what joint i makes of each number of q"
+        )
+    if np.linalg.matrix_rank(matrix) < n:
+        raise ValueError(
+            "Arm: coupling: expected a matrix that can be inverted, found one in which some joints"
+            " cannot be moved apart; look for two equal rows or a row of zeros"
+        )
+    if np.array_equal(matrix, np.eye(n)):
+        return None
+    matrix.flags.writeable = False
+    return matrix
 
 
 def _limits(limits, n):

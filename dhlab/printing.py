@@ -48,24 +48,39 @@ def number(value: SupportsFloat, digits: int = 6) -> str:
     return np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
 
 
-def _cells(table, sign):
-    """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90" or
-    "-q1".
+def _cells(table, rates):
+    """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90", "-q1"
+    or, of coupled joints, "q3 - q2".
     """
-    sign = np.ones(len(table)) if sign is None else sign
+    rates = np.ones(len(table)) if rates is None else rates
+    rates = np.diag(rates) if rates.ndim == 1 else _in_degrees(rates, table.prismatic)
     for i, letter in enumerate(table.joints):
         numbers = [np.rad2deg(table.theta[i]), table.d[i], table.a[i], np.rad2deg(table.alpha[i])]
         texts = [number(value) for value in numbers]
         k = 1 if letter == "P" else 0
-        texts[k] = _variable(i + 1, sign[i], texts[k])
+        parts = [_times(rates[i, j], f"q{j + 1}") for j in _own_first(i, rates[i])]
+        texts[k] = _summed(parts if texts[k] == "0" else [*parts, texts[k]])
         yield texts
 
 
-def _variable(i, sign, offset):
-    variable = f"q{i}" if sign > 0 else f"-q{i}"
-    if offset == "0":
-        return variable
-    return f"{variable} - {offset[1:]}" if offset.startswith("-") else f"{variable} + {offset}"
+def _in_degrees(rates, slides):
+    """A coupling between joints that turn and joints that slide is per degree, as the table is."""
+    unit = np.where(slides, 1.0, 180 / np.pi)
+    return rates * (unit[:, None] / unit)
+
+
+def _own_first(i, rates):
+    """Which numbers of q stand in row i, its own first."""
+    return sorted(np.flatnonzero(rates), key=lambda j: j != i)
+
+
+def _times(rate, variable):
+    sign, size = "-" if rate < 0 else "", number(abs(rate))
+    return sign + (variable if size == "1" else f"{size} {variable}")
+
+
+def _summed(parts):
+    return " + ".join(parts).replace("+ -", "- ")
 
 
 def _title(table):
@@ -103,7 +118,8 @@ def grid_html(headings: Iterable[str], rows: Iterable[Iterable[object]], caption
 
 
 def table_text(table: DHTable, sign: NDArray[np.float64] | None = None) -> str:
-    """A table as plain text, a line per joint; ``sign`` (n,) as in ``Arm``."""
+    """A table as plain text, a line per joint; ``sign`` (n,) as in ``Arm``, or what
+    each joint makes of each number of q, (n, n)."""
     rows = [[str(i), *cells] for i, cells in enumerate(_cells(table, sign), 1)]
     return _title(table) + "\n" + grid_text(["i", *HEADINGS[table.convention]], rows)
 
@@ -123,7 +139,7 @@ def table_html(
 def arm_text(arm: Arm) -> str:
     """An arm as plain text: name, table, base and tool when they are not the identity, limits."""
     lines = [arm.name] if arm.name else []
-    lines.append(table_text(arm.table, arm.sign))
+    lines.append(table_text(arm.table, _rates(arm)))
     lines += _extras(arm)
     return "\n".join(lines)
 
@@ -132,7 +148,11 @@ def arm_html(arm: Arm) -> str:
     """An arm as HTML for a notebook."""
     caption = f"{arm.name}: {_title(arm.table)}" if arm.name else None
     extras = "".join(f"<p>{escape(line)}</p>" for line in _extras(arm))
-    return table_html(arm.table, arm.sign, caption) + extras
+    return table_html(arm.table, _rates(arm), caption) + extras
+
+
+def _rates(arm):
+    return arm.sign if arm.coupling is None else arm.coupling * arm.sign
 
 
 def _extras(arm):

@@ -52,6 +52,7 @@ def described(arm: Arm) -> dict[str, Any]:
         "units": {"length": "m", "angle": "rad"},
         "rows": table.rows.tolist(),
         "sign": arm.sign.tolist(),
+        "coupling": None if arm.coupling is None else arm.coupling.tolist(),
         "base": arm.base.tolist(),
         "tool": arm.tool.tolist(),
         "limits": arm.limits,

@@ -8,30 +8,34 @@ before. So with J for a joint and X for a step ::
     Craig:     base · X_0 · J_1 · X_1 · J_2 · X_2 · … · J_n ·       tool
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
+
+from .plain import Plain
 
 __all__ = ["Chain", "Step", "chain_of"]
 
-ROUNDING = np.finfo(float).eps
+ROUNDING = float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True)
 class Step:
     """``Tx(a) Rx(alpha)``: ``a`` in metres, ``c`` and ``s`` the cosine and sine of alpha."""
 
-    a: float
-    c: float
-    s: float
+    a: float = 0.0
+    c: float = 1.0
+    s: float = 0.0
 
     @property
-    def parallel(self):
+    def parallel(self) -> bool:
         """Whether the axes before and behind it point the same way."""
         return self.c == 1.0 and self.s == 0.0
 
-    def pose(self):
+    def pose(self) -> NDArray[np.float64]:
         """The step as a 4×4 pose."""
         return np.array(
             [[1, 0, 0, self.a], [0, self.c, -self.s, 0], [0, self.s, self.c, 0], [0, 0, 0, 1.0]]
@@ -40,51 +44,56 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """What every path reads.
+    """What every fast path reads.
 
     ``steps[0]`` is X_0 and ``steps[i]`` is X_i (the one that the convention lacks is no step at
     all); ``end`` is X_n · tool, multiplied once here instead of for every pose. ``theta`` and ``d``
-    are the zero offsets, ``slides`` says which joints are prismatic, and ``counts @ q + offset``
-    (n, n) are the joint variables; it is diagonal unless the joints are ``coupled``.
+    are the zero offsets, ``slides`` says which joints are prismatic. The joint variables are
+    ``rates · q`` + offset: (n,), or a matrix (n, n) where the joints are coupled.
     """
 
     standard: bool
-    base: np.ndarray
-    steps: tuple
-    end: np.ndarray
-    theta: np.ndarray
-    d: np.ndarray
-    slides: tuple
-    counts: np.ndarray
-    coupled: bool
+    base: NDArray[np.float64]
+    steps: tuple[Step, ...]
+    end: NDArray[np.float64]
+    theta: tuple[float, ...]
+    d: tuple[float, ...]
+    slides: tuple[bool, ...]
+    rates: NDArray[np.float64]
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.slides)
 
+    @property
+    def coupled(self) -> bool:
+        """Whether a joint variable depends on more than one number of q."""
+        return self.rates.ndim == 2
+
     @cached_property
-    def rates(self):
-        """(n, n) or (n, 1), and offsets (n, 1) or None"""
+    def halved(self) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
+        """``rates`` (n, n or 1) and offsets (n, 1), None where all are 0, as ``many.py`` wants
+        them: d where a joint slides, and half the angle, turned round, where it turns.
+        """
         unit = np.where(self.slides, 1.0, -0.5)[:, None]
-        rates = self.counts * unit if self.coupled else np.diag(self.counts)[:, None] * unit
         offsets = np.where(self.slides, self.d, self.theta)[:, None] * unit
-        return rates, offsets if offsets.any() else None
+        rates = self.rates if self.coupled else self.rates[:, None]
+        return rates * unit, offsets if offsets.any() else None
 
 
-def chain_of(table, base, tool, sign, coupling=None):
-    """The ``Chain`` of an arm's parts; see ``dhlab.Arm``."""
+def chain_of(arm: Plain) -> Chain:
+    """The ``Chain`` of an arm."""
+    table, standard = arm.table, arm.table.convention == "standard"
     steps = [_step(a, alpha) for a, alpha in zip(table.a.tolist(), table.alpha.tolist())]
-    none, standard = Step(0.0, 1.0, 0.0), table.convention == "standard"
-    steps = (none, *steps) if standard else (*steps, none)
+    steps = [Step(), *steps] if standard else [*steps, Step()]
     return Chain(
         standard,
-        base,
-        steps,
-        steps[-1].pose() @ tool,
-        table.theta,
-        table.d,
-        tuple(table.prismatic.tolist()),
-        np.diag(sign) if coupling is None else coupling * sign,
-        coupling is not None,
+        arm.base,
+        tuple(steps),
+        steps[-1].pose() @ arm.tool,
+        tuple(table.theta.tolist()),
+        tuple(table.d.tolist()),
+        tuple(letter == "P" for letter in table.joints),
+        arm.sign if arm.coupling is None else arm.coupling * arm.sign,
     )
 
 
@@ -93,9 +102,9 @@ def _step(a, alpha):
     is 6e-17 in floating point, and less than the rounding of 1 is taken as 0. That is what makes
     right angles and parallel axes cost nothing.
     """
-    c, s = float(np.cos(alpha)), float(np.sin(alpha))
+    c, s = math.cos(alpha), math.sin(alpha)
     if abs(s) < ROUNDING:
-        return Step(a, float(np.sign(c)), 0.0)
+        return Step(a, math.copysign(1.0, c), 0.0)
     if abs(c) < ROUNDING:
-        return Step(a, 0.0, float(np.sign(s)))
+        return Step(a, 0.0, math.copysign(1.0, s))
     return Step(a, c, s)

@@ -142,9 +142,10 @@ class Frames:
     def behind(self, pose, rows):
         """This frame moved by a constant pose into ``rows`` (4, 4, m)."""
         axes = (self.w.real, self.w.imag, self.z)
+        columns = pose[:3].T.tolist()
         for k in range(3):
-            rows[:3, k] = _sum(zip(pose[:3, k], axes))
-        rows[:3, 3] = self.point(pose[:3, 3])
+            rows[:3, k] = _sum(zip(columns[k], axes))
+        rows[:3, 3] = self.point(columns[3])
 
 
 def _sum(terms):
@@ -161,11 +162,11 @@ def _variables(chain, q):
     """Per joint its d (a row where it slides), and a row of half its angle each, turned round: the
     phase of a turn is exp(-i·angle).
     """
-    rates, offsets = chain.rates
+    rates, offsets = chain.halved
     rows = rates @ q.T if chain.coupled else q.T * rates
     if offsets is not None:
         rows += offsets
-    lengths = chain.d.tolist()
+    lengths = list(chain.d)
     for i, slides in enumerate(chain.slides):
         if slides:
             lengths[i] = rows[i].copy()
@@ -214,10 +215,9 @@ def _columns(chain, q):
 
 def _per_count(chain, J):
     if chain.coupled:
-        return chain.counts.T @ J
-    sign = np.diag(chain.counts)
-    if (sign != 1).any():
-        J *= sign[:, None]
+        return chain.rates.T @ J
+    if (chain.rates != 1).any():
+        J *= chain.rates[:, None]
     return J
 
 

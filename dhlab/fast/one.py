@@ -52,8 +52,10 @@ def jacobian(chain, q, numbers=Floats):
         [*z, 0.0, 0.0, 0.0] if slides else [*_moment(z, end, p), *z]
         for (z, p), slides in zip(axes, chain.slides)
     ]
-    counts = chain.counts.T.tolist()
-    return [weighed(rates, row) for row in zip(*columns) for rates in counts]
+    rows, rates = zip(*columns), chain.rates.T.tolist()
+    if chain.coupled:
+        return [weighed(column, row) for row in rows for column in rates]
+    return [rate * number for row in rows for rate, number in zip(rates, row)]
 
 
 class Frame:
@@ -64,8 +66,13 @@ class Frame:
     def __init__(self, chain, q, numbers):
         self.x, self.y, self.z, self._p = zip(*chain.base[:3].tolist())
         self.numbers = numbers
-        moved = [weighed(rates, q) for rates in chain.counts.tolist()]
-        zeros = zip(moved, chain.theta.tolist(), chain.d.tolist(), chain.slides)
+        rates = chain.rates.tolist()
+        moved = (
+            [weighed(row, q) for row in rates]
+            if chain.coupled
+            else [rate * number for rate, number in zip(rates, q)]
+        )
+        zeros = zip(moved, chain.theta, chain.d, chain.slides)
         self.variables = [
             (theta, m + d) if slides else (m + theta, d) for m, theta, d, slides in zeros
         ]

@@ -1,75 +1,98 @@
-"""``Kinematics``: forward, frames and Jacobian of one chain, each by the path that suits how much is
+"""``Kinematics``: forward, frames and Jacobian of one arm, each by the path that suits how much is
 asked.
 
-One pose of double precision runs through the arm's straight-line program (``straight.py``). To
-write that program takes as long as a few poses in plain floats, so the first few of an arm are done
-in floats (``one.py``), with the same bits. A batch goes to ``many.py``.
+=====================  =========================================================================
+one pose               the arm's straight-line program (``straight.py``); to write it takes as
+                       long as a few poses in plain floats, so the first few are done in floats
+                       (``one.py``), with the same bits
+a few dozen            the plain product (``plain.py``): so few are no slower by it, and an arm
+                       that is asked once, as in a search over tables, prepares nothing
+more                   rows of a thousand in the cache (``many.py``)
+=====================  =========================================================================
 """
 
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from . import many, one
+from .chain import Chain, chain_of
 from .inputs import as_numbers, require_finite, result_for
+from .plain import Plain
 from .straight import straight
 
 __all__ = ["Kinematics"]
 
 FLOAT = np.dtype(float)
 FIRST = 8  # single poses of an arm before its program is written
-FEW = 4  # poses of a batch that are faster one by one
+DOZENS = 40  # poses that the plain product does as fast as the others
 
 
 class Kinematics:
-    """``forward``, ``frames`` and ``jacobian`` of a ``Chain``: functions of q (..., n) and, if the
-    result is to be written somewhere, out.
+    """``forward``, ``frames`` and ``jacobian`` of an arm: functions of q (..., n) and, where the
+    result is to be written to an array that is there, of out.
 
     ``name`` is the arm's, for the sentences about a wrong q.
     """
 
-    def __init__(self, chain, name):
-        n = len(chain)
-        self.forward = Path(chain, name, one.forward, many.forward, (4, 4)).take
-        self.frames = Path(chain, name, one.frames, many.frames, (n + 1, 4, 4)).take
-        self.jacobian = Path(chain, name, one.jacobian, many.jacobian, (6, n)).take
+    def __init__(self, plain: Plain, name: str) -> None:
+        self.plain, self.name, self.n = plain, name, len(plain.table)
+        self.forward = Path(self, one.forward, plain.forward, many.forward, (4, 4)).take
+        self.frames = Path(self, one.frames, plain.frames, many.frames, (self.n + 1, 4, 4)).take
+        self.jacobian = Path(self, one.jacobian, plain.jacobian, many.jacobian, (6, self.n)).take
+
+    @cached_property
+    def chain(self) -> Chain:
+        """The constants of the fast paths, worked out when one of them is first taken."""
+        return chain_of(self.plain)
 
 
 class Path:
-    """One of the three questions: by floats, by numpy, and the shape of an answer."""
+    """One of the three questions: how floats, the plain product and rows answer it, and the shape
+    of an answer.
+    """
 
-    def __init__(self, chain, name, by_floats, by_numpy, shape):
-        self.chain, self.name, self.shape = chain, name, shape
-        self.by_floats, self.by_numpy = by_floats, by_numpy
-        self.single, self.asked, self.one = (len(chain),), 0, self._first_ones
+    def __init__(
+        self, of: Kinematics, floats: Callable, plain: Callable, rows: Callable, shape: tuple
+    ) -> None:
+        self.of, self.shape, self.single = of, shape, (of.n,)
+        self.floats, self.plain, self.rows = floats, plain, rows
+        self.asked, self.one = 0, self._first_ones
 
-    def take(self, q, out=None):
+    def take(self, q: Any, out: NDArray | None = None) -> NDArray:
         """The answer for ``q``."""
-        if type(q) is np.ndarray and q.shape == self.single and q.dtype is FLOAT and out is None:
-            answer = self.one(q.tolist())
-            if answer is not None:
-                return answer
-        q = as_numbers(q, len(self.chain), self.name)
-        result = result_for(q, self.shape, out)
-        rows = q.reshape(-1, len(self.chain))
-        flat = result.reshape(-1, *self.shape)  # a copy where the memory of out has gaps
-        self._fill(rows, flat)
-        if not np.may_share_memory(flat, result):
-            result[...] = flat.reshape(result.shape)
-        return result
+        good = type(q) is np.ndarray and q.shape == self.single and q.dtype is FLOAT
+        if not good or out is not None:
+            q = as_numbers(q, self.of.n, self.of.name)
+            if q.ndim > 1 or out is not None or q.dtype == np.float32:
+                return self._batch(q, result_for(q, self.shape, out))
+        numbers = q.tolist()
+        total = sum(numbers)
+        if total - total:  # NaN, which is not 0, where one of them is NaN or infinite
+            require_finite(q)
+        return self.one(numbers)
 
-    def _fill(self, rows, flat):
-        if len(rows) > FEW:
-            self.by_numpy(self.chain, rows, flat)
-            return
-        require_finite(rows)
-        for row, place in zip(rows.tolist(), flat):
-            place[...] = self.one(row)
+    def _batch(self, q, result):
+        if q.size > DOZENS * self.of.n:
+            rows = q.reshape(-1, self.of.n)
+            flat = result.reshape(-1, *self.shape)  # a copy where the memory of out has gaps
+            self.rows(self.of.chain, rows, flat)
+            if np.may_share_memory(flat, result):
+                return result
+            answer = flat.reshape(result.shape)
+        else:
+            require_finite(q)
+            one_only = q.size == self.of.n
+            answer = self.one(q.ravel().tolist()) if one_only else self.plain(q.astype(float))
+        result[...] = answer
+        return result
 
     def _first_ones(self, q):
         self.asked += 1
         if self.asked > FIRST:
-            self.one = straight(self.by_floats, self.chain, self.shape)
+            self.one = straight(self.floats, self.of.chain, self.shape)
             return self.one(q)
-        total = sum(q)
-        if total - total:  # NaN where one of them is NaN or infinite
-            return None
-        return np.array(self.by_floats(self.chain, q)).reshape(self.shape)
+        return np.array(self.floats(self.of.chain, q)).reshape(self.shape) + 0.0

@@ -33,16 +33,13 @@ def straight(kinematics, chain, shape):
     Returns
     -------
     function
-        From a list of n floats to an array; None where they are not all finite.
+        From a list of n floats to an array.
     """
     program, names = Program(), [f"q{i}" for i in range(1, len(chain) + 1)]
     symbols = [Symbol(program, name) for name in names]
-    results = ", ".join(str(0.0 + number) for number in kinematics(chain, symbols, program))
-    total = " + ".join(names)
+    results = ", ".join(_written(number) for number in kinematics(chain, symbols, program))
     lines = [
         f"[{', '.join(names)}] = q",
-        f"total = {total}",
-        "if total - total: return None",  # NaN where one of them is NaN or infinite
         *program.lines,
         f"result = empty({shape})",
         f"pack(result, 0, {results})",  # straight into its memory, without a list
@@ -51,8 +48,15 @@ def straight(kinematics, chain, shape):
     source = "def kinematics(q):\n    " + "\n    ".join(lines)
     pack = Struct(f"{math.prod(shape)}d").pack_into
     scope = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
-    exec(source, scope)  # numbers and the names above only
+    exec(source, scope)  # it holds numbers and the names above only
     return scope["kinematics"]
+
+
+def _written(number):
+    """A result as text; a zero loses its sign, since -0.0 prints badly."""
+    if not isinstance(number, Symbol):
+        return repr(number + 0.0)
+    return f"0.0 - {number.within(PRODUCT)}" if number.negative else f"{number} + 0.0"
 
 
 class Program:

@@ -109,10 +109,12 @@ def csv_text(arm: Arm, angle: str, length: str) -> str:
         np.array_equal(arm.base, plain.base)
         and np.array_equal(arm.tool, plain.tool)
         and arm.limits is None
+        and arm.coupling is None
     )
     if not held:
         raise ValueError(
-            "save: expected an arm that CSV can hold, found a base, a tool or limits; save it as"
+            "save: expected an arm that CSV can hold, found a base, a tool, limits or coupled"
+            " joints; save it as"
             " .yaml"
         )
     joints, signs = "P" in arm.table.joints, bool((arm.sign < 0).any())

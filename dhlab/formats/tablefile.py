@@ -2,6 +2,7 @@
 and written losslessly.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -30,7 +31,7 @@ def read_arm(path: str | Path) -> Arm:
     arm = read_csv(path) if kind == "csv" else arm_from_item(plainyaml.read(path))
     if arm.name:
         return arm
-    return Arm(arm.table, arm.base, arm.tool, arm.limits, arm.sign, path.stem, arm.source)
+    return replace(arm, name=path.stem)
 
 
 def read_table(path: str | Path) -> DHTable:
@@ -43,6 +44,7 @@ def read_table(path: str | Path) -> DHTable:
         if not np.array_equal(getattr(arm, name), getattr(plain, name))
     ]
     more += ["limits"] if arm.limits else []
+    more += ["coupling"] if arm.coupling is not None else []
     if more:
         raise ValueError(
             f"{path}: expected a table alone, found {' and '.join(more)} beside it; read it as an"

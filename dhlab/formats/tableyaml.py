@@ -13,7 +13,18 @@ from .plainyaml import Item, entries, fields, number, placed, text
 
 __all__ = ["ARM_KEYS", "arm_from_item", "read_limits", "yaml_text"]
 
-ARM_KEYS = {"name", "source", "convention", "units", "joints", "base", "tool", "limits", "sign"}
+ARM_KEYS = {
+    "name",
+    "source",
+    "convention",
+    "units",
+    "joints",
+    "base",
+    "tool",
+    "limits",
+    "sign",
+    "coupling",
+}
 
 
 def arm_from_item(item: Item, **inherited: Any) -> Arm:
@@ -55,6 +66,8 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
             number(entry, f"sign, joint {i}")
             for i, entry in enumerate(entries(given["sign"], "sign", len(letters)), 1)
         ]
+    if "coupling" in given:
+        parts["coupling"] = _coupling(given["coupling"], letters, to_m, to_rad)
     return placed(item.where, lambda: Arm(table, **parts))
 
 
@@ -90,6 +103,19 @@ def _pose(item, key, to_m, to_rad):
     return from_xyz_rpy(
         units.convert(np.array(triple["xyz"]), to_m), units.convert(np.array(triple["rpy"]), to_rad)
     )
+
+
+def _coupling(item, letters, to_m, to_rad):
+    """The matrix in radians and metres: where a turning joint and a sliding one are coupled, an
+    entry has the file's units, such as degrees per millimetre.
+    """
+    n = len(letters)
+    scale = np.array([to_m if letter == "P" else to_rad for letter in letters])
+    rows = [
+        [number(entry, f"coupling, row {i}") for entry in entries(row, f"coupling, row {i}", n)]
+        for i, row in enumerate(entries(item, "coupling", n), 1)
+    ]
+    return np.array(rows, dtype=float) * (scale[:, None] / scale)
 
 
 def read_limits(
@@ -151,7 +177,21 @@ def yaml_text(arm: Arm, angle: str, length: str) -> str:
         )
     if (arm.sign < 0).any():
         lines.append("sign: [" + ", ".join(str(int(sign)) for sign in arm.sign) + "]")
+    if arm.coupling is not None:
+        lines.append("coupling:")
+        lines += [f"  - [{', '.join(row)}]" for row in _coupling_rows(arm, angle, length)]
     return "\n".join(lines) + "\n"
+
+
+def _coupling_rows(arm, angle, length):
+    """The matrix in the file's units, each number the shortest that reads back as it is."""
+    factors = {**units.ANGLE, **units.LENGTH}
+    scale = [factors[length if letter == "P" else angle] for letter in arm.table.joints]
+    for row, to_row in zip(arm.coupling, scale):
+        yield [
+            units.shortest(value, to_row / to_column) or repr(float(value) / (to_row / to_column))
+            for value, to_column in zip(row, scale)
+        ]
 
 
 def _near(value, unit):

@@ -59,7 +59,7 @@ def joint_axes(arm: Arm) -> JointAxes:
     chain = arm.frames(np.zeros(len(arm)))
     of_joint = chain[:-1] if arm.table.convention == "standard" else chain[1:]
     end = chain[-1] @ arm.tool
-    z = of_joint[:, :3, 2] * arm.sign[:, None]
+    z = of_joint[:, :3, 2] * counting(arm)[0][:, None]
     p = np.array([nearest_on(frame[:3, 3], axis, end[:3, 3]) for frame, axis in zip(of_joint, z)])
     turning = ~arm.table.prismatic
     reach = np.linalg.norm(p - end[:3, 3], axis=1)[turning].max(initial=0.0)
@@ -67,6 +67,32 @@ def joint_axes(arm: Arm) -> JointAxes:
     return JointAxes(
         p, z, end, arm.table.joints, reach, max(np.abs(column).max() for column in lengths)
     )
+
+
+def counting(arm: Arm) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How the joints count, apart from how the table's z axes happen to point.
+
+    Returns
+    -------
+    senses : array (n,)
+        +1 where a joint moves along its z when q grows, -1 against it.
+    rates : array (n, n)
+        What each joint makes of q in that sense: the identity where joints are not coupled. Of a
+        coupled joint the sense is that of the first number of q which moves it.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm = dh.Arm(dh.load("stanford").table, coupling=np.diag([1, -1, 2, 1, 1, 1]))
+    >>> counting(arm)[0], counting(arm)[1].diagonal()
+    (array([ 1., -1.,  1.,  1.,  1.,  1.]), array([1., 1., 2., 1., 1., 1.]))
+    """
+    if arm.coupling is None:
+        return arm.sign, np.eye(len(arm))
+    rates = arm.coupling * arm.sign
+    first = np.argmax(rates != 0, axis=1)
+    senses = np.sign(rates[np.arange(len(arm)), first])
+    return senses, rates * senses[:, None]
 
 
 def moved(X: NDArray[np.float64], axes: JointAxes) -> JointAxes:

@@ -8,7 +8,7 @@ from ..arm import Arm
 from ..table import CONVENTIONS, DHTable
 from ..transform import rot_x, trans_x
 
-__all__ = ["to_convention", "as_arm"]
+__all__ = ["to_convention", "as_arm", "require_uncoupled"]
 
 
 def to_convention(arm: Arm | DHTable, convention: str) -> Arm:
@@ -71,6 +71,7 @@ def to_convention(arm: Arm | DHTable, convention: str) -> Arm:
         sign=arm.sign,
         name=arm.name,
         source=arm.source,
+        coupling=arm.coupling,
     )
 
 
@@ -93,3 +94,22 @@ def as_arm(given: object, where: str) -> Arm:
         f"{where}: expected an Arm or a DHTable, found {type(given).__name__}; "
         "make one with DHTable.standard or DHTable.craig, or dhlab.load a named arm"
     )
+
+
+def require_uncoupled(arm: Arm, where: str) -> None:
+    """A sentence where the joints of an arm are coupled and ``where`` wants each its own.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> table = dh.load("ur5e").table
+    >>> require_uncoupled(Arm(table, coupling=np.eye(6) + np.eye(6, k=1)), "diagnose")
+    Traceback (most recent call last):
+    ...
+    ValueError: diagnose: expected an arm whose joints move one by one, found coupled joints; give the arm without its coupling and sign, and arm.joint_values(q) in place of q
+    """
+    if arm.coupling is not None:
+        raise ValueError(
+            f"{where}: expected an arm whose joints move one by one, found coupled joints; give"
+            " the arm without its coupling and sign, and arm.joint_values(q) in place of q"
+        )

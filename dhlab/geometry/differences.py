@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..arm import Arm
 from ..printing import number
 from ..transform import inverse
-from .canonical import JointAxes, align, gaps, moved
+from .canonical import JointAxes, align, counting, gaps, moved
 from .freechoices import FreeChoice, turn_of
 from .zeros import Rezeroed
 
@@ -30,6 +30,7 @@ __all__ = [
 ANGLE = 1e-9
 
 
+COUNTING = 1e-9  # of a coupling; likewise
 LENGTH = 1e-9  # × how far the axes pass from the end; likewise
 
 
@@ -44,7 +45,7 @@ class Equivalence:
     ``differences`` are the free choices (:class:`dhlab.geometry.freechoices.FreeChoice`) that
     separate two equivalent tables. Otherwise ``joint`` is the first joint (1-based) whose axis
     truly differs, None when only the end or the number of joints does; ``angle`` (rad) and
-    ``distance`` (m) say by how much; ``reason`` is "count", "type", "sense", "axis" or "end".
+    ``distance`` (m) say by how much; ``reason`` is "count", "type", "coupling", "sense", "axis" or "end".
     ``zeros`` says which joint zeros and counting directions would make table a the arm of table b,
     where that is all that separates them (:class:`dhlab.geometry.zeros.Rezeroed`).
     """
@@ -87,7 +88,20 @@ def unlike_joints(a: Arm, b: Arm) -> Equivalence | None:
                 joint=k,
                 reason="type",
             )
-    return None
+    return _unlike_counting(a, b)
+
+
+def _unlike_counting(a, b):
+    """Arms whose joints are coupled otherwise move otherwise."""
+    if a.coupling is None and b.coupling is None:
+        return None
+    gap = np.abs(counting(a)[1] - counting(b)[1]).max(axis=1)
+    if (gap <= COUNTING).all():
+        return None
+    k = int(np.argmax(gap > COUNTING)) + 1
+    return Equivalence(
+        False, f"Joint {k} is coupled otherwise to what is counted.", joint=k, reason="coupling"
+    )
 
 
 def _joints(n):

@@ -49,6 +49,7 @@ class Edit:
         self.standard = arm.table.convention == "standard"
         self.theta, self.d, self.a, self.alpha = (np.array(column) for column in arm.table.rows.T)
         self.sign = np.array(arm.sign)
+        self.coupling = None if arm.coupling is None else np.array(arm.coupling)
         self.rows = [k for k in (i - 1, i) if 0 <= k < n]  # 0-based: row i, then row i + 1
 
     @property
@@ -61,6 +62,15 @@ class Edit:
         k = self.normal_row
         if k is not None:
             self.a[k], self.alpha[k] = times * self.a[k], turn(self.alpha[k])
+
+    def turn_joint(self, k: int) -> None:
+        """The joint of row ``k`` (0-based) counts the other way, in the table and at the
+        controller; so does its share in the joints that are coupled to it.
+        """
+        self.theta[k], self.d[k], self.sign[k] = -self.theta[k], -self.d[k], -self.sign[k]
+        if self.coupling is not None:
+            self.coupling[k] *= -1
+            self.coupling[:, k] *= -1
 
     def free_cosine(self, cannot: str, fixed: str, lengths_too: bool = False) -> float:
         """cos(alpha_i), which is ±1; a sentence when frame i has no such freedom."""
@@ -104,4 +114,5 @@ class Edit:
             sign=self.sign,
             name=arm.name,
             source=arm.source,
+            coupling=self.coupling,
         )

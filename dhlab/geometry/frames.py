@@ -48,6 +48,7 @@ class PlacedArm(Arm):
             self.sign,
             self.name,
             self.source,
+            self.coupling,
             self.steps,
             self.warnings,
         )

@@ -92,7 +92,7 @@ def flip_z(arm: Arm, i: int) -> Arm:
     k = i if edit.standard else i - 1  # the row whose joint turns about z_i
     edit.alpha[edit.rows] = [half_turn(edit.alpha[row]) for row in edit.rows]
     if 0 <= k < len(arm):
-        edit.theta[k], edit.d[k], edit.sign[k] = -edit.theta[k], -edit.d[k], -edit.sign[k]
+        edit.turn_joint(k)
     return edit.arm(HALF_X)
 
 

@@ -71,7 +71,7 @@ def with_zeros(arm: Arm, sign: ArrayLike, offset: ArrayLike) -> Arm:
     >>> bool(np.allclose(moved_zero.forward([0] * 5 + [0.3]), arm.forward([0, 0.5, 0, 0, 0, -0.3])))
     True
     """
-    t, given = arm.table, arm.sign * np.asarray(offset)
+    t, given = arm.table, arm.joint_values(offset)
     theta, d = t.theta + np.where(t.prismatic, 0, given), t.d + np.where(t.prismatic, given, 0)
     table = DHTable(t.convention, theta, d, t.a, t.alpha, t.joints)
     return Arm(
@@ -81,6 +81,7 @@ def with_zeros(arm: Arm, sign: ArrayLike, offset: ArrayLike) -> Arm:
         sign=arm.sign * np.asarray(sign),
         name=arm.name,
         source=arm.source,
+        coupling=arm.coupling,
     )
 
 
@@ -107,6 +108,8 @@ def rezero(a: Arm, b: Arm) -> Rezeroed | None:
     >>> print(rezero(dh.load("piper.sdk_old"), dh.load("piper.sdk_new")))
     joint 2's zero moved by 2°, joint 3's zero moved by -2°
     """
+    if a.coupling is not None or b.coupling is not None:
+        return None  # the search counts joint by joint
     A, B = joint_axes(a), joint_axes(b)
     for base in ("fixed", "free"):
         found = [

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
+from ..geometry.conversion import require_uncoupled
 from .calibrationwords import calibration_html, calibration_text
 from .inputs import measured, noise_of
 from .offsetmodel import OffsetModel
@@ -132,6 +133,7 @@ def calibrate_offsets(
             f"calibrate_offsets: expected an Arm first, found {type(arm).__name__}; load one with"
             " dhlab.load"
         )
+    require_uncoupled(arm, "calibrate_offsets")
     for name, word in (("base", base), ("tool", tool)):
         if word not in CHOICES:
             raise ValueError(

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
+from ..geometry.conversion import require_uncoupled
 from .circlefit import fit_circle
 from .circlewords import circle_words, report_html, report_text
 from .inputs import measured, noise_of
@@ -129,6 +130,8 @@ def fit_circles(
             f"fit_circles: arm: expected an Arm or nothing, found {type(arm).__name__}; load one"
             " with dhlab.load"
         )
+    if arm is not None:
+        require_uncoupled(arm, "fit_circles")
     q, points = measured(q, points, None if arm is None else len(arm), "fit_circles")
     points = points[:, :3, 3] if points.ndim == 3 else points
     given = noise_of(noise, "fit_circles")

@@ -73,6 +73,14 @@ def _joint_values(arm, fixed):
     return values
 
 
+def _moved(arm, values, i):
+    """What the joint of row ``i`` (0-based) makes of the variables."""
+    if arm.coupling is None:
+        return int(arm.sign[i]) * values[i + 1]
+    rates = [exact(rate, "length") for rate in arm.coupling[i] * arm.sign]
+    return sum(rate * values[j] for j, rate in enumerate(rates, 1))
+
+
 def _chain(arm, values):
     """``(before, rows, after)``: a list of ``(turn, shift)`` about and along z, each with the
     constant matrix behind it.
@@ -81,7 +89,7 @@ def _chain(arm, values):
     before, after, rows = exact_pose(arm.base), exact_pose(arm.tool), []
     for i, (theta, d, a, alpha) in enumerate(table.rows):
         turn, shift = exact(theta, "angle"), exact(d, "length")
-        moved = int(arm.sign[i]) * values[i + 1]
+        moved = _moved(arm, values, i)
         turn, shift = (turn, shift + moved) if table.prismatic[i] else (turn + moved, shift)
         bend = elementary("Trans", "x", exact(a, "length")) * elementary(
             "Rot", "x", exact(alpha, "angle")

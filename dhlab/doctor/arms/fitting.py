@@ -102,6 +102,7 @@ def with_rows(arm, rows, **parts):
         joints=parts.pop("joints", arm.table.joints),
     )
     changed.__dict__.update(arm.__dict__, table=table, **parts)
+    changed.__dict__.pop("_kinematics", None)  # worked out from the parts that were
     return changed
 
 
@@ -109,6 +110,7 @@ def with_parts(arm, **parts):
     """The arm with another base, tool or sign; unchecked, like :func:`with_rows`."""
     changed = object.__new__(Arm)
     changed.__dict__.update(arm.__dict__, **parts)
+    changed.__dict__.pop("_kinematics", None)
     return changed
 
 

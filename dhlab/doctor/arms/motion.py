@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arm import Arm
+from ...geometry.conversion import require_uncoupled
 from ...measure import fit_circles
 from ...measure.circlewords import NO_PROOF, SMALLEST
 from ...printing import number
@@ -94,6 +95,7 @@ def diagnose_motion(arm, q, points, *, noise=None):
         raise ValueError(
             f"diagnose_motion: expected an Arm or a DHTable, found {type(arm).__name__}"
         )
+    require_uncoupled(arm, "diagnose_motion")
     report = fit_circles(q, points, arm, noise=noise)
     q, points = np.asarray(q, dtype=float), np.asarray(points, dtype=float)
     data = Measured(

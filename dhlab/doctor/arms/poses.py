@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...arm import Arm
+from ...geometry.conversion import require_uncoupled
 from ...printing import number
 from ...table import DHTable
 from ...transform import pose_fault, to_xyz_rpy
@@ -195,6 +196,7 @@ def _without_level(arm, data):
 def _measured(arm, q, poses, noise, base, tool):
     if not isinstance(arm, Arm):
         raise ValueError(f"diagnose: expected an Arm or a DHTable, found {type(arm).__name__}")
+    require_uncoupled(arm, "diagnose")
     for name, value in (("base", base), ("tool", tool)):
         if value not in ("fixed", "free"):
             raise ValueError(f'diagnose: {name}: expected "fixed" or "free", found {value!r}')

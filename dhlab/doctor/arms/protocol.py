@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arm import Arm
+from ...geometry.conversion import require_uncoupled
 from ...printing import grid_text, number
 from ...table import DHTable
 from .faults import ALPHA, NAMES, THETA, A, D, faults
@@ -188,6 +189,7 @@ def protocol(arm, count=8):
     arm = Arm(arm) if isinstance(arm, DHTable) else arm
     if not isinstance(arm, Arm):
         raise ValueError(f"protocol: expected an Arm or a DHTable, found {type(arm).__name__}")
+    require_uncoupled(arm, "protocol")
     if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or not 3 <= count <= 40:
         raise ValueError(
             f"protocol: count: expected a whole number from 3 to 40, found {count!r}; eight suit a"

@@ -71,9 +71,9 @@ def _table(value):
     if type(value) is DHTable:
         return {"table": [value.convention, _array(value.rows), str(value.joints)]}
     if type(value) in (Arm, PlacedArm):
-        return {
-            "arm": [_table(value.table), _array(value.base), _array(value.tool), _array(value.sign)]
-        }
+        parts = [value.base, value.tool, value.sign]
+        parts += [] if value.coupling is None else [value.coupling]
+        return {"arm": [_table(value.table), *(_array(part) for part in parts)]}
     return None
 
 
@@ -169,9 +169,13 @@ def _decode_table(content):
 def _decode_arm(content):
     from ...arm import Arm
 
-    table, base, tool, sign = content
+    table, base, tool, sign, *coupling = content
     return Arm(
-        _decode_table(table["table"]), base=decode(base), tool=decode(tool), sign=decode(sign)
+        _decode_table(table["table"]),
+        base=decode(base),
+        tool=decode(tool),
+        sign=decode(sign),
+        coupling=decode(coupling[0]) if coupling else None,
     )
 
 

@@ -21,6 +21,7 @@ def arm_data(arm: Arm) -> dict[str, Any]:
         "base": pose_data(arm.base),
         "tool": pose_data(arm.tool),
         "sign": arm.sign.tolist(),
+        "coupling": None if arm.coupling is None else arm.coupling.tolist(),
         "limits": None if arm.limits is None else [pair and list(pair) for pair in arm.limits],
     }
 

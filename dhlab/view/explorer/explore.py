@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arm import Arm
-from ...geometry.conversion import as_arm
+from ...geometry.conversion import as_arm, require_uncoupled
 from ...table import DHTable
 from ..pictures.compared import measured_and_predicted
 from . import stills
@@ -136,7 +136,7 @@ def _link(arm, *, q=None, joint=1):
         raise ValueError(
             f"explore: expected a joint from 1 to {n}, found {joint!r}; rows are counted from 1"
         )
-    variable = float((arm.sign * q)[joint - 1])
+    variable = float(arm.joint_values(q)[joint - 1])
     row = arm.table.rows[joint - 1].copy()
     row[int(arm.table.prismatic[joint - 1])] += variable
     reach = max(0.1, *(1.25 * abs(row[1:3])), float(np.abs(arm.table.rows[:, 1:3]).max()))
@@ -227,6 +227,7 @@ def _place(arm, *, end=None, convention=None):
             raise ValueError(
                 "explore: end goes with a list of axes; an arm brings its own, leave it out"
             )
+        require_uncoupled(arm, 'explore, mode "place"')
         convention, name = convention or arm.table.convention, f"{_name(arm)}: place the frames"
         arm, end = axes_of(arm)
     elif end is None:

@@ -100,7 +100,7 @@ class Explorer(anywidget.AnyWidget):
         arm = self.arm
         if arm is None or self.mode == "place":
             return None if arm is None else arm.table
-        moved, table = arm.sign * self.q, arm.table
+        moved, table = arm.joint_values(self.q), arm.table
         return DHTable(
             table.convention,
             table.theta + np.where(table.prismatic, 0, moved),

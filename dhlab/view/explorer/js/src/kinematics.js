@@ -1,5 +1,5 @@
 // The product itself, as dhlab/kinematics.py has it: one arm, one configuration.
-// An arm is {convention, joints, rows, base, tool, sign, limits, name}; rows hold [theta, d, a, alpha] in radians and metres.
+// An arm is {convention, joints, rows, base, tool, sign, coupling, limits, name}; rows hold [theta, d, a, alpha] in radians and metres.
 
 import { IDENTITY, along, axis, dot, middle, origin, product, sub } from "./matrix.js";
 
@@ -24,10 +24,15 @@ export function linkMatrix(convention, [theta, d, a, alpha]) {
     : [ct, -st, 0, a, st * ca, ct * ca, -sa, -d * sa, st * sa, ct * sa, ca, d * ca, 0, 0, 0, 1];
 }
 
+// What q makes of joint i (from 0), before the offsets of the table.
+function jointValue({ sign, coupling }, q, i) {
+  return coupling ? coupling[i].reduce((sum, rate, j) => sum + rate * sign[j] * q[j], 0) : sign[i] * q[i];
+}
+
 // Row i (from 0) with the joint variable in its place.
 export function rowAt(arm, q, i) {
   const row = arm.rows[i].slice();
-  row[arm.joints[i] === "P" ? 1 : 0] += arm.sign[i] * q[i];
+  row[arm.joints[i] === "P" ? 1 : 0] += jointValue(arm, q, i);
   return row;
 }
 
