@@ -25,7 +25,7 @@ NEAR = 1e-15  # times the angle: what adding offsets in floating point leaves
 
 def joint_variables(arm: Arm) -> tuple[NDArray, NDArray]:
     """What turns the controller's q into joint variables: ``matrix @ q + offset`` is theta_i, or
-    d_i of a prismatic joint. The one place that knows of signs and offsets.
+    d_i of a prismatic joint. The one place that knows of signs, offsets and coupled joints.
 
     Parameters
     ----------
@@ -42,7 +42,8 @@ def joint_variables(arm: Arm) -> tuple[NDArray, NDArray]:
     array([-1.,  1.,  1.,  1.,  1.,  1.])
     """
     table = arm.table
-    return np.diag(arm.sign), np.where(table.prismatic, table.d, table.theta)
+    matrix = np.diag(arm.sign) if arm.coupling is None else arm.coupling * arm.sign
+    return matrix, np.where(table.prismatic, table.d, table.theta)
 
 
 class Run:

@@ -90,7 +90,7 @@ def header(arm: Arm, formulas: dict[str, Formulas], notes: list[str], check: str
         JOINTS,
     ]
     lines = [line for text in paragraphs for line in _wrapped(text)]
-    lines += ["", *_table(arm).splitlines(), "", *_frames(arm), *notes, *_results(arm)]
+    lines += ["", *_table(arm).splitlines(), "", *_coupling(arm), *_frames(arm), *notes, *_results(arm)]
     for name, formula in formulas.items():
         counts = ", ".join(f"{number} {kind}" for kind, number in formula.count.items())
         lines.append(f"Cost of {name}: {counts}")
@@ -124,6 +124,13 @@ def _limit(pair, letter):
         return "none"
     unit = "m" if letter == "P" else "deg"
     return f"{written(pair[0], unit)} to {written(pair[1], unit)} {unit}"
+
+
+def _coupling(arm):
+    """What each joint makes of q, where it is not its own number alone."""
+    if arm.coupling is not None:
+        yield "coupling (joint variables = coupling (sign q) + theta or d of the row):"
+        yield from ("    " + "  ".join(map(repr, row)) for row in arm.coupling.tolist())
 
 
 def _frames(arm):

@@ -21,12 +21,15 @@ def variables(arm, q):
     >>> variables(dh.load("ar4"), np.ones(6))
     array([-1.,  1.,  1.,  1.,  1.,  1.])
     """
-    return arm.sign * np.asarray(q, dtype=float)
+    return arm.joint_values(q)
 
 
 def counted(arm, v):
     """``q`` (..., n) of joint variables ``v``."""
-    return arm.sign * np.asarray(v, dtype=float)
+    v = np.asarray(v, dtype=float)
+    if arm.coupling is not None:
+        v = np.linalg.solve(arm.coupling, v[..., None])[..., 0]
+    return arm.sign * v
 
 
 def wrapped(angle):

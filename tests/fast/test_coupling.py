@@ -164,3 +164,19 @@ def test_a_wrong_coupling_is_one_plain_sentence(coupling, words):
     with pytest.raises(ValueError, match=words) as error:
         dh.Arm(dh.load("ur5e").table, coupling=coupling)
     assert "expected" in str(error.value) and "\n" not in str(error.value)
+
+
+def test_the_way_back_knows_it():
+    arm, q = fanuc(), np.array([0.3, -0.7, 0.9, 0.4, 0.8, -0.2])
+    answer = arm.solve(arm.forward(q))
+    assert answer and min(np.abs(found - q).max() for found in answer) < 1e-7
+
+
+def test_generated_programs_know_it(tmp_path):
+    arm, q = fanuc(), np.array([0.3, -0.7, 0.9, 0.4, 0.8, -0.2])
+    text = dh.generate(arm, "python", name="arm")
+    scope = {"__name__": "generated"}
+    exec(text, scope)
+    assert np.allclose(np.reshape(scope["arm_forward"](q), (-1, 4))[:3], arm.forward(q)[:3])
+    assert np.allclose(np.reshape(scope["arm_jacobian"](q), (6, 6)), arm.jacobian(q))
+    assert "coupling" in text
