@@ -35,7 +35,7 @@ app = typer.Typer(
 def _top(
     context: typer.Context,
     version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
-):
+) -> None:
     if context.invoked_subcommand is None:
         print(__version__ if version else context.get_help())
 

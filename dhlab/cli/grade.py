@@ -60,8 +60,8 @@ def grade(
     wrong.
     """
     from ..grading.grade import grade as grade_all
-    from ..grading.grade import plan
     from ..grading.handing_out.variants import read_key
+    from ..grading.plan import plan
     from ..grading.results.publish import publish
 
     students = class_of(roster)

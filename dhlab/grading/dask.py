@@ -2,7 +2,12 @@
 tasks go to another.
 """
 
-from .judging.work import work
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from .judging.questions import Course
+from .judging.work import Task, work
+from .results.marks import Graded
 
 __all__ = ["over_cluster"]
 
@@ -11,7 +16,7 @@ AHEAD = 4
 RETRIES = 3
 
 
-def over_cluster(address, todo):
+def over_cluster(address: str, todo: Iterable[tuple[Task, Course]]) -> Iterator[Graded]:
     """Graded, as they come, from the workers of a scheduler.
 
     Parameters
@@ -32,7 +37,8 @@ def over_cluster(address, todo):
     client = _client(address)
     from distributed import as_completed
 
-    todo, given = iter(todo), {}
+    todo = iter(todo)
+    given: dict[Any, tuple[Task, Course]] = {}
     with client:
         ahead = max(2, AHEAD * len(client.scheduler_info(n_workers=-1)["workers"]))
         done = as_completed()

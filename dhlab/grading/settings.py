@@ -2,12 +2,19 @@
 and what a submission may use.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass, field
 from datetime import date, datetime, time, timezone, tzinfo
+from pathlib import Path
+from typing import TYPE_CHECKING
 from zoneinfo import ZoneInfo
 
 from ..formats import plainyaml
+
+if TYPE_CHECKING:
+    from ..course.kinds.exercise import Exercise
 
 __all__ = ["Limits", "Lesson", "Settings", "read_settings", "LEVELS"]
 
@@ -35,7 +42,7 @@ class Lesson:
     """
 
     due: datetime | None = None
-    points: dict = field(default_factory=dict)
+    points: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -49,7 +56,7 @@ class Settings:
     ({}, 60.0)
     """
 
-    lessons: dict = field(default_factory=dict)
+    lessons: dict[str, Lesson] = field(default_factory=dict)
     percent_per_day: float = 0.0
     floor: float = 0.0
     grace_hours: float = 0.0
@@ -59,7 +66,7 @@ class Settings:
     cage: str | None = None
     zone: tzinfo = timezone.utc
 
-    def lateness(self, lesson, when):
+    def lateness(self, lesson: str, when: datetime | None) -> tuple[float, float]:
         """(days after the due date, share of the points taken off) of work on a lesson that came at
         ``when``, a datetime or None.
 
@@ -71,8 +78,10 @@ class Settings:
         >>> from datetime import datetime, timedelta, timezone
         >>> due = datetime(2026, 11, 20, tzinfo=timezone.utc)
         >>> course = Settings({"05": Lesson(due)}, percent_per_day=10, floor=50)
-        >>> course.lateness("05", due + timedelta(hours=30)), course.lateness("05", due + timedelta(days=9))
-        ((1.25, 0.2), (9.0, 0.5))
+        >>> course.lateness("05", due + timedelta(hours=30))
+        (1.25, 0.2)
+        >>> course.lateness("05", due + timedelta(days=9))
+        (9.0, 0.5)
         """
         due = self.lessons[lesson].due if lesson in self.lessons else None
         if due is None or when is None:
@@ -80,17 +89,16 @@ class Settings:
         days = (when - due).total_seconds() / 86400
         if days <= self.grace_hours / 24:
             return 0.0, 0.0
-        return round(days, 4), round(
-            min(self.percent_per_day * math.ceil(days), 100 - self.floor) / 100, 6
-        )
+        percent = min(self.percent_per_day * math.ceil(days), 100 - self.floor)
+        return round(days, 4), round(percent / 100, 6)
 
-    def points(self, exercise):
+    def points(self, exercise: Exercise) -> float:
         """What an exercise is worth in this course."""
         lesson = self.lessons.get(exercise.id.split(".")[0])
         return lesson.points.get(exercise.id, exercise.points) if lesson else exercise.points
 
 
-def read_settings(path):
+def read_settings(path: str | Path) -> Settings:
     """The Settings in a ``course.yaml``.
 
     Parameters
@@ -102,12 +110,13 @@ def read_settings(path):
             lessons:
               "05": {due: 2026-11-20}       # without a time: the end of that day
               "06": {due: 2026-11-27 23:59, points: {"06.2": 5}}
-            late: {percent_per_day: 10, floor: 50, grace_hours: 1} partial: 0.5          # share of
-            the points for a wrong answer whose one mistake is recognised; 0 when left out
-            own_kinematics: 0     # share for a function that calls the library's kinematics where
-            it is to be written limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb:
-            16, threads: 32} cage: bubblewrap      # or landlock, rlimits; the best there is when
-            left out
+            late: {percent_per_day: 10, floor: 50, grace_hours: 1}
+            # share of the points for a wrong answer whose mistake is recognised, 0 when left out
+            partial: 0.5
+            # share for a function that calls the library's kinematics where it is to be written
+            own_kinematics: 0
+            limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb: 16, threads: 32}
+            cage: bubblewrap      # or landlock, rlimits; the best there is when left out
 
     Returns
     -------

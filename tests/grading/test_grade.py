@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import corpus  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
-from dhlab.grading.grade import grade, plan  # noqa: E402
+from dhlab.grading.grade import grade  # noqa: E402
 from dhlab.grading.handing_out.variants import variant  # noqa: E402
 from dhlab.grading.intake.roster import Student  # noqa: E402
 from dhlab.grading.results.gradebook import Gradebook  # noqa: E402

@@ -15,11 +15,12 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from dhlab.grading.grade import grade, plan
+from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.release import with_variant
 from dhlab.grading.handing_out.variants import variant
 from dhlab.grading.intake.roster import Student, read_roster
 from dhlab.grading.intake.submissions import submissions
+from dhlab.grading.plan import plan
 from dhlab.grading.results.classreport import class_report
 from dhlab.grading.results.feedback import feedback_page
 from dhlab.grading.results.items import items

@@ -13,25 +13,27 @@ Three levels, the best that the machine has unless one is named:
 import contextlib
 import json
 import os
-import select
 import shutil
 import socket
 import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import asdict, dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from pathlib import Path
+from typing import Any, Self
 
 from ..settings import LEVELS, Limits
 from . import stage
+from .listener import Listener, Run
 
 try:
     import fcntl
 except ImportError:  # Windows, where best_level says what to do
-    fcntl = None
+    fcntl = None  # type: ignore[assignment]
 
-__all__ = ["Cage", "Run", "best_level", "RISKS"]
+__all__ = ["Cage", "best_level", "RISKS"]
 
 RISKS = {
     "bubblewrap": (
@@ -48,22 +50,9 @@ RISKS = {
     ),
 }
 ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
-MOST = 8_000_000  # bytes that one submission may answer
 PREFIX = "dhlab-cage-"
 START = 60  # seconds to load the libraries
 GRACE = 1.5  # seconds after a cell's own limit until it is stopped from outside
-
-
-@dataclass
-class Run:
-    """One run of a notebook: the lines it sent; how it ended ("done", "crashed", "timed out", "too
-    much"); the cell it was in; seconds; MB at most.
-    """
-
-    lines: list = field(default_factory=list)
-    ended: str = "crashed"
-    cell: int | None = None
-    seconds: float = 0.0
 
 
 class Cage:
@@ -83,19 +72,25 @@ class Cage:
         The level does not work on this machine.
     """
 
-    def __init__(self, level=None, limits=Limits(), warm=()):
+    def __init__(
+        self, level: str | None = None, limits: Limits = Limits(), warm: Iterable[str] = ()
+    ) -> None:
         self.level, self.limits, self.warm = _known(level) or best_level(), limits, tuple(warm)
-        self._process = self._folder = self._control = self._lock = None
+        # all four None while nothing runs
+        self._process: Any = None
+        self._folder: Any = None
+        self._control: Any = None
+        self._lock: Any = None
         _sweep()
         self._start()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *error):
+    def __exit__(self, *error: object) -> None:
         self.close()
 
-    def run(self, request, notebook, seconds):
+    def run(self, request: Mapping[str, Any], notebook: bytes, seconds: float) -> Run:
         """Run a notebook once.
 
         Parameters
@@ -121,7 +116,7 @@ class Cage:
                 file.seek(0)
                 socket.send_fds(self._control, [b"go"], [file.fileno(), write_end])
             os.close(write_end)
-            result = _Listener(answers, request["cell_seconds"] + GRACE, begun + seconds).listen()
+            result = Listener(answers, request["cell_seconds"] + GRACE, begun + seconds).listen()
             self._finish()
         except OSError:  # the whole cage has died; the next run builds another
             result = Run()
@@ -203,7 +198,9 @@ class Cage:
         command = stage.python_command(stage.INSIDE if bubblewrap else staged, json.dumps(config))
         if bubblewrap:
             return (
-                stage.bubblewrap_command(shutil.which("bwrap"), staged, command, self.limits, proc),
+                stage.bubblewrap_command(
+                    shutil.which("bwrap") or "bwrap", staged, command, self.limits, proc
+                ),
                 {},
             )
         return command, stage.environment(work)
@@ -222,7 +219,7 @@ class Cage:
                 answer.get("problem") or " ".join(file.read().split())[-200:] or "it does not start"
             )
 
-    def close(self):
+    def close(self) -> None:
         """Kill everything in the cage and remove its folder."""
         if self._process is not None:
             with contextlib.suppress(OSError):
@@ -243,51 +240,6 @@ def _sweep():
                 with open(folder / "lock", "wb") as lock:
                     fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
                     shutil.rmtree(folder, ignore_errors=True)
-
-
-class _Listener:
-    """Reads lines until the submission is done, dies, says too much, or is too late in a cell or in
-    all.
-    """
-
-    def __init__(self, pipe, cell_seconds, deadline):
-        self.pipe, self.cell_seconds, self.deadline = pipe, cell_seconds, deadline
-        self.run, self.read, self.rest = Run(), 0, b""
-
-    def listen(self):
-        cell_deadline = time.monotonic() + self.cell_seconds + 5  # reading the notebook
-        while True:
-            left = min(cell_deadline, self.deadline) - time.monotonic()
-            if left <= 0 or not select.select([self.pipe], [], [], left)[0]:
-                return self._over("timed out")
-            data = os.read(self.pipe, 1 << 16)
-            self.read += len(data)
-            if not data or self.read > MOST:
-                return self._over("too much" if data else "crashed")
-            for line in self._lines(data):
-                self.run.lines.append(line)
-                if "done" in line or "unreadable" in line:
-                    return self._over("done")
-                if (
-                    "cell" in line
-                    and "ids" in line
-                    and "ended" not in line
-                    and isinstance(line["cell"], int)
-                ):
-                    self.run.cell = line["cell"]
-                    cell_deadline = time.monotonic() + self.cell_seconds
-
-    def _lines(self, data):
-        *whole, self.rest = (self.rest + data).split(b"\n")
-        for raw in whole:
-            with contextlib.suppress(ValueError, RecursionError):
-                line = json.loads(raw)
-                if isinstance(line, dict):
-                    yield line
-
-    def _over(self, ended):
-        self.run.ended = ended
-        return self.run
 
 
 def _readable_by_others():
@@ -319,7 +271,7 @@ def _known(level):
     return level
 
 
-def best_level():
+def best_level() -> str:
     """The strongest level that works here, found by trying; ValueError where there is none."""
     _known(None)
     for level in LEVELS:

@@ -7,7 +7,10 @@ import shutil
 import site
 import sys
 import sysconfig
+from collections.abc import Sequence
 from pathlib import Path
+
+from ..settings import Limits
 
 __all__ = ["stage", "python_command", "bubblewrap_command", "readable", "environment"]
 
@@ -30,7 +33,7 @@ INSIDE = "/cage"  # where the staged library stands inside bubblewrap
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-def stage(folder):
+def stage(folder: str) -> None:
     """Copy the library into a folder: no exercises, no grader; a course that only notes, pictures
     that are not drawn.
     """
@@ -61,7 +64,7 @@ def packages():
     return [folder for folder in dict.fromkeys(found) if os.path.isdir(folder)]
 
 
-def python_command(folder, config):
+def python_command(folder: str, config: str) -> list[str]:
     """The command that starts the warm parent: no start-up files, nothing of the user's, the staged
     library first.
     """
@@ -73,7 +76,7 @@ def python_command(folder, config):
     return [sys.executable, "-s", "-S", "-P", "-c", start]
 
 
-def environment(work):
+def environment(work: str) -> dict[str, str]:
     """All that the cage knows of the environment."""
     return {
         "PATH": "/usr/bin:/bin",
@@ -90,7 +93,7 @@ def environment(work):
     }
 
 
-def readable():
+def readable() -> list[str]:
     """What a submission may read besides the staged library: the system, Python, its packages;
     never the installed dhlab.
     """
@@ -133,7 +136,9 @@ def _spread(path, covered):
     return [found for entry in os.scandir(path) for found in _spread(entry.path, covered)]
 
 
-def bubblewrap_command(program, folder, command, limits, proc):
+def bubblewrap_command(
+    program: str, folder: str, command: Sequence[str], limits: Limits, proc: bool
+) -> list[str]:
     """``command`` inside bubblewrap: its own processes, users, network and files; one small folder,
     /tmp, that can be written to.
 

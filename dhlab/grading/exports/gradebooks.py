@@ -3,6 +3,7 @@ mark stays an empty cell, never a silent 0.
 """
 
 import json
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from ...formats.files import read_text
@@ -15,7 +16,7 @@ __all__ = ["read_marks", "canvas_csv", "moodle_csv"]
 WITH_MARK = (GRADED, NOT_ATTEMPTED, TIMED_OUT)
 
 
-def read_marks(folder):
+def read_marks(folder: str | Path) -> dict[str, Graded]:
     """What ``dhlab grade`` left in its folder, by student.
 
     Parameters
@@ -51,7 +52,7 @@ def _read(path):
         ) from None
 
 
-def canvas_csv(marks, roster=()):
+def canvas_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> str:
     """Canvas's gradebook import: its five columns of names and ids, a row of possible points, one
     column of points after lateness.
 
@@ -60,7 +61,8 @@ def canvas_csv(marks, roster=()):
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> print(canvas_csv({"ada": Graded("ada", "", "graded", (Mark("05.1", "right", 1, 1), Mark("05.2", "wrong", 0, 2)))}), end="")
+    >>> marks = Mark("05.1", "right", 1, 1), Mark("05.2", "wrong", 0, 2)
+    >>> print(canvas_csv({"ada": Graded("ada", "", "graded", marks)}), end="")
     Student,ID,SIS User ID,SIS Login ID,Section,dhlab 05
     Points Possible,,,,,3
     ada,,ada,ada,,1
@@ -84,14 +86,15 @@ def canvas_csv(marks, roster=()):
     return csv_text(rows)
 
 
-def moodle_csv(marks, roster=()):
+def moodle_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> str:
     """Moodle's grade import: id number, e-mail, name, points after lateness; the teacher maps the
     columns on Moodle's own page.
 
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> print(moodle_csv({"ada": Graded("ada", "", "missing", (Mark("05.1", "not attempted", 0, 1),))}, [Student("ada", "Ada", "ada@example.org")]), end="")
+    >>> graded = Graded("ada", "", "missing", (Mark("05.1", "not attempted", 0, 1),))
+    >>> print(moodle_csv({"ada": graded}, [Student("ada", "Ada", "ada@example.org")]), end="")
     ID number,Email address,Full name,dhlab 05
     ada,ada@example.org,Ada,
     """

@@ -9,12 +9,14 @@ import io
 import json
 import re
 import zipfile
+from collections.abc import Sequence
 from importlib.metadata import requires, version
 from pathlib import Path
 
 from ...course.workspace import handed_out
 from ...formats.files import read_text, write_bytes
 from ..handing_out.variants import variants
+from ..intake.roster import Student
 from ..settings import read_settings
 
 __all__ = ["export_gradescope"]
@@ -24,7 +26,8 @@ SETUP = """#!/usr/bin/env bash
 # Once, when Gradescope builds the image: Python 3.11 or newer, the cage, the libraries.
 set -euo pipefail
 apt-get update
-if python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then python=python3; else python=python3.11; fi
+if python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))'
+then python=python3; else python=python3.11; fi
 apt-get install -y "$python" "$python-venv" bubblewrap
 "$python" -m venv /autograder/venv
 /autograder/venv/bin/python -m pip install --requirement /autograder/source/requirements.txt
@@ -34,11 +37,17 @@ RUN = """#!/usr/bin/env bash
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 cd "$root"
-PYTHONPATH="$root/source" exec "$root/venv/bin/python" -m dhlab.grading.exports.gradescope_run "$root"
+export PYTHONPATH="$root/source"
+exec "$root/venv/bin/python" -m dhlab.grading.exports.gradescope_run "$root"
 """
 
 
-def export_gradescope(out, roster=(), key=None, course=""):
+def export_gradescope(
+    out: str | Path,
+    roster: Sequence[Student] = (),
+    key: bytes | None = None,
+    course: str | Path = "",
+) -> int:
     """Write the autograder; an existing file is kept.
 
     The key stays here: what goes along is the variant of each e-mail address.
@@ -114,7 +123,7 @@ def _requirements():
         for line in requires("dhlab-kinematics") or []
         if "extra ==" not in line or re.search(r"""extra == ["']symbolic["']""", line)
     ]
-    names = {re.match(r"[\w.-]+", line)[0] for line in wanted} | {"ipython", "nbformat"}
+    names = {re.findall(r"[\w.-]+", line)[0] for line in wanted} | {"ipython", "nbformat"}
     return sorted(f"{name}=={version(name)}" for name in names)
 
 

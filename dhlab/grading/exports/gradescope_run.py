@@ -6,6 +6,7 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
@@ -22,7 +23,7 @@ from ..settings import Settings, read_settings
 __all__ = ["results"]
 
 
-def results(root):
+def results(root: Path) -> dict[str, Any]:
     """What Gradescope shows, for the submission in ``root/submission``.
 
     Parameters

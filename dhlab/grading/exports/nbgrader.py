@@ -3,13 +3,16 @@ students, due dates.
 """
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import nbformat
 
 from ...course.building.reading import read_source, sources
 from ...formats.files import write_text
 from ..handing_out.release import make_folder
+from ..intake.roster import Student
 from ..judging.questions import scored
 from ..results.csvtext import csv_text
 from ..settings import Settings
@@ -23,7 +26,8 @@ CONFIG = '''"""The settings of this course for nbgrader."""
 
 c = get_config()  # noqa: F821  (nbgrader gives it)
 c.CourseDirectory.course_id = "dhlab"
-c.ClearSolutions.code_stub = {{"python": "{stub}"}}  # the default raises, and an untouched cell is no error here
+# the default raises, and an untouched cell is no error here
+c.ClearSolutions.code_stub = {{"python": "{stub}"}}
 c.Execute.timeout = {timeout}
 c.OverwriteCells.add_missing_cells = True  # a deleted check costs nobody a mark
 c.AssignLatePenalties.plugin_class = "dhlab.grading.exports.nbgrader_late.Lateness"
@@ -33,7 +37,9 @@ c.Lateness.grace_hours = {grace_hours}
 '''
 
 
-def export_nbgrader(out, roster=(), settings=None):
+def export_nbgrader(
+    out: str | Path, roster: Sequence[Student] = (), settings: Settings | None = None
+) -> list[str]:
     """Write a course folder for nbgrader; nothing that exists is overwritten.
 
     Parameters
@@ -66,29 +72,7 @@ def export_nbgrader(out, roster=(), settings=None):
             "export nbgrader: expected the lessons' sources in solutions/, found none; run it in a"
             " clone of the repository"
         )
-    late = {name: getattr(settings, name) for name in ("percent_per_day", "floor", "grace_hours")}
-    texts = {
-        "nbgrader_config.py": CONFIG.format(
-            stub=STUB, timeout=round(settings.limits.cell_seconds), **late
-        ),
-        "students.csv": csv_text(
-            [("id", "first_name", "last_name", "email"), *(_person(student) for student in roster)]
-        ),
-        "assignments.csv": csv_text(
-            [
-                ("name", "duedate"),
-                *(
-                    (name, lesson.due.isoformat())
-                    for name in chosen
-                    if (lesson := settings.lessons.get(name[:2])) and lesson.due
-                ),
-            ]
-        ),
-    }
-    texts |= {
-        f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n"
-        for name, path in chosen.items()
-    }
+    texts = _texts(chosen, roster, settings)
     there = [name for name in texts if (out / name).exists()]
     if there:
         raise ValueError(
@@ -101,14 +85,29 @@ def export_nbgrader(out, roster=(), settings=None):
     return list(chosen)
 
 
-def source_notebook(path, settings):
+def _texts(chosen, roster, settings):
+    """The files of the course folder: by their place in it, what is to stand there."""
+    late = {name: getattr(settings, name) for name in ("percent_per_day", "floor", "grace_hours")}
+    timeout = round(settings.limits.cell_seconds)
+    lessons = [(name, settings.lessons.get(name[:2])) for name in chosen]
+    due = [(name, lesson.due.isoformat()) for name, lesson in lessons if lesson and lesson.due]
+    people = [_person(student) for student in roster]
+    return {
+        "nbgrader_config.py": CONFIG.format(stub=STUB, timeout=timeout, **late),
+        "students.csv": csv_text([("id", "first_name", "last_name", "email"), *people]),
+        "assignments.csv": csv_text([("name", "duedate"), *due]),
+    } | {
+        f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n"
+        for name, path in chosen.items()
+    }
+
+
+def source_notebook(path: Path, settings: Settings) -> Any:
     """A lesson as nbgrader's instructor version: every answer a solution cell, every check a graded
     one that hands back points.
     """
-    notebook, marked = (
-        read_source(path),
-        {exercise.id: exercise for exercise in scored((path.name[:2],))},
-    )
+    notebook = read_source(path)
+    marked = {exercise.id: exercise for exercise in scored((path.name[:2],))}
     for cell in notebook.cells:
         if cell.cell_type != "code":
             continue

@@ -6,6 +6,8 @@ import contextlib
 import functools
 import io
 import warnings
+from collections.abc import Callable
+from typing import Any
 
 from ...course.exercises import exercises
 from ...course.kinds import Function, Table
@@ -17,7 +19,9 @@ from ..judging.questions import fresh
 __all__ = ["graded_check"]
 
 
-def graded_check(points, partial=0.0, own_kinematics=0.0):
+def graded_check(
+    points: float, partial: float = 0.0, own_kinematics: float = 0.0
+) -> Callable[..., Any]:
     """A ``check`` worth ``points``, by the rules of ``dhlab grade``.
 
     nbgrader takes the cell's value for the points, and gives none where anything was written to the
@@ -41,7 +45,8 @@ def graded_check(points, partial=0.0, own_kinematics=0.0):
     """
 
     def check(exercise_id, answer):
-        exercise, used = exercises()[exercise_id], set()
+        exercise = exercises()[exercise_id]
+        used: set[str] = set()
         with (
             contextlib.redirect_stdout(io.StringIO()),
             contextlib.redirect_stderr(io.StringIO()),

@@ -21,7 +21,9 @@ class Lateness(LateSubmissionPlugin):
     floor = Float(0).tag(config=True)
     grace_hours = Float(0).tag(config=True)
 
-    def late_submission_penalty(self, student_id, score, total_seconds_late):
+    def late_submission_penalty(
+        self, student_id: str, score: float, total_seconds_late: float
+    ) -> float:
         """The points to take off."""
         course = Settings(
             {"": Lesson(DUE)},

@@ -2,9 +2,13 @@
 folder for all.
 """
 
+from __future__ import annotations
+
 import json
+from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import nbformat
 
@@ -13,13 +17,22 @@ from ...course.workspace import handed_out
 from ...formats.files import read_text, write_text
 from .variants import new_key, read_key, variants, write_key
 
+if TYPE_CHECKING:
+    from ..intake.roster import Student
+
 __all__ = ["release", "key_of", "with_variant", "make_folder"]
 
 KEY_NAME = "teacher.key"
 PAGES = ("glossary.md", "LICENSE.md")
 
 
-def release(out, roster=(), key=None, lessons=(), new_key_at=None):
+def release(
+    out: str | Path,
+    roster: Sequence[Student] = (),
+    key: bytes | None = None,
+    lessons: Sequence[str] = (),
+    new_key_at: str | Path | None = None,
+) -> tuple[int, int]:
     """Write the lessons into ``out``: into a folder per student, or into ``out`` itself when there
     is no roster.
 
@@ -62,7 +75,7 @@ def release(out, roster=(), key=None, lessons=(), new_key_at=None):
         for name, text in files.items()
     ]
     missing = [(path, text) for path, text, number in wanted if not _there(path, number)]
-    if new_key_at:
+    if new_key_at and key:
         write_key(new_key_at, key)
     for folder in dict.fromkeys(path.parent for path, _ in missing):
         make_folder(folder)
@@ -71,7 +84,7 @@ def release(out, roster=(), key=None, lessons=(), new_key_at=None):
     return len(missing), len(wanted) - len(missing)
 
 
-def key_of(path, out):
+def key_of(path: str | Path, out: str | Path) -> tuple[bytes, bool]:
     """The teacher's key: read where there is one, drawn where there is none (and written by
     :func:`release`); refused inside what is handed out.
 
@@ -92,7 +105,7 @@ def key_of(path, out):
     return new_key(), True
 
 
-def with_variant(text, number):
+def with_variant(text: str, number: int) -> str:
     """A lesson whose first code cell says whose numbers it draws.
 
     Parameters
@@ -165,10 +178,10 @@ def _there(path, number):
     return True
 
 
-def make_folder(folder):
+def make_folder(folder: str | Path) -> None:
     """Make a folder and those above it; ValueError in one sentence when that cannot be done."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        Path(folder).mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise ValueError(
             f"{folder}: expected to make a folder here, found that it cannot be done"

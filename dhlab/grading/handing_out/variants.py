@@ -5,6 +5,7 @@ key stays with the teacher.
 import hmac
 import secrets
 import unicodedata
+from collections.abc import Iterable
 from pathlib import Path
 
 from ...formats.files import read_text, write_text
@@ -15,7 +16,7 @@ KEY_BYTES = 32
 HIGHEST = 2**31 - 1  # 0 is left for "the same for all"
 
 
-def variant(key, student):
+def variant(key: bytes, student: str) -> int:
     """The number that draws a student's exercises.
 
     HMAC-SHA256 (RFC 2104) of the id under the key: from a student's own number nobody can tell
@@ -44,7 +45,7 @@ def variant(key, student):
     return int.from_bytes(digest[:8], "big") % HIGHEST + 1
 
 
-def variants(key, students):
+def variants(key: bytes | None, students: Iterable[str]) -> dict[str, int]:
     """The variants of many students, by id; 0 for each of them when there is no key.
 
     Parameters
@@ -60,19 +61,19 @@ def variants(key, students):
     return {student: variant(key, student) if key else 0 for student in students}
 
 
-def new_key():
+def new_key() -> bytes:
     """A key that nobody has had before."""
     return secrets.token_bytes(KEY_BYTES)
 
 
-def write_key(path, key):
+def write_key(path: str | Path, key: bytes) -> None:
     """Write a key into a new file that only its owner may read; an existing file is never
     touched.
     """
     write_text(path, key.hex() + "\n", private=True)
 
 
-def make_key(path):
+def make_key(path: str | Path) -> bytes:
     """Draw a new key into a file; see :func:`write_key`.
 
     Raises
@@ -85,7 +86,7 @@ def make_key(path):
     return key
 
 
-def read_key(path):
+def read_key(path: str | Path) -> bytes:
     """The key in a file that :func:`make_key` wrote.
 
     Raises

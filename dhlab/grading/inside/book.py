@@ -2,7 +2,9 @@
 drew. It judges nothing.
 """
 
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 from . import watch
 from .calling import is_stub, record
@@ -17,15 +19,23 @@ MOST = 50  # notes of one exercise: who calls check in a loop is heard the first
 class Book:
     """The numbers of each task by exercise, the functions' inputs, and what has been noted."""
 
-    def __init__(self, given, functions, send, only=()):
+    def __init__(
+        self,
+        given: Mapping[str, Any],
+        functions: Mapping[str, Any],
+        send: Callable[[dict[str, Any]], None],
+        only: Iterable[str] = (),
+    ) -> None:
         self.given, self.functions, self.send, self.only = given, functions, send, tuple(only)
-        self.cell, self.noted, self._where = 0, {}, set()
+        self.cell = 0
+        self.noted: dict[str, int] = {}
+        self._where: set[tuple[str, int]] = set()
 
-    def noted_in(self, cell):
+    def noted_in(self, cell: int) -> set[str]:
         """The exercises that were noted while a cell ran."""
         return {key for key, where in self._where if where == cell}
 
-    def note(self, key, answer):
+    def note(self, key: str, answer: Any) -> None:
         """Send one answer out."""
         if (
             not isinstance(key, str)

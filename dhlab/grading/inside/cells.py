@@ -6,6 +6,7 @@ import ast
 import asyncio
 import builtins
 import linecache
+from typing import Any
 
 __all__ = ["TimeLimit", "run_cell"]
 
@@ -67,7 +68,7 @@ class Shell:
         return Absent()
 
 
-def run_cell(source, name, space):
+def run_cell(source: str, name: str, space: dict[str, Any]) -> None:
     """Run the source of a cell in a namespace; raises what it raises."""
     source = _plain(source)
     linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name

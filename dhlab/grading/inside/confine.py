@@ -11,7 +11,9 @@ import os
 import resource
 import signal
 import sys
+from collections.abc import Iterable, Mapping
 from ctypes import c_int, c_long, c_uint32, c_uint64
+from typing import Any
 
 __all__ = [
     "libseccomp",
@@ -25,7 +27,7 @@ __all__ = [
 ]
 
 LINUX = sys.platform == "linux"
-libc = ctypes.CDLL(None, use_errno=True) if LINUX else None
+libc: Any = ctypes.CDLL(None, use_errno=True) if LINUX else None
 
 CREATE, ADD_RULE, RESTRICT = 444, 445, 446  # Landlock's calls, the same numbers on every machine
 READ = 1 << 2 | 1 << 3  # read a file, list a folder
@@ -34,14 +36,20 @@ EXECUTE = 1 << 0
 WRITE = 1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
 RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}  # how many rights each version knows; 16 from the fifth on
 
-DENIED = """socket fork vfork execve execveat kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open pidfd_send_signal pidfd_getfd
-ptrace process_vm_readv process_vm_writev process_madvise kcmp shmget shmat shmctl semget semop semctl msgget msgsnd msgrcv msgctl mq_open mq_unlink
-memfd_create memfd_secret mount umount2 pivot_root chroot unshare setns open_tree move_mount fsopen fsconfig fsmount fspick mount_setattr
-keyctl add_key request_key bpf perf_event_open userfaultfd io_uring_setup io_uring_enter io_uring_register open_by_handle_at name_to_handle_at
-init_module finit_module delete_module kexec_load kexec_file_load reboot swapon swapoff setpriority sched_setscheduler sched_setparam sched_setattr
-sched_setaffinity ioprio_set personality fanotify_init quotactl acct syslog iopl ioperm mknod mknodat migrate_pages move_pages
-setuid setgid setreuid setregid setresuid setresgid setgroups setfsuid setfsgid capset sethostname setdomainname settimeofday clock_settime
-clock_adjtime adjtimex lookup_dcookie chown fchown lchown fchownat link linkat symlink symlinkat""".split()
+DENIED = """
+socket fork vfork execve execveat kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open
+pidfd_send_signal pidfd_getfd ptrace process_vm_readv process_vm_writev process_madvise kcmp
+shmget shmat shmctl semget semop semctl msgget msgsnd msgrcv msgctl mq_open mq_unlink memfd_create
+memfd_secret mount umount2 pivot_root chroot unshare setns open_tree move_mount fsopen fsconfig
+fsmount fspick mount_setattr keyctl add_key request_key bpf perf_event_open userfaultfd
+io_uring_setup io_uring_enter io_uring_register open_by_handle_at name_to_handle_at init_module
+finit_module delete_module kexec_load kexec_file_load reboot swapon swapoff setpriority
+sched_setscheduler sched_setparam sched_setattr sched_setaffinity ioprio_set personality
+fanotify_init quotactl acct syslog iopl ioperm mknod mknodat migrate_pages move_pages setuid
+setgid setreuid setregid setresuid setresgid setgroups setfsuid setfsgid capset sethostname
+setdomainname settimeofday clock_settime clock_adjtime adjtimex lookup_dcookie chown fchown lchown
+fchownat link linkat symlink symlinkat
+""".split()
 ALLOW, EPERM, ENOSYS = 0x7FFF0000, 0x00050001, 0x00050026
 NOT_EQUAL, MASKED = 1, 7
 CLONE_THREAD = 0x10000
@@ -53,7 +61,7 @@ class Compare(ctypes.Structure):
     _fields_ = [("arg", ctypes.c_uint), ("op", c_int), ("a", c_uint64), ("b", c_uint64)]
 
 
-def libseccomp():
+def libseccomp() -> Any:
     """libseccomp, or None where it is not installed."""
     try:
         return ctypes.CDLL("libseccomp.so.2", use_errno=True) if LINUX else None
@@ -61,7 +69,7 @@ def libseccomp():
         return None
 
 
-def restrict_calls(library):
+def restrict_calls(library: Any) -> None:
     """From here on: no new process, no program, no socket, no signal to others, no trick of the
     kernel. Threads stay possible.
 
@@ -98,12 +106,12 @@ def _rule(library, filter_, action, name, *comparisons):
         raise OSError(f"seccomp takes no rule for {name}")
 
 
-def landlock_version():
+def landlock_version() -> int:
     """Landlock's version, 0 where the kernel has none."""
     return max(0, libc.syscall(c_long(CREATE), None, c_long(0), c_long(1))) if LINUX else 0
 
 
-def restrict_files(readable, writable):
+def restrict_files(readable: Iterable[str], writable: Iterable[str]) -> None:
     """From here on only these files and folders can be read, and only those written to. Raises
     OSError where it cannot be done.
     """
@@ -143,7 +151,7 @@ def _allow(rules, path, rights):
     os.close(handle)
 
 
-def no_new_privileges():
+def no_new_privileges() -> None:
     """No program started from here can gain rights; nor can another process of the same user look
     into this one; it dies with its parent.
     """
@@ -153,14 +161,14 @@ def no_new_privileges():
         libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG
 
 
-def drop_to(user):
+def drop_to(user: int) -> None:
     """Become another user, for good."""
     os.setgroups([])
     os.setresgid(user, user, user)
     os.setresuid(user, user, user)
 
 
-def drop_capabilities():
+def drop_capabilities() -> None:
     """root without any of root's rights: what it owns it can still read, and nothing more."""
     if LINUX:
         for capability in range(64):
@@ -168,7 +176,7 @@ def drop_capabilities():
         libc.capset((c_uint32 * 2)(0x20080522, 0), (c_uint32 * 6)())
 
 
-def restrict_resources(limits):
+def restrict_resources(limits: Mapping[str, Any]) -> None:
     """Memory above what is in use now, processor time, size of a file, open files, and, where the
     user is the cage's own, threads.
     """

@@ -3,7 +3,9 @@
 import json
 import re
 from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 __all__ = ["Cell", "Cells", "read"]
 
@@ -18,8 +20,8 @@ class Cell:
     """
 
     source: str
-    ids: list
-    answers: list = field(default_factory=list)
+    ids: list[str]
+    answers: list[str] = field(default_factory=list)
 
 
 @dataclass
@@ -28,12 +30,12 @@ class Cells:
     for which no place was found.
     """
 
-    code: list
+    code: list[Cell]
     lesson: str | None
-    expressions: dict
-    unplaced: list
+    expressions: dict[str, str]
+    unplaced: list[str]
 
-    def last_for(self, only):
+    def last_for(self, only: Iterable[str]) -> int | None:
         """The number of the last cell that has to do with these exercises; None when it is not
         known.
         """
@@ -43,7 +45,7 @@ class Cells:
         return found[-1] if found and not set(only) & set(self.unplaced) else None
 
 
-def read(raw, checks):
+def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     """The Cells of a file.
 
     Parameters
@@ -113,10 +115,14 @@ def _text(value):
     return value if isinstance(value, str) else ""
 
 
+def _dict(value):
+    return value if isinstance(value, dict) else {}
+
+
 def _ids(cell):
     """The exercises a cell has to do with: by its metadata, and by the checks in it."""
-    metadata = cell.get("metadata") if isinstance(cell.get("metadata"), dict) else {}
-    nbgrader = metadata.get("nbgrader") if isinstance(metadata.get("nbgrader"), dict) else {}
+    metadata = _dict(cell.get("metadata"))
+    nbgrader = _dict(metadata.get("nbgrader"))
     graded = GRADE_ID.fullmatch(_text(nbgrader.get("grade_id")))
     named = [
         _text(metadata.get("exercise")),
@@ -134,8 +140,7 @@ def _lesson(notebook, code, names, checks):
     seen = Counter(of[key] for cell in code for key in cell.ids if key in of)
     if seen:
         return seen.most_common(1)[0][0]
-    metadata = notebook.get("metadata") if isinstance(notebook.get("metadata"), dict) else {}
-    said = metadata.get("dhlab") if isinstance(metadata.get("dhlab"), dict) else {}
+    said = _dict(_dict(notebook.get("metadata")).get("dhlab"))
     if said.get("lesson") in checks:
         return said["lesson"]
     stubs = Counter(

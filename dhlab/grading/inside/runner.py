@@ -26,7 +26,7 @@ __all__ = ["run"]
 LONGEST = 1_000_000  # bytes of a line
 
 
-def run(request_file, answer_file):
+def run(request_file: int, answer_file: int) -> None:
     """Read the request and the notebook from one open file, write the answers to the other."""
     with os.fdopen(request_file, "rb") as file:
         request = json.loads(file.readline())
@@ -80,7 +80,7 @@ class _Run:
         import dhlab
         from dhlab import course, transform, view
 
-        course.book = self.book
+        course.book = self.book  # type: ignore[attr-defined]  # the one that stands in
         module = types.ModuleType("__main__")
         sys.modules["__main__"] = module
         module.__dict__.update(

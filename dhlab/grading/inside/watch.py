@@ -5,6 +5,7 @@ function is being called.
 import os
 import sys
 import threading
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 import dhlab
@@ -22,7 +23,7 @@ for name in ("assign_frames", "equivalent", "load", "read_urdf", "symbolic"):
 
 
 @contextmanager
-def library(own):
+def library(own: Sequence[str] | None) -> Iterator[set[str]]:
     """A set that fills with the names of the library's programs that are called within.
 
     Parameters
@@ -31,18 +32,17 @@ def library(own):
         Names that the exercise asks to write and that therefore count wherever they stand; None:
         the exercise leaves the library free.
     """
-    used = set()
+    used: set[str] = set()
+    written_here = own or ()
 
     def see(frame, event, argument):
         if event == "call":
             file, name = frame.f_code.co_filename, frame.f_code.co_name
-            if file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in own):
+            if file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in written_here):
                 used.add(name)
         called = frame.f_code if event == "call" else argument if event == "c_call" else None
-        if (
-            any(called is one for one in BLINDING)
-            and frame.f_code is not library.__wrapped__.__code__
-        ):
+        watching = library.__wrapped__.__code__  # type: ignore[attr-defined]
+        if any(called is one for one in BLINDING) and frame.f_code is not watching:
             used.add("setprofile")
 
     if own is None:

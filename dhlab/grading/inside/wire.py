@@ -6,6 +6,7 @@ nothing.
 """
 
 import re
+from typing import Any
 
 import numpy as np
 from numpy import array, asarray, float64, generic, ndarray
@@ -27,7 +28,7 @@ class Opaque:
     """
 
 
-def encode(value, depth=0):
+def encode(value: Any, depth: int = 0) -> Any:
     """A value as something that JSON can hold.
 
     Examples
@@ -99,7 +100,7 @@ def _type_name(value):
     return re.sub(r"\W", "", type(value).__name__)[:40] or "object"
 
 
-def decode(sent):
+def decode(sent: Any) -> Any:
     """The value of something that came out of the cage.
 
     Raises

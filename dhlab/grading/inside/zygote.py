@@ -20,7 +20,7 @@ import time
 from dhlab.grading.inside import confine
 
 
-def main():
+def main() -> None:
     """Confine this process, load, then copy it once for each request until the grader hangs up."""
     config = json.loads(sys.argv[1])
     control = socket.socket(fileno=config["control"])

@@ -4,7 +4,10 @@ the roster.
 
 import re
 import unicodedata
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
+
+from .roster import Student
 
 __all__ = ["student_of", "from_platform", "Names", "Owner"]
 
@@ -25,15 +28,15 @@ class Owner(NamedTuple):
     known: bool
     called: str = ""
     number: str = ""
-    place: tuple = ()
+    place: tuple[str, ...] = ()
 
 
 class Names:
     """The roster's students by everything a platform may call them."""
 
-    def __init__(self, roster, lessons):
+    def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
         self.lessons = [re.escape(name) for name in lessons]
-        self.known = {}
+        self.known: dict[str, set[str]] = {}
         for student in roster:
             for called in (
                 student.student,
@@ -45,7 +48,7 @@ class Names:
                     self.known.setdefault(_plain(called), set()).add(student.student)
         self.ids = {_plain(student.student): student.student for student in roster}
 
-    def find(self, called):
+    def find(self, called: str) -> str | None:
         """The one student of this name, or None."""
         found = (
             self.known.get(_plain(called))
@@ -66,7 +69,7 @@ class Names:
             if letters and letters in (_letters(name), _letters(" ".join(reversed(name.split()))))
         }
 
-    def within(self, text):
+    def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
         plain = _plain(text)
         found = {
@@ -83,7 +86,7 @@ class Names:
         return longest.pop() if len(longest) == 1 else None
 
 
-def student_of(parts, names, folder):
+def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
     """The Owner of a file.
 
     Parameters
@@ -109,7 +112,7 @@ def student_of(parts, names, folder):
     return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))
 
 
-def from_platform(part):
+def from_platform(part: str) -> bool:
     """Whether a name is one that Moodle or Canvas writes.
 
     Examples
@@ -144,9 +147,9 @@ def _known(part, names):
 
 def _called(part, names, is_file):
     """What is left of a name when everything that says lesson, platform and copy is taken away."""
-    moodle, canvas = MOODLE.match(part), CANVAS.match(part)
-    if moodle or canvas:
-        return (moodle or canvas)["name"]
+    platform = MOODLE.match(part) or CANVAS.match(part)
+    if platform:
+        return platform["name"]
     if not is_file:
         return part
     stem = COPY.sub("", ENDINGS.sub("", part))

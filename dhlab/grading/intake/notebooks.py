@@ -11,7 +11,7 @@ LESSON = re.compile(r'"lesson"\s*:\s*"([0-9A-Za-z]+)"')
 NUMBER = re.compile(r'"variant"\s*:\s*([0-9]{1,10})\b|set_variant\(\s*([0-9]{1,10})\s*\)')
 
 
-def lessons_of(raw):
+def lessons_of(raw: bytes) -> frozenset[str]:
     """The lessons a notebook is of, by its checks and by what was written into it when it was
     handed out; empty when it does not say.
 
@@ -32,7 +32,7 @@ def lessons_of(raw):
     return frozenset(CHECKED.findall(text)) | frozenset(LESSON.findall(text))
 
 
-def numbers_of(raw):
+def numbers_of(raw: bytes) -> frozenset[int]:
     """Whose numbers a notebook draws: the variants that its cells set and that were noted in it
     when it was handed out; empty for those of all.
 

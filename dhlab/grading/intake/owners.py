@@ -3,16 +3,24 @@ what was handed in, before any of it is run.
 """
 
 import difflib
+from collections.abc import Mapping, Sequence
 
 from ..handing_out.variants import variant
 from .notebooks import lessons_of, numbers_of
+from .roster import Student
+from .submissions import Submission
 
 __all__ = ["look_whose"]
 
 NEAR = 0.6  # how like a name of the roster a stranger's must be to be proposed
 
 
-def look_whose(found, roster, key, numbers):
+def look_whose(
+    found: Mapping[str, Submission],
+    roster: Sequence[Student],
+    key: bytes | None,
+    numbers: dict[str, int],
+) -> list[str]:
     """Note at each submission whose numbers its notebooks draw, when these are not the student's
     own; nothing is given to anybody by that.
 
@@ -76,14 +84,13 @@ def look_whose(found, roster, key, numbers):
 def _check_key(drawn, owner, key):
     foreign = sum(bool(given) and not given & owner.keys() for given in drawn)
     if 2 * foreign > len(drawn):
-        what = (
-            "other numbers than this key gives to this roster; give the key and the roster they"
-            " were released with (--key, --roster)"
-        )
-        raise ValueError(
-            f"grade: {foreign} of {len(drawn)} notebooks have"
-            f" {what if key else 'numbers of their own; give the key they were released with (--key)'}"
-        )
+        what = "numbers of their own; give the key they were released with (--key)"
+        if key:
+            what = (
+                "other numbers than this key gives to this roster; give the key and the roster they"
+                " were released with (--key, --roster)"
+            )
+        raise ValueError(f"grade: {foreign} of {len(drawn)} notebooks have {what}")
 
 
 def _own_notes(student, drawn, number, owner, names):

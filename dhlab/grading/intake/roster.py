@@ -8,6 +8,7 @@ import io
 import re
 import unicodedata
 from dataclasses import dataclass
+from pathlib import Path
 
 from ...formats.files import read_text
 
@@ -30,7 +31,7 @@ class Student:
     language: str = "en"
 
 
-def read_roster(path):
+def read_roster(path: str | Path) -> tuple[Student, ...]:
     """The students of a CSV file, in its order.
 
     Commas or semicolons separate the cells (spreadsheets write either); other columns than the four
@@ -59,10 +60,9 @@ def read_roster(path):
     ValueError: no-such.csv: expected a roster, found no such file; check the name and the folder
     """
     text = read_text(path, "a roster")
-    head = text.partition("\n")[0]
-    reader = csv.reader(
-        io.StringIO(text, newline=""), delimiter=";" if head.count(";") > head.count(",") else ","
-    )
+    first = text.partition("\n")[0]
+    delimiter = ";" if first.count(";") > first.count(",") else ","
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
     try:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
@@ -134,7 +134,7 @@ def _student(where, row, columns, width):
 
 
 def _check_twice(path, students, lines):
-    seen = {}
+    seen: dict[str, tuple[str, int]] = {}
     for student, line in zip(students, lines):
         other, before = seen.setdefault(student.student.casefold(), (student.student, line))
         if before != line:

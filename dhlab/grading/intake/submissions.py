@@ -1,44 +1,23 @@
-"""Finds what was handed in: folders, zips, zips of zips, in any layout; nothing is unpacked onto
-the disk, and nothing special is opened.
-"""
+"""What was handed in, by student, in any layout of folders and zips."""
 
-import io
-import lzma
 import os
 import re
-import stat
-import zipfile
-import zlib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from datetime import datetime, timezone
-from functools import partial
+from datetime import datetime, timezone, tzinfo
 from pathlib import Path
 from typing import NamedTuple
 from zoneinfo import ZoneInfo
 
+from .files import FILE_TIME, TIMESTAMP, Read, files_in
 from .layouts import Names, from_platform, student_of
+from .roster import Student
 
-__all__ = ["Notebook", "Submission", "submissions", "FILE_TIME", "PASSED_OVER"]
+__all__ = ["Notebook", "Submission", "submissions", "PASSED_OVER"]
 
-LARGEST = 20_000_000  # bytes of a notebook
 PASSED_OVER = "passed over"
-LARGEST_ZIP = 200_000_000
-MOST_FILES = 20_000  # of a zip
 MOST_NOTEBOOKS = 12  # of a student
-DEEPEST = 2  # a zip of everybody's, and a student's own in it
 NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
-BROKEN = (
-    zipfile.BadZipFile,
-    zlib.error,
-    lzma.LZMAError,
-    OSError,
-    ValueError,
-    NotImplementedError,
-    EOFError,
-    RuntimeError,
-)
-# where the time of a submission comes from
-FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
 
@@ -48,7 +27,7 @@ class Notebook(NamedTuple):
     """
 
     name: str
-    read: object
+    read: Read
     when: datetime | None
     source: str
 
@@ -63,15 +42,20 @@ class Submission:
     """
 
     student: str
-    notebooks: list = field(default_factory=list)
-    notes: list = field(default_factory=list)
+    notebooks: list[Notebook] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
     on_roster: bool = True
     loose: bool = True
     refused: bool = False
     numbers_of: str | None = None
 
 
-def submissions(place, roster=(), lessons=(), zone=timezone.utc):
+def submissions(
+    place: str | Path,
+    roster: Sequence[Student] = (),
+    lessons: Sequence[str] = (),
+    zone: tzinfo = timezone.utc,
+) -> dict[str, Submission]:
     """Everything that was handed in, by student.
 
     Parameters
@@ -98,7 +82,7 @@ def submissions(place, roster=(), lessons=(), zone=timezone.utc):
     place = Path(place)
     names = Names(roster, lessons)
     found = {student.student: Submission(student.student) for student in roster}
-    entries = _stamped(_unwrapped(_entries(place, zone), names), zone)
+    entries = _stamped(_unwrapped(files_in(place, zone), names), zone)
     owners = [student_of(entry.parts, names, place.stem) for entry in entries]
     namesakes = _namesakes(owners)
     for entry, owner in zip(entries, owners):
@@ -125,23 +109,11 @@ def submissions(place, roster=(), lessons=(), zone=timezone.utc):
     }
 
 
-class _Entry(NamedTuple):
-    """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known,
-    and what is wrong with it.
-    """
-
-    parts: tuple
-    read: object
-    when: datetime | None
-    source: str
-    fault: str
-
-
 def _namesakes(owners):
     """The owners of a name that a platform has given to several of its own numbers at one place:
     they are several people.
     """
-    numbers = {}
+    numbers: dict[tuple[str, tuple[str, ...]], set[str]] = {}
     for owner in owners:
         if owner.number:
             numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
@@ -226,137 +198,6 @@ def _settle(mine):
     mine.refused = bool(mine.notes)
     if mine.notebooks:
         mine.notes = [note for note in mine.notes if not note.endswith(PASSED_OVER)]
-
-
-def _entries(place, zone):
-    """Every file in a folder or a zip."""
-    if place.is_dir():
-        yield from _in_folder(place, zone)
-    elif zipfile.is_zipfile(place):
-        yield from _in_zip(lambda: place, (), 1, zone)
-    else:
-        raise ValueError(
-            f"{place}: expected a folder or a zip of submissions, found"
-            f" {'a file that is neither' if place.exists() else 'no such folder'}; check the name"
-        )
-
-
-def _in_folder(place, zone):
-    for folder, folders, files in os.walk(place):
-        folders[:] = sorted(name for name in folders if not _boring(name))
-        for name in (*folders, *sorted(files)):
-            path = os.path.join(folder, name)
-            status = os.lstat(path)
-            parts = Path(path).relative_to(place).parts
-            if stat.S_ISDIR(status.st_mode) or _boring(name):
-                continue
-            when = datetime.fromtimestamp(status.st_mtime, timezone.utc)
-            if not stat.S_ISREG(status.st_mode):
-                yield _Entry(
-                    parts, None, when, FILE_TIME, "refused: a link, a pipe or a device, not a file"
-                )
-            elif name.lower().endswith(".zip"):
-                yield from _opened(partial(str, path), parts, when, 1, zone)
-            elif status.st_size > LARGEST:
-                yield _Entry(
-                    parts,
-                    None,
-                    when,
-                    FILE_TIME,
-                    f"refused: {status.st_size // 1_000_000} MB, at most {LARGEST // 1_000_000} are"
-                    " read",
-                )
-            else:
-                yield _Entry(parts, _reader(path), when, FILE_TIME, "")
-
-
-def _reader(path):
-    def read():
-        handle = os.open(
-            path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-        )
-        with os.fdopen(handle, "rb") as file:
-            return file.read(LARGEST + 1)[:LARGEST]
-
-    return read
-
-
-def _opened(source, parts, when, depth, zone):
-    """The files of a zip that stands at ``parts``; of a broken one, what is wrong with it."""
-    try:
-        yield from _in_zip(source, parts, depth, zone)
-    except BROKEN as error:
-        yield _Entry(
-            parts, None, when, FILE_TIME, f"refused: a zip that cannot be read ({str(error)[:100]})"
-        )
-
-
-def _in_zip(source, parts, depth, zone):
-    """Members are read into memory when they are needed, each up to the limit; their names never
-    name a file here.
-
-    ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not
-    stay open.
-    """
-    with zipfile.ZipFile(source()) as archive:
-        members = archive.infolist()
-    if parts and (
-        len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
-    ):
-        # the teacher's own zip may be large
-        raise ValueError("too many files in it, or too large when unpacked")
-    for number, member in enumerate(members):
-        inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)
-        if member.is_dir() or not inner or any(_boring(part) for part in inner if part != ".."):
-            continue
-        fault, read = _fault(member, inner), _member(source, number)
-        own, when = (*parts, *(part for part in inner if part != "..")), _when(member, zone)
-        if fault or not inner[-1].lower().endswith(".zip"):
-            yield _Entry(own, None if fault else read, when, ZIP, fault)
-        elif depth < DEEPEST:
-            yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
-        else:
-            yield _Entry(own, None, when, ZIP, "refused: a zip in a zip in a zip")
-
-
-def _member(source, number):
-    """Reads one member; what cannot be read is empty, and an empty notebook is told to be
-    unreadable.
-    """
-
-    def read():
-        try:
-            with (
-                zipfile.ZipFile(source()) as archive,
-                archive.open(archive.infolist()[number]) as file,
-            ):
-                return file.read(LARGEST + 1)[:LARGEST]
-        except BROKEN:
-            return b""
-
-    return read
-
-
-def _fault(member, inner):
-    if ".." in inner or member.filename.startswith(("/", "\\")):
-        return "refused: its name leads out of the zip"
-    if stat.S_ISLNK(member.external_attr >> 16):
-        return "refused: a link"
-    if member.flag_bits & 1:
-        return "refused: it is encrypted"
-    return "refused: too large" if member.file_size > LARGEST else ""
-
-
-def _when(member, zone):
-    """A zip knows the time of day but not the zone."""
-    try:
-        return datetime(*member.date_time, tzinfo=zone).astimezone(timezone.utc)
-    except (ValueError, OverflowError):
-        return None
-
-
-def _boring(name):
-    return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _unwrapped(entries, names):

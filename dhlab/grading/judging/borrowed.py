@@ -5,11 +5,17 @@ somebody. Each fitting exercise therefore counts by how rarely a stranger's numb
 and nobody is named unless a class of strangers would hardly ever fit as well.
 """
 
+from collections.abc import Iterable
+from typing import Any
+
 import numpy as np
 
 from ...course.kinds import Value
 from ...course.verdict import WRONG
 from ..inside.wire import DECODED, decode
+from ..results.marks import Mark
+from .judge import Answers
+from .questions import Course
 
 __all__ = ["borrowed_from"]
 
@@ -21,7 +27,9 @@ CHANCE = 0.01
 DRAWS = 300
 
 
-def borrowed_from(course, student, answers, marks):
+def borrowed_from(
+    course: Course, student: str, answers: Answers, marks: Iterable[Mark]
+) -> str | None:
     """The student for whose numbers this one's wrong answers are right, or None when nobody fits,
     several fit alike, or chance explains it.
 
@@ -87,7 +95,7 @@ def _share(exercise, given, fits):
     return (1 + fits.sum() + drawn.sum()) / (1 + len(fits) + len(drawn))
 
 
-_known = {}
+_known: dict[tuple[str, int], Any] = {}
 
 
 def _expected(exercise, variant):

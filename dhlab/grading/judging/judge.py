@@ -2,6 +2,10 @@
 that came out is trusted.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from ...course.kinds import Function, Table
 from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
 from ...doctor import catalogue
@@ -9,6 +13,13 @@ from ...doctor.programs.calling import Called, CallFault
 from ..inside.wire import DECODED, decode
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, Mark
 from .questions import fresh
+
+if TYPE_CHECKING:
+    from ...course.kinds.exercise import Exercise
+    from ..cage.listener import Run
+    from ..settings import Settings
+    from .questions import Course
+    from .work import Handed
 
 __all__ = ["mark", "Answers"]
 
@@ -20,11 +31,14 @@ class Answers:
     the cells.
     """
 
-    def __init__(self):
-        self.notes, self.troubles, self.ids = {}, {}, {}
-        self.cut = None  # how the last run of a notebook ended, when that was before its end
+    def __init__(self) -> None:
+        self.notes: dict[str, list[tuple[dict[str, Any], Handed]]] = {}
+        self.troubles: dict[str, tuple[str, str]] = {}
+        self.ids: dict[int, list[str]] = {}
+        # how the last run of a notebook ended, when that was before its end
+        self.cut: str | None = None
 
-    def add(self, run, handed):
+    def add(self, run: Run, handed: Handed) -> None:
         """Take in one run of one notebook, a Handed."""
         for line in run.lines:
             if isinstance(line.get("check"), str):
@@ -49,7 +63,9 @@ class Answers:
             )
 
 
-def mark(exercise, answers, variant, settings):
+def mark(
+    exercise: Exercise, answers: Answers, variant: int, settings: Settings
+) -> tuple[Mark, Handed | None]:
     """(Mark, the notebook it comes from) of one exercise: the last attempt that was noted counts.
 
     Parameters
@@ -77,26 +93,16 @@ def _judged(exercise, line, variant, settings, worth):
     try:
         answer = _answer(line, exercise)
     except DECODED:
-        return Mark(
-            exercise.id,
-            WRONG,
-            0,
-            worth,
-            headline=(
-                "the answer cannot be read: give plain numbers, text, a list, a table or a function"
-            ),
+        headline = (
+            "the answer cannot be read: give plain numbers, text, a list, a table or a function"
         )
+        return Mark(exercise.id, WRONG, 0, worth, headline=headline)
     try:
         verdict = exercise.judge(answer, fresh(variant, exercise))
     except Exception as error:  # a fault of ours: shown to the teacher, never a silent 0
-        return Mark(
-            exercise.id,
-            ERROR,
-            0,
-            worth,
-            headline="this answer could not be compared; your teacher will look at it",
-            note=f"the judge stopped with {type(error).__name__}: {error}"[:TEXT],
-        )
+        headline = "this answer could not be compared; your teacher will look at it"
+        note = f"the judge stopped with {type(error).__name__}: {error}"[:TEXT]
+        return Mark(exercise.id, ERROR, 0, worth, headline=headline, note=note)
     found = Mark(
         exercise.id,
         verdict.status,
@@ -108,16 +114,16 @@ def _judged(exercise, line, variant, settings, worth):
         verdict.why,
         verdict.next,
     )
-    used = (
-        [name for name in line.get("used", ()) if isinstance(name, str)]
-        if isinstance(line.get("used", ()), list)
-        else []
-    )
-    return (
-        _own(found, used, settings)
-        if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED
-        else found
-    )
+    used = _used(line)
+    if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED:
+        return _own(found, used, settings)
+    return found
+
+
+def _used(line):
+    """The library's programs that were called for an answer."""
+    used = line.get("used", ())
+    return [name for name in used if isinstance(name, str)] if isinstance(used, list) else []
 
 
 def _answer(line, exercise):
@@ -209,6 +215,6 @@ def _without_answer(exercise, answers, worth):
     )
 
 
-def without_marks(course, status):
+def without_marks(course: Course, status: str) -> tuple[Mark, ...]:
     """A mark for every exercise of somebody who handed in nothing that could be graded."""
     return tuple(Mark(e.id, status, 0, course.settings.points(e)) for e in course.exercises)

@@ -5,13 +5,17 @@ handed-out checks. No answer is among it.
 import ast
 import json
 import re
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 from ...course.exercises import exercises
 from ...course.kinds import Function, Prediction, PreTest
+from ...course.kinds.exercise import Exercise
 from ...course.workspace import handed_out
 from ..inside.wire import encode
+from ..settings import Settings
 
 __all__ = ["Course", "handed_out_checks", "scored", "request", "warm_modules"]
 
@@ -43,18 +47,18 @@ class Course:
         An exercise's id; all when empty.
     """
 
-    lessons: tuple
-    settings: object
-    variants: dict
+    lessons: tuple[str, ...]
+    settings: Settings
+    variants: dict[str, int]
     only: str = ""
 
     @property
-    def exercises(self):
+    def exercises(self) -> list[Exercise]:
         """The exercises that are marked, in the order of the course."""
         return [exercise for exercise in scored(self.lessons) if self.only in ("", exercise.id)]
 
 
-def scored(lessons):
+def scored(lessons: Collection[str]) -> list[Exercise]:
     """The exercises of some lessons that earn points; guesses and pre-tests do not.
 
     Examples
@@ -70,7 +74,7 @@ def scored(lessons):
 
 
 @cache
-def handed_out_checks():
+def handed_out_checks() -> dict[str, dict[str, Any]]:
     """For each lesson that is handed out, for each exercise: the expression its check is given, and
     the id of the cell before it.
 
@@ -80,7 +84,7 @@ def handed_out_checks():
     >>> expression
     'rot_x'
     """
-    lessons = {}
+    lessons: dict[str, dict[str, Any]] = {}
     for path in sorted(handed_out().glob("[0-9][0-9]*.ipynb")):
         code = [
             cell
@@ -108,7 +112,7 @@ def _checks(source):
             yield node.args[0].value, ast.unparse(node.args[1])
 
 
-def warm_modules(lessons):
+def warm_modules(lessons: Iterable[str]) -> list[str]:
     """What the lessons import at some point: loaded once, before the first submission."""
     found = set()
     for path in handed_out().glob("[0-9][0-9]*.ipynb"):
@@ -131,7 +135,7 @@ def fresh(variant, exercise):
     return variant + FRESH if isinstance(exercise, Function) else variant
 
 
-def request(course, variant, skip=()):
+def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str, Any]:
     """What the cage is told of a student's tasks.
 
     Parameters

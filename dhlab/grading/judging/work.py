@@ -5,8 +5,9 @@ process or on another machine.
 import threading
 import time
 from dataclasses import dataclass, replace
-from datetime import datetime
+from datetime import datetime, tzinfo
 from multiprocessing import util
+from typing import Any
 
 from ..cage.cage import Cage
 from ..intake.notebooks import lessons_of
@@ -22,12 +23,13 @@ from ..results.marks import (
 from ..results.standing import NO_FILE, lateness
 from .borrowed import borrowed_from
 from .judge import Answers, mark, without_marks
-from .questions import request, warm_modules
+from .questions import Course, request, warm_modules
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
-_lock, _cages = threading.Lock(), {}
+_lock = threading.Lock()
+_cages: dict[tuple[Any, ...], Cage] = {}
 
 
 @dataclass(frozen=True)
@@ -49,14 +51,14 @@ class Task:
     cannot be read."""
 
     student: str
-    notebooks: tuple
-    notes: tuple = ()
+    notebooks: tuple[Handed, ...]
+    notes: tuple[str, ...] = ()
     fingerprint: str = ""
     numbers_of: str | None = None
     refused: bool = False
 
 
-def work(task, course):
+def work(task: Task, course: Course) -> Graded:
     """Grade one student.
 
     Parameters
@@ -70,45 +72,36 @@ def work(task, course):
     """
     begun = time.monotonic()
     variant = course.variants.get(task.student, 0)
-    common = {
-        "student": task.student,
-        "file": "; ".join(handed.name for handed in task.notebooks),
-        "variant": variant,
-        "fingerprint": task.fingerprint,
-        "numbers_of": task.numbers_of,
-    }
+    graded = Graded(
+        task.student,
+        "; ".join(handed.name for handed in task.notebooks),
+        UNREADABLE if task.refused else MISSING,
+        (),
+        variant=variant,
+        notes=task.notes,
+        numbers_of=task.numbers_of,
+        fingerprint=task.fingerprint,
+    )
     if not task.notebooks:
-        status = UNREADABLE if task.refused else MISSING
-        return Graded(
-            status=status,
-            marks=without_marks(course, NOT_ATTEMPTED if task.refused else NOT_HANDED_IN),
-            notes=task.notes,
-            **common,
-        )
+        status = NOT_ATTEMPTED if task.refused else NOT_HANDED_IN
+        return replace(graded, marks=without_marks(course, status))
     with _lock:
         cage = _cage(course)
         answers, notes, trouble = _run_all(cage, task, course, variant)
-        level = cage.level
-    marks, said = _by_lesson(
-        [_mark(exercise, answers, variant, course.settings) for exercise in course.exercises],
-        task.notebooks,
-    )
+    found = [_mark(exercise, answers, variant, course.settings) for exercise in course.exercises]
+    marks, said = _by_lesson(found, task.notebooks)
+    untouched = all(mark.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for mark in marks)
     days, penalty = lateness(marks)
-    status = trouble or (
-        NOT_ATTEMPTED
-        if all(found.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for found in marks)
-        else GRADED
-    )
-    return Graded(
-        status=status,
+    return replace(
+        graded,
+        status=trouble or (NOT_ATTEMPTED if untouched else GRADED),
         marks=marks,
         late_days=days,
         penalty=penalty,
-        cage=level,
+        cage=cage.level,
         notes=(*task.notes, *notes, *said),
         guess_of=borrowed_from(course, task.student, answers, marks),
         seconds=round(time.monotonic() - begun, 3),
-        **common,
     )
 
 
@@ -123,7 +116,7 @@ def _cage(course):
     return _cages[key]
 
 
-def close():
+def close() -> None:
     """Close this process's cage."""
     for cage in _cages.values():
         cage.close()
@@ -155,7 +148,8 @@ def _run(cage, handed, course, variant, answers):
     """Run one notebook; a cell that ends the program costs itself, and the rest is run again
     without it.
     """
-    skip, notes, left = set(), [], course.settings.limits.seconds
+    skip: set[int] = set()
+    notes, left = [], course.settings.limits.seconds
     while True:
         run = cage.run(request(course, variant, skip), handed.raw, left)
         answers.add(run, handed)
@@ -194,7 +188,7 @@ def _mark(exercise, answers, variant, settings):
     )
 
 
-def handed_in(when, source, zone):
+def handed_in(when: datetime | None, source: str, zone: tzinfo) -> str:
     """When a file came, in words: in the course's time zone, and how it is known; empty when it is
     not.
     """

@@ -11,23 +11,18 @@ import keyword
 import re
 import tokenize
 from collections import Counter, defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 __all__ = ["Pair", "alike", "answers"]
 
 RUN = 12  # tokens: about a line of a formula
-FEW, MANY = (
-    0.1,
-    10,
-    # a run that more than this share of the class, or this many, wrote is how one writes it, not a copy
-)
-ENOUGH, SHARE = (
-    40,
-    0.8,
-    # rare runs in common, and as a share of the shorter one's rare runs; measured in
-    # benchmarks/classroom.py
-)
+# a run that more than this share of the class, or this many, wrote is how one writes it, no copy
+FEW, MANY = 0.1, 10
+# rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
+ENOUGH, SHARE = 40, 0.8
 LARGEST = 100_000  # characters of one answer that are read
 CHECK = re.compile(r"""^[ \t]*check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE)
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
@@ -39,12 +34,12 @@ class Pair:
     exercises.
     """
 
-    students: tuple
+    students: tuple[str, str]
     share: float
-    exercises: tuple
+    exercises: tuple[str, ...]
 
 
-def answers(notebook):
+def answers(notebook: Any) -> dict[str, str]:
     """The code of each exercise in a notebook: what stands between its check and the one before.
 
     Parameters
@@ -58,7 +53,8 @@ def answers(notebook):
 
     Examples
     --------
-    >>> answers({"cells": [{"cell_type": "code", "source": "x = 1"}, {"cell_type": "code", "source": ["check('05.1', ", "x)"]}]})
+    >>> cells = [{"source": "x = 1"}, {"source": ["check('05.1', ", "x)"]}]
+    >>> answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
     {'05.1': 'x = 1\\n'}
     """
     found, code = {}, ""
@@ -76,7 +72,7 @@ def answers(notebook):
     return found
 
 
-def alike(codes, handed_out):
+def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str]) -> list[Pair]:
     """The pairs whose answers share more rare runs than chance and a common lesson explain, most
     alike first.
 
@@ -98,7 +94,8 @@ def alike(codes, handed_out):
         for run in own:
             writers[run].append(student)
     most = min(max(2, FEW * len(codes)), MANY)
-    common, rare = Counter(), Counter()
+    common: Counter[tuple[str, ...]] = Counter()
+    rare: Counter[str] = Counter()
     for students in writers.values():
         if len(students) <= most:
             rare.update(students)
@@ -109,7 +106,11 @@ def alike(codes, handed_out):
         if shared >= ENOUGH
     }
     pairs = [
-        Pair(pair, share, _where(codes, pair, lambda run: 1 < len(writers.get(run, ())) <= most))
+        Pair(
+            (pair[0], pair[1]),
+            share,
+            _where(codes, pair, lambda run: 1 < len(writers.get(run, ())) <= most),
+        )
         for pair, share in found.items()
         if share >= SHARE
     ]
@@ -151,7 +152,7 @@ def _tokens(code):
     """(kind, text) of each token that means something; a program that cannot be read gives those up
     to the fault.
     """
-    found = []
+    found: list[tuple[str, str]] = []
     try:
         for token in tokenize.generate_tokens(io.StringIO(code).readline):
             if (
@@ -160,8 +161,7 @@ def _tokens(code):
                 or token.type == tokenize.STRING
                 and (not found or found[-1][0] == "layout")
             ):
-                # a docstring
-                continue
+                continue  # the last of these is a docstring
             layout = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
             name = (
                 token.type == tokenize.NAME
@@ -179,7 +179,7 @@ def _tokens(code):
 
 
 def _numbered(tokens):
-    numbers = {}
+    numbers: dict[str, int] = {}
     return tuple(
         numbers.setdefault(text, len(numbers)) if kind == "name" else text for kind, text in tokens
     )

@@ -3,6 +3,7 @@ questions that may be bad, code that is alike.
 """
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
 from statistics import median
@@ -12,8 +13,10 @@ from ...course.exercises import exercises
 from ...doctor import catalogue
 from ...formats.files import write_text
 from ..cage.cage import RISKS
+from ..intake.roster import Student
+from .alike import Pair
 from .items import items
-from .marks import ERROR, GRADED, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG
+from .marks import ERROR, GRADED, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
 from .pages import duration, render, words
 from .sections import question, section_of_exercise, section_of_mistake, sheet_question
 
@@ -26,7 +29,9 @@ UNNAMED = "without a name: look at a few of these yourself"
 MOST_NAMES = 8  # of students whose mistake has no name
 
 
-def class_report(results, roster=(), pairs=()):
+def class_report(
+    results: Sequence[Graded], roster: Sequence[Student] = (), pairs: Iterable[Pair] = ()
+) -> str:
     """The page for the teacher, as HTML that stands alone.
 
     Parameters
@@ -44,29 +49,23 @@ def class_report(results, roster=(), pairs=()):
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> page = class_report([Graded("ada", "", "graded", (Mark("05.1", "wrong", 0, 1, mistake="mirror"),))])
+    >>> wrong = Mark("05.1", "wrong", 0, 1, mistake="mirror")
+    >>> page = class_report([Graded("ada", "", "graded", (wrong,))])
     >>> "<code class=\\"soft\\">mirror</code>" in page
     True
     """
     names = {student.student: student.name or student.student for student in roster}
     looked_at = [graded for graded in results if graded.status in (GRADED, TIMED_OUT)]
-    marks = [mark for graded in looked_at for mark in graded.marks]
-    wrong = [mark for mark in marks if mark.status == WRONG]
-    shares = [100 * graded.total / graded.of for graded in looked_at if graded.of]
     found = items(results)
     return render(
         "class-report.html",
+        **_numbers(looked_at),
         lang="en",
         shown=SHOWN,
         looked_at=len(looked_at),
         counted=headcount(results, roster),
         statuses=Counter(graded.status for graded in results).most_common(),
         cages=sorted({RISKS.get(graded.cage, graded.cage) for graded in results if graded.cage}),
-        median=median(shares) if shares else 0,
-        histogram=_histogram(shares),
-        wrong=len(wrong),
-        named=sum(mark.mistake is not None for mark in wrong),
-        stopped=sum(mark.status == TIMED_OUT for mark in marks),
         top=_top(looked_at),
         attention=list(_attention(results, names)),
         lessons=_lessons(found, looked_at, names),
@@ -74,11 +73,12 @@ def class_report(results, roster=(), pairs=()):
         guesses=[
             (_called(g.student, names), _called(g.guess_of, names)) for g in results if g.guess_of
         ],
+        # who matches nobody stands above
         drawn=[
             (_called(g.student, names), _called(g.numbers_of, names))
             for g in results
             if g.numbers_of and (g.student in names or not names)
-        ],  # who matches nobody stands above
+        ],
         pairs=[
             {
                 "names": [_called(student, names) for student in pair.students],
@@ -91,7 +91,26 @@ def class_report(results, roster=(), pairs=()):
     )
 
 
-def write_class_report(results, roster, folder, pairs=()):
+def _numbers(looked_at):
+    """The marks of the class in numbers."""
+    marks = [mark for graded in looked_at for mark in graded.marks]
+    wrong = [mark for mark in marks if mark.status == WRONG]
+    shares = [100 * graded.total / graded.of for graded in looked_at if graded.of]
+    return {
+        "median": median(shares) if shares else 0,
+        "histogram": _histogram(shares),
+        "wrong": len(wrong),
+        "named": sum(mark.mistake is not None for mark in wrong),
+        "stopped": sum(mark.status == TIMED_OUT for mark in marks),
+    }
+
+
+def write_class_report(
+    results: Sequence[Graded],
+    roster: Sequence[Student],
+    folder: str | Path,
+    pairs: Iterable[Pair] = (),
+) -> Path:
     """Write ``class-report.html`` into a folder, over the one of an earlier run.
 
     Returns
@@ -108,7 +127,7 @@ def _called(student, names):
     return name if name == student else f"{name} ({student})"
 
 
-def headcount(results, roster):
+def headcount(results: Sequence[Graded], roster: Sequence[Student]) -> str:
     """How many students there are; with a roster how many are on it, and how many match nobody.
 
     Examples

@@ -4,6 +4,7 @@ text it is.
 
 import csv
 import io
+from collections.abc import Iterable
 
 __all__ = ["csv_text"]
 
@@ -11,7 +12,7 @@ __all__ = ["csv_text"]
 FORMULA = tuple("=+-@\t\r\n＝＋－＠")
 
 
-def csv_text(rows):
+def csv_text(rows: Iterable[Iterable[object]]) -> str:
     """Rows as CSV; an apostrophe stands before a text that a spreadsheet would take for a formula.
 
     Parameters

@@ -20,6 +20,8 @@ from .marks import (
     TIMED_OUT,
     UNREADABLE,
     WRONG,
+    Graded,
+    Mark,
 )
 from .pages import duration, render, words
 
@@ -39,7 +41,7 @@ STOPS = re.compile(r"(the (?:function|cell) stops with )(\w+)(?:: .*)?\Z", re.DO
 A_CALL = "seen at "  # how the check names the numbers it called with: an input of the tests
 
 
-def feedback_page(graded, student=None):
+def feedback_page(graded: Graded, student: Student | None = None) -> str:
     """The page of one student, as HTML that stands alone: no script, nothing fetched, every text
     escaped.
 
@@ -59,7 +61,8 @@ def feedback_page(graded, student=None):
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> page = feedback_page(Graded("<ada>", "a.ipynb", "graded", (Mark("05.2", "wrong", 0, 1, headline="<script>"),)))
+    >>> wrong = Mark("05.2", "wrong", 0, 1, headline="<script>")
+    >>> page = feedback_page(Graded("<ada>", "a.ipynb", "graded", (wrong,)))
     >>> "<script>" in page, "&lt;ada&gt;" in page
     (False, True)
     """
@@ -92,7 +95,7 @@ def feedback_page(graded, student=None):
     )
 
 
-def write_feedback(graded, student, folder):
+def write_feedback(graded: Graded, student: Student | None, folder: str | Path) -> Path:
     """Write ``<student>.html`` into a folder, over the page of an earlier run.
 
     Returns
@@ -104,14 +107,15 @@ def write_feedback(graded, student, folder):
     return path
 
 
-def headline(mark):
+def headline(mark: Mark) -> str:
     """A mark's headline as the student may read it: of an error its kind, and not what the program
     says of it.
 
     Examples
     --------
     >>> from dhlab.grading.results.marks import Mark
-    >>> headline(Mark("05.4", "wrong", 0, 2, headline="the function stops with ValueError: called with 0.25"))
+    >>> told = "the function stops with ValueError: called with 0.25"
+    >>> headline(Mark("05.4", "wrong", 0, 2, headline=told))
     'the function stops with ValueError'
     """
     stops = STOPS.match(mark.headline)

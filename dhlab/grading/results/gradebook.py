@@ -4,11 +4,13 @@
 
 import json
 import os
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote, unquote
 
 from ...formats import files
+from ..intake.roster import Student
 from .csvtext import csv_text
 from .marks import NOT_HANDED_IN, Graded
 from .pages import OURS
@@ -28,11 +30,11 @@ class Gradebook:
         Made, when it does not exist, by :meth:`alone`.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
 
     @contextmanager
-    def alone(self):
+    def alone(self) -> Iterator[None]:
         """While one grader writes here, no other does. The lock ends with the process, however that
         ends; where the file system knows no locks there is none.
         """
@@ -64,11 +66,11 @@ class Gradebook:
         finally:
             os.close(marks)
 
-    def path(self, student):
+    def path(self, student: str) -> Path:
         """Where a student's marks stand."""
         return self.folder / "marks" / f"{quote(student, safe=' @+')}.json"
 
-    def students(self):
+    def students(self) -> list[str]:
         """Everybody whose marks stand here."""
         return [
             unquote(path.stem)
@@ -76,7 +78,7 @@ class Gradebook:
             if not path.name.startswith(".")
         ]
 
-    def read(self, student):
+    def read(self, student: str) -> Graded | None:
         """What was graded before, or None; ValueError when the file holds no marks of ours."""
         path = self.path(student)
         if not path.exists():
@@ -90,7 +92,7 @@ class Gradebook:
                 " away, and run again to grade this student anew"
             ) from None
 
-    def check_ours(self, students):
+    def check_ours(self, students: Iterable[str]) -> None:
         """ValueError when a file stands in the way that dhlab did not write; nothing has been
         written then.
         """
@@ -118,7 +120,7 @@ class Gradebook:
         except OSError:
             return ""
 
-    def write(self, graded):
+    def write(self, graded: Graded) -> None:
         """Write one student's marks, whole or not at all."""
         files.write_text(
             self.path(graded.student),
@@ -126,7 +128,7 @@ class Gradebook:
             overwrite=True,
         )
 
-    def write_grades(self, results, roster=()):
+    def write_grades(self, results: Sequence[Graded], roster: Sequence[Student] = ()) -> None:
         """``grades.csv``: a line with a status for each student, and the points of each
         exercise.
         """
@@ -175,7 +177,7 @@ def handed_in(marks):
     """When the latest answer of each lesson came, and how that is known: "2026-11-17 10:03, zip";
     with the lessons where they differ.
     """
-    latest = {}
+    latest: dict[str, str] = {}
     for mark in marks:
         if mark.handed_in:
             latest[mark.lesson] = max(latest.get(mark.lesson, ""), mark.handed_in)

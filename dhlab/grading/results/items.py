@@ -3,11 +3,12 @@ item analysis.
 """
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, WRONG
+from .marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, WRONG, Graded
 
 __all__ = ["Item", "items"]
 
@@ -39,7 +40,7 @@ class Item:
     discrimination: float | None
 
     @property
-    def warning(self):
+    def warning(self) -> str:
         """A sentence on a question that may be a bad one; empty when it seems sound."""
         if self.discrimination is None:
             return ""
@@ -62,7 +63,7 @@ class Item:
         )
 
     @property
-    def suspect(self):
+    def suspect(self) -> bool:
         """Whether the question itself, not the class, may be at fault."""
         wrong = self.statuses.total() - self.statuses[RIGHT]
         return (
@@ -73,7 +74,7 @@ class Item:
         )
 
 
-def items(results):
+def items(results: Sequence[Graded]) -> list[Item]:
     """The items of a class, in the order of the exercises.
 
     Students whose work could not be looked at are left out, and so is who did not hand in the
@@ -90,7 +91,9 @@ def items(results):
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> [item] = items([Graded("ada", "", "graded", (Mark("05.1", "right", 1, 1),)), Graded("bo", "", "graded", (Mark("05.1", "wrong", 0, 1),))])
+    >>> right, wrong = Mark("05.1", "right", 1, 1), Mark("05.1", "wrong", 0, 1)
+    >>> ada, bo = Graded("ada", "", "graded", (right,)), Graded("bo", "", "graded", (wrong,))
+    >>> [item] = items([ada, bo])
     >>> item.difficulty, item.discrimination is None
     (0.5, True)
     """

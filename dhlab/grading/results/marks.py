@@ -2,7 +2,9 @@
 as dataclasses and as JSON.
 """
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
+from typing import Any, Self
 
 __all__ = [
     "Mark",
@@ -81,23 +83,23 @@ class Mark:
     penalty: float = 0.0
 
     @property
-    def lesson(self):
+    def lesson(self) -> str:
         """The lesson of the exercise."""
         return self.exercise.partition(".")[0]
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.status not in OF_MARK:
             raise ValueError(
                 f"Mark: expected a status of {', '.join(OF_MARK)}, found {self.status!r}; use one"
                 " of these words"
             )
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """A dict of text and numbers."""
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, given):
+    def from_dict(cls, given: Mapping[str, Any]) -> Self:
         """The Mark of such a dict."""
         return cls(**_known(cls, given))
 
@@ -139,7 +141,8 @@ class Graded:
 
     Examples
     --------
-    >>> graded = Graded("ada", "ada.ipynb", "graded", (Mark("05.1", "right", 2, 2), Mark("05.2", "wrong", 0, 2)), penalty=0.25)
+    >>> marks = Mark("05.1", "right", 2, 2), Mark("05.2", "wrong", 0, 2)
+    >>> graded = Graded("ada", "ada.ipynb", "graded", marks, penalty=0.25)
     >>> graded.points, graded.of, graded.total
     (2, 4, 1.5)
     >>> Graded.from_dict(graded.to_dict()) == graded
@@ -149,18 +152,18 @@ class Graded:
     student: str
     file: str
     status: str
-    marks: tuple
+    marks: tuple[Mark, ...]
     variant: int = 0
     late_days: float = 0.0
     penalty: float = 0.0
     cage: str = ""
     seconds: float = 0.0
-    notes: tuple = ()
+    notes: tuple[str, ...] = ()
     guess_of: str | None = None
     numbers_of: str | None = None
     fingerprint: str = ""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.status not in OF_STUDENT:
             raise ValueError(
                 f"Graded: expected a status of {', '.join(OF_STUDENT)}, found {self.status!r}; use"
@@ -168,21 +171,21 @@ class Graded:
             )
 
     @property
-    def points(self):
+    def points(self) -> float:
         """The sum earned, before a late penalty."""
         return sum(mark.points for mark in self.marks)
 
     @property
-    def of(self):
+    def of(self) -> float:
         """The sum possible."""
         return sum(mark.of for mark in self.marks)
 
     @property
-    def total(self):
+    def total(self) -> float:
         """The points after the late penalty, to two decimals."""
         return round(self.points * (1 - self.penalty), 2)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """A dict of text, numbers and lists, with ``points``, ``of`` and ``total`` for whoever
         reads the file.
         """
@@ -195,7 +198,7 @@ class Graded:
         }
 
     @classmethod
-    def from_dict(cls, given):
+    def from_dict(cls, given: Mapping[str, Any]) -> Self:
         """The Graded of such a dict."""
         known = _known(cls, given)
         return cls(

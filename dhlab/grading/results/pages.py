@@ -3,8 +3,10 @@ by whoever opens it.
 """
 
 import unicodedata
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from ...formats import plainyaml
 
@@ -17,7 +19,7 @@ HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
 
 
-def render(template, **values):
+def render(template: str, **values: Any) -> str:
     """A page from ``templates/``; every value is escaped, and a name that the template does not
     know stops it.
 
@@ -64,7 +66,7 @@ def _readable(value):
     return shown + "…" * (len(value) > LONGEST)
 
 
-def duration(days, said):
+def duration(days: float, said: Mapping[str, str]) -> str:
     """How late something is, in days and hours or in hours and minutes.
 
     Examples
@@ -83,7 +85,7 @@ def duration(days, said):
 
 
 @cache
-def words(language):
+def words(language: str) -> dict[str, Any]:
     """The words of a feedback page by key, and the language they are in; English where the language
     has none.
 

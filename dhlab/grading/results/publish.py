@@ -1,13 +1,21 @@
 """After grading: a page of feedback for each student, and the class report."""
 
+from __future__ import annotations
+
 import json
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...course.workspace import handed_out
 from ..intake.roster import Student
 from .alike import alike, answers
 from .classreport import write_class_report
 from .feedback import write_feedback
+from .marks import Graded
+
+if TYPE_CHECKING:
+    from ..plan import Plan
 
 __all__ = ["publish"]
 
@@ -15,7 +23,9 @@ __all__ = ["publish"]
 LARGEST = 2_000_000
 
 
-def publish(planned, results, roster, out):
+def publish(
+    planned: Plan, results: Sequence[Graded], roster: Sequence[Student], out: str | Path
+) -> Path:
     """Write ``feedback/<student>.html`` for everyone and ``class-report.html``.
 
     Parameters
@@ -46,7 +56,7 @@ def publish(planned, results, roster, out):
 
 def _code(mine):
     """The code of each exercise a student answered; what cannot be read is nobody's copy."""
-    found = {}
+    found: dict[str, str] = {}
     for notebook in mine.notebooks:
         try:
             raw = notebook.read()

@@ -28,7 +28,8 @@ def _lessons():
 
 def _read(notebook):
     title = section = ""
-    exercises, mistakes = {}, {}
+    exercises: dict[str, str] = {}
+    mistakes: dict[str, str] = {}
     for cell in notebook["cells"]:
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
@@ -41,7 +42,7 @@ def _read(notebook):
     return title, exercises, mistakes
 
 
-def section_of_exercise(exercise):
+def section_of_exercise(exercise: str) -> str:
     """The lesson and the heading under which an exercise stands.
 
     Examples
@@ -55,7 +56,7 @@ def section_of_exercise(exercise):
     return ""
 
 
-def section_of_mistake(mistake):
+def section_of_mistake(mistake: str) -> str:
     """The heading under which a mistake is refuted, or the title of the lesson that treats it.
 
     Examples
@@ -70,7 +71,7 @@ def section_of_mistake(mistake):
     return _lessons()[lesson][0] if lesson in _lessons() else f"lesson {lesson}"
 
 
-def question(exercise, mistake):
+def question(exercise: str, mistake: str) -> str:
     """What to ask a class in which many made this mistake in this exercise: a wrong option in their
     own words, or what the mistake looks like.
     """
@@ -81,7 +82,7 @@ def question(exercise, mistake):
     return f"“{catalogue()[mistake].see}” What was done here, and which one test shows it?"
 
 
-def sheet_question(lesson):
+def sheet_question(lesson: str) -> str:
     """The question to discuss of a lesson's teacher sheet; empty when it has none.
 
     Examples

@@ -2,10 +2,11 @@
 graded now. No mark is ever lost.
 """
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from ...course.exercises import exercises
-from .marks import GRADED, MISSING, NOT_HANDED_IN, TIMED_OUT, UNREADABLE
+from .marks import GRADED, MISSING, NOT_HANDED_IN, TIMED_OUT, UNREADABLE, Graded, Mark
 
 __all__ = ["together", "left_standing", "lateness"]
 
@@ -13,7 +14,7 @@ STAND = "stand"  # how the notes end that are written anew each time
 NO_FILE = "no file was found"
 
 
-def together(before, new, only=""):
+def together(before: Graded | None, new: Graded, only: str = "") -> Graded:
     """The marks of one student from an earlier run and from this one, as one Graded.
 
     This run's marks count, but for exercises that it did not grade, lessons of which no file was
@@ -35,7 +36,7 @@ def together(before, new, only=""):
         return new
     old, fresh = ({mark.exercise: mark for mark in graded.marks} for graded in (before, new))
     lost = {
-        key
+        key: old[key]
         for key, mark in fresh.items()
         if key in old
         and old[key].status != NOT_HANDED_IN
@@ -48,21 +49,8 @@ def together(before, new, only=""):
     if only:
         return _with(before, marks)
     worked = new.status in (GRADED, TIMED_OUT) or before.status == MISSING
-    files = [
-        name for name in before.file.split("; ") if name in {mark.file for mark in stand.values()}
-    ]
-    notes = [note for note in before.notes if not note.endswith(STAND) and NO_FILE not in note]
-    fresh_notes = [
-        note
-        for note in new.notes
-        if not (NO_FILE in note and note[7:9] in {old[key].lesson for key in lost})
-    ]
-    why = "the file cannot be read" if new.status == UNREADABLE else "no file this time"
-    fresh_notes += (
-        ["the file handed in this time cannot be read"]
-        if new.status == UNREADABLE and not lost
-        else []
-    )
+    used = {mark.file for mark in stand.values()}
+    files = [name for name in before.file.split("; ") if name in used]
     return replace(
         _with(new, marks),
         status=new.status if worked else before.status,
@@ -70,30 +58,36 @@ def together(before, new, only=""):
         cage=new.cage or before.cage,
         guess_of=new.guess_of or before.guess_of,
         numbers_of=new.numbers_of or before.numbers_of,
-        notes=tuple(
-            dict.fromkeys(
-                [*notes, *fresh_notes, *_standing([old[key] for key in sorted(lost)], why)]
-            )
-        ),
+        notes=_notes(before, new, lost),
     )
 
 
-def left_standing(before):
+def _notes(before, new, lost):
+    """What both runs noted, without what no longer holds, and which lessons' earlier marks stand;
+    ``lost`` holds the earlier marks of what could not be graded this time.
+    """
+    notes = [note for note in before.notes if not note.endswith(STAND) and NO_FILE not in note]
+    lessons = {mark.lesson for mark in lost.values()}
+    notes += [note for note in new.notes if not (NO_FILE in note and note[7:9] in lessons)]
+    why = "the file cannot be read" if new.status == UNREADABLE else "no file this time"
+    if new.status == UNREADABLE and not lost:
+        notes.append("the file handed in this time cannot be read")
+    return tuple(dict.fromkeys([*notes, *_standing([lost[key] for key in sorted(lost)], why)]))
+
+
+def left_standing(before: Graded) -> Graded:
     """The Graded of somebody who is not among what is graded now: as it was, with a note."""
     marks = [mark for mark in before.marks if mark.status != NOT_HANDED_IN]
     notes = [note for note in before.notes if not note.endswith(STAND)]
     return replace(before, notes=(*notes, *_standing(marks, "no file this time")))
 
 
-def lateness(marks):
+def lateness(marks: Collection[Mark]) -> tuple[float, float]:
     """(days late at most, share of all points that lateness takes off) of some marks."""
-    points, lost = (
-        sum(mark.points for mark in marks),
-        sum(mark.points * mark.penalty for mark in marks),
-    )
-    return max((mark.late_days for mark in marks), default=0.0), (
-        round(lost / points, 6) if points else 0.0
-    )
+    points = sum(mark.points for mark in marks)
+    lost = sum(mark.points * mark.penalty for mark in marks)
+    days = max((mark.late_days for mark in marks), default=0.0)
+    return days, round(lost / points, 6) if points else 0.0
 
 
 def _with(graded, marks):

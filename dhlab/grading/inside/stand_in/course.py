@@ -2,6 +2,8 @@
 answer. There are no exercises here.
 """
 
+from typing import Any
+
 __all__ = [
     "check",
     "given",
@@ -14,7 +16,7 @@ __all__ = [
     "then_and_now",
 ]
 
-book = None  # set for each submission
+book: Any = None  # set for each submission
 
 
 class Said(str):
@@ -46,13 +48,13 @@ class Said(str):
 NOTED = Said("noted; the mark comes with the feedback")
 
 
-def check(exercise_id, answer=None):
+def check(exercise_id: str, answer: Any = None) -> Any:
     """Note an answer."""
     book.note(exercise_id, answer)
     return NOTED
 
 
-def given(exercise_id):
+def given(exercise_id: str) -> dict[str, Any]:
     """The numbers of a task, by name."""
     if exercise_id not in book.given:
         raise ValueError(f"expected the number of an exercise, found {exercise_id!r}")

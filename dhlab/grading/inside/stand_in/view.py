@@ -2,20 +2,21 @@
 
 import sys
 from importlib.machinery import ModuleSpec
+from typing import Any
 
 
 class Picture:
     """A picture that nobody will look at; whatever is asked of it is another one."""
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         return self
 
-    def __call__(self, *args, **kwargs):
+    def __call__(self, *args: object, **kwargs: object) -> Any:
         return self
 
-    def __str__(self):
+    def __str__(self) -> str:
         return ""
 
 
@@ -24,7 +25,9 @@ class _Rooms:
 
     @staticmethod
     def find_spec(name, path=None, target=None):
-        return ModuleSpec(name, _Rooms) if name.startswith("dhlab.view.") else None
+        if not name.startswith("dhlab.view."):
+            return None
+        return ModuleSpec(name, _Rooms)  # type: ignore[arg-type]  # it has a loader's methods
 
     @staticmethod
     def create_module(spec):

@@ -1,0 +1,180 @@
+"""Every file in a folder or a zip, zips in zips included; nothing is unpacked onto the disk, and
+nothing special is opened.
+"""
+
+import io
+import lzma
+import os
+import re
+import stat
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator
+from datetime import datetime, timezone, tzinfo
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+__all__ = ["Entry", "Read", "files_in", "FILE_TIME", "TIMESTAMP"]
+
+Read = Callable[[], bytes]
+
+LARGEST = 20_000_000  # bytes of a notebook
+LARGEST_ZIP = 200_000_000
+MOST_FILES = 20_000  # of a zip
+DEEPEST = 2  # a zip of everybody's, and a student's own in it
+BROKEN = (
+    zipfile.BadZipFile,
+    zlib.error,
+    lzma.LZMAError,
+    OSError,
+    ValueError,
+    NotImplementedError,
+    EOFError,
+    RuntimeError,
+)
+# where the time of a submission comes from
+FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
+
+
+class Entry(NamedTuple):
+    """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known,
+    and what is wrong with it.
+    """
+
+    parts: tuple[str, ...]
+    read: Read
+    when: datetime | None
+    source: str
+    fault: str
+
+
+def files_in(place: Path, zone: tzinfo) -> Iterator[Entry]:
+    """Every file in a folder or a zip."""
+    if place.is_dir():
+        yield from _in_folder(place, zone)
+    elif zipfile.is_zipfile(place):
+        yield from _in_zip(lambda: place, (), 1, zone)
+    else:
+        raise ValueError(
+            f"{place}: expected a folder or a zip of submissions, found"
+            f" {'a file that is neither' if place.exists() else 'no such folder'}; check the name"
+        )
+
+
+def _in_folder(place, zone):
+    for folder, folders, files in os.walk(place):
+        folders[:] = sorted(name for name in folders if not _boring(name))
+        for name in (*folders, *sorted(files)):
+            path = os.path.join(folder, name)
+            status = os.lstat(path)
+            parts = Path(path).relative_to(place).parts
+            if stat.S_ISDIR(status.st_mode) or _boring(name):
+                continue
+            when = datetime.fromtimestamp(status.st_mtime, timezone.utc)
+            if not stat.S_ISREG(status.st_mode):
+                refused = "refused: a link, a pipe or a device, not a file"
+                yield Entry(parts, _nothing, when, FILE_TIME, refused)
+            elif name.lower().endswith(".zip"):
+                yield from _opened(partial(str, path), parts, when, 1, zone)
+            elif status.st_size > LARGEST:
+                size, most = status.st_size // 1_000_000, LARGEST // 1_000_000
+                refused = f"refused: {size} MB, at most {most} are read"
+                yield Entry(parts, _nothing, when, FILE_TIME, refused)
+            else:
+                yield Entry(parts, _reader(path), when, FILE_TIME, "")
+
+
+def _nothing():
+    """What is read of a file that is refused."""
+    return b""
+
+
+def _reader(path):
+    def read():
+        handle = os.open(
+            path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+        )
+        with os.fdopen(handle, "rb") as file:
+            return file.read(LARGEST + 1)[:LARGEST]
+
+    return read
+
+
+def _opened(source, parts, when, depth, zone):
+    """The files of a zip that stands at ``parts``; of a broken one, what is wrong with it."""
+    try:
+        yield from _in_zip(source, parts, depth, zone)
+    except BROKEN as error:
+        refused = f"refused: a zip that cannot be read ({str(error)[:100]})"
+        yield Entry(parts, _nothing, when, FILE_TIME, refused)
+
+
+def _in_zip(source, parts, depth, zone):
+    """Members are read into memory when they are needed, each up to the limit; their names never
+    name a file here.
+
+    ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not
+    stay open.
+    """
+    with zipfile.ZipFile(source()) as archive:
+        members = archive.infolist()
+    if parts and (
+        len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
+    ):
+        # the teacher's own zip may be large
+        raise ValueError("too many files in it, or too large when unpacked")
+    for number, member in enumerate(members):
+        inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)
+        if member.is_dir() or not inner or any(_boring(part) for part in inner if part != ".."):
+            continue
+        fault, read = _fault(member, inner), _member(source, number)
+        own, when = (*parts, *(part for part in inner if part != "..")), _when(member, zone)
+        if fault or not inner[-1].lower().endswith(".zip"):
+            yield Entry(own, _nothing if fault else read, when, ZIP, fault)
+        elif depth < DEEPEST:
+            yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
+        else:
+            yield Entry(own, _nothing, when, ZIP, "refused: a zip in a zip in a zip")
+
+
+def _member(source, number):
+    """Reads one member; what cannot be read is empty, and an empty notebook is told to be
+    unreadable.
+    """
+
+    def read():
+        try:
+            with (
+                zipfile.ZipFile(source()) as archive,
+                archive.open(archive.infolist()[number]) as file,
+            ):
+                return file.read(LARGEST + 1)[:LARGEST]
+        except BROKEN:
+            return b""
+
+    return read
+
+
+def _fault(member, inner):
+    if ".." in inner or member.filename.startswith(("/", "\\")):
+        return "refused: its name leads out of the zip"
+    if stat.S_ISLNK(member.external_attr >> 16):
+        return "refused: a link"
+    if member.flag_bits & 1:
+        return "refused: it is encrypted"
+    return "refused: too large" if member.file_size > LARGEST else ""
+
+
+def _when(member, zone):
+    """A zip knows the time of day but not the zone."""
+    try:
+        year, month, day, hour, minute, second = member.date_time
+        moment = datetime(year, month, day, hour, minute, second, tzinfo=zone)
+        return moment.astimezone(timezone.utc)
+    except (ValueError, OverflowError):
+        return None
+
+
+def _boring(name):
+    return name.startswith(".") or name in ("__MACOSX", "__pycache__")
