@@ -7,7 +7,7 @@ import numpy as np
 from ..transform import inverse
 from .closedform import closed_form
 from .descent import Problem, approach
-from .families import flat, settled, still_free
+from .families import flat, same_family, settled, still_free
 from .joints import counted, inside_by_turns, nearest_by_turns, variables
 from .merging import merged
 from .prepared import folder_of, is_ready
@@ -17,6 +17,7 @@ from .search import SHARP, arm_length, search
 
 __all__ = ["Candidates", "by_closed_form", "by_search", "form_for", "needs_preparation"]
 
+MEMBERS = 8  # of families that a search ran into: more are hardly of another one
 SAMPLES = 8  # of the solutions of an arm with joints to spare, when none is held
 
 
@@ -127,18 +128,25 @@ def _sorted_out(question, q, hold, method, complete, found=None):
 
 
 def _families(question, q, free):
-    """Solutions (k, n), those of a family moved to its member nearest to the reference, and the
-    joints of each that can move.
+    """Solutions (k, n) and the joints of each that can move while the end stays; those of a family
+    moved to its member nearest to the reference, and each family once, as far as that can be told.
     """
     arm, T, tolerance = question.arm, question.T, question.tolerance
-    if free.sum() > 6:  # every solution is of a family, and nothing is gained by moving it
-        return q, [()] * len(q)
-    q, families = q.copy(), [()] * len(q)
-    for k in np.flatnonzero(flat(arm, q, free)):
-        families[k] = still_free(arm, q[k], T, tolerance, free)
-        if families[k]:
-            q[k] = settled(arm, q[k], T, question.reference, tolerance, free)
-    return q, families
+    bent = flat(arm, q, free) if free.sum() <= 6 else np.zeros(len(q), dtype=bool)
+    away = np.abs(q - question.reference).max(axis=1, initial=0.0)
+    members = np.flatnonzero(bent)[np.argsort(away[bent], kind="stable")][:MEMBERS]
+    kept, families = list(q[~bent]), [()] * int((~bent).sum())
+    for row in q[members]:
+        moving = still_free(arm, row, T, tolerance, free)
+        if moving:
+            row = settled(arm, row, T, question.reference, tolerance, free)
+        if not any(
+            one == moving and same_family(arm, row, other, moving)
+            for other, one in zip(kept, families, strict=True)
+        ):
+            kept.append(row)
+            families.append(moving)
+    return np.reshape(kept, (-1, len(arm))), families
 
 
 def _verified(question, q, free):

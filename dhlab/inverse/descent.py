@@ -67,7 +67,11 @@ class Problem:
         longest = np.abs(step).max(axis=1, initial=0.0, keepdims=True)
         there = q.copy()
         there[:, free] += step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, LONGEST_STEP))
-        return there if self.low is None else np.clip(there, self.low, self.high)
+        return self.kept(there)
+
+    def kept(self, q):
+        """``q`` with what is outside the bounds put onto them."""
+        return np.array(q, dtype=float) if self.low is None else np.clip(q, self.low, self.high)
 
 
 def approach(problem, q, steps=40):
@@ -87,7 +91,7 @@ def approach(problem, q, steps=40):
     >>> bool(np.allclose(arm.forward(q), T))
     True
     """
-    q = np.array(q, dtype=float)
+    q = problem.kept(q)
     best, lowest = q.copy(), np.full(len(q), np.inf)
     busy = np.arange(len(q))
     for _ in range(steps + 1):
@@ -118,7 +122,7 @@ def descend(problem, q, steps=100):
     >>> float(np.linalg.norm(arm.forward(q)[0, :3, 3] - T[0, :3, 3]).round(6))
     0.5
     """
-    q = np.array(q, dtype=float)
+    q = problem.kept(q)
     off, cost = problem.off(q, np.arange(len(q)))
     first = FIRST_DAMPING * (problem.scale**2).max()
     damping, idle = np.full(len(q), first), np.zeros(len(q), dtype=int)

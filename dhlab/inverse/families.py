@@ -5,11 +5,12 @@ import numpy as np
 from .joints import nearest_by_turns
 from .residuals import missing, residuals
 
-__all__ = ["flat", "settled", "still_free"]
+__all__ = ["flat", "same_family", "settled", "still_free"]
 
 FLAT = 1e-5  # of the largest singular value: a direction in which the end hardly moves
 PROBE = 0.02  # rad or m: so far a joint of a family moves, and the end is back in place
 SHARE = 1e-3  # of the largest component: which joints take part
+ALIKE = 1e-5  # rad, m
 CORRECTIONS, WALK = 5, 200
 
 
@@ -59,6 +60,15 @@ def still_free(arm, q, T, tolerance, free=None):
                 step = np.abs(there - q)
                 moved = np.maximum(moved, step if step.max() > PROBE / 2 else 0)
     return tuple(int(i) + 1 for i in np.flatnonzero(moved > SHARE * max(moved.max(), PROBE)))
+
+
+def same_family(arm, q, other, moving):
+    """Whether two solutions in which the same two joints can move are one family: two such joints
+    turn about one line (or slide along one), so that all of their family has the others alike.
+    """
+    stays = [i for i in range(len(arm)) if i + 1 not in moving]
+    apart = np.abs(nearest_by_turns(arm, q, other) - other)[stays]
+    return len(moving) == 2 and apart.max(initial=0.0) < ALIKE
 
 
 def settled(arm, q, T, to, tolerance, free):

@@ -15,6 +15,7 @@ from .solutions import Nearest, Reason
 __all__ = ["explained"]
 
 CLEARLY = 10.0  # times the tolerance: missed, and not merely badly met
+STRIDES, LEADING = 20, 12  # steps of every start, and how many go on from there
 FAINT = 1e-3  # the weight of the orientation where the position comes first
 SEED = 1
 
@@ -65,19 +66,23 @@ class _Reach:
         T = np.broadcast_to(self.T, (count, 4, 4))
         return Problem(self.arm, T, self.length, weights, *limits)
 
-    def _walked(self, q, weights):
-        problem = self._problem(len(q), weights)
-        return descend(problem, approach(problem, q))
+    def _walked(self, weights):
+        """Where the starts lead: all of them part of the way, the best of them to the end."""
+        problem = self._problem(len(self.first), weights)
+        q = approach(problem, self.first, steps=STRIDES)
+        _, cost = problem.off(q, np.arange(len(q)))
+        best = np.argsort(cost)[:LEADING]
+        return descend(self._problem(len(best), weights), q[best])
 
     def nearest(self):
         """Where position and orientation together come nearest."""
-        q = self._walked(self.first, (1.0, 1.0))
+        q = self._walked((1.0, 1.0))
         off = residuals(self.arm, q, self.T)
         return _nearest(self.question, q[np.argmin(np.hypot(off[:, 0], self.length * off[:, 1]))])
 
     def position(self):
         """The least distance (m), in any orientation, and where (k, n) it is met."""
-        q = self._walked(self.first, (1.0, 0.0))
+        q = self._walked((1.0, 0.0))
         metres = residuals(self.arm, q, self.T)[:, 0]
         return float(metres.min()), q[metres <= metres.min() + self.question.tolerance]
 

@@ -214,12 +214,7 @@ class Solutions(Sequence):
 
     def _remarks(self):
         if self.nearest is not None:
-            yield (
-                f"The nearest pose that it can reach is {number(1000 * self.nearest.metres, 3)} mm"
-                f" and {number(np.rad2deg(self.nearest.radians), 3)}° away, at q ="
-                f" {', '.join(number(v, 4) for v in self._written(self.nearest.q))} (degrees,"
-                " metres for a prismatic joint)."
-            )
+            yield self._nearest_words(self.nearest)
         for k, joints in enumerate(self.families, 1):
             if joints:
                 names = ", ".join(str(joint) for joint in joints)
@@ -228,6 +223,18 @@ class Solutions(Sequence):
                     " stays."
                 )
         yield from self.notes
+
+    def _nearest_words(self, nearest):
+        at = (
+            f"at q = {', '.join(number(v, 4) for v in self._written(nearest.q))} (degrees, metres"
+            " for a prismatic joint)."
+        )
+        if max(nearest.metres, nearest.radians) <= self.question.tolerance:
+            return f"It is met {at}"
+        return (
+            f"The nearest pose that it can reach is {number(1000 * nearest.metres, 3)} mm and"
+            f" {number(np.rad2deg(nearest.radians), 3)}° away, {at}"
+        )
 
     def __repr__(self):
         lines = [fill(self._headline(), WIDTH)]
