@@ -2,16 +2,26 @@
 joints, limits, a name and a source.
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+from .checks import checked_coupling, checked_limits, checked_signs
 from .fast.inputs import as_numbers, require_finite
 from .fast.paths import Kinematics
 from .fast.plain import Plain
 from .table import DHTable
 from .transform import require_pose
+
+if TYPE_CHECKING:
+    from .inverse.solutions import Solutions
 
 __all__ = ["Arm"]
 
@@ -46,24 +56,39 @@ class Arm:
 
     Examples
     --------
-    >>> arm = Arm(DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg"), name="two links")
+    >>> table = DHTable.standard([[0, 0.1, 0, 90], [0, 0, 0.4, 0]], angle="deg")
+    >>> arm = Arm(table, name="two links")
     >>> arm.forward([0, 0])[:3, 3]
     array([0.4, 0. , 0.1])
-    >>> parallelogram = Arm(arm.table, coupling=[[1, 0], [-1, 1]])  # link 2 keeps its direction
+    >>> parallelogram = Arm(table, coupling=[[1, 0], [-1, 1]])  # link 2 keeps its direction
     >>> parallelogram.forward([0.5, 0])[:3, 3].round(3) + 0
     array([ 0.308,  0.168, -0.092])
     """
 
     table: DHTable
-    base: np.ndarray = None
-    tool: np.ndarray = None
-    limits: tuple = None
-    sign: np.ndarray = None
+    base: NDArray[np.float64] = None  # type: ignore[assignment]  # the identity
+    tool: NDArray[np.float64] = None  # type: ignore[assignment]  # the identity
+    limits: Sequence[tuple[float, float] | None] | None = None
+    sign: NDArray[np.float64] = None  # type: ignore[assignment]  # all +1
     name: str = ""
     source: str = ""
-    coupling: np.ndarray = None
+    coupling: NDArray[np.float64] | None = None
 
-    def __post_init__(self):
+    if TYPE_CHECKING:  # what may be given; the fields above are what it becomes
+
+        def __init__(
+            self,
+            table: DHTable,
+            base: ArrayLike | None = None,
+            tool: ArrayLike | None = None,
+            limits: Sequence[tuple[float, float] | None] | None = None,
+            sign: ArrayLike | None = None,
+            name: str | None = "",
+            source: str | None = "",
+            coupling: ArrayLike | None = None,
+        ) -> None: ...
+
+    def __post_init__(self) -> None:
         if not isinstance(self.table, DHTable):
             raise ValueError(
                 f"Arm: expected a DHTable first, found {type(self.table).__name__}; make one with"
@@ -75,9 +100,9 @@ class Arm:
             pose = np.eye(4) if given is None else require_pose(given, f"Arm: {name}")
             pose.flags.writeable = False
             object.__setattr__(self, name, pose)
-        object.__setattr__(self, "sign", _signs(self.sign, n))
-        object.__setattr__(self, "coupling", _coupling(self.coupling, n))
-        object.__setattr__(self, "limits", _limits(self.limits, n))
+        object.__setattr__(self, "sign", checked_signs(self.sign, n))
+        object.__setattr__(self, "coupling", checked_coupling(self.coupling, n))
+        object.__setattr__(self, "limits", checked_limits(self.limits, n))
         for name in ("name", "source"):
             given = getattr(self, name)
             if given is not None and not isinstance(given, str):
@@ -85,7 +110,7 @@ class Arm:
             object.__setattr__(self, name, given or "")
 
     @classmethod
-    def load(cls, path):
+    def load(cls, path: str | Path) -> Arm:
         """The arm in a ``.yaml`` or ``.csv`` table file; ``dhlab.load`` takes names of the library
         too.
         """
@@ -93,7 +118,14 @@ class Arm:
 
         return read_arm(path)
 
-    def save(self, path, *, angle=None, length="m", overwrite=False):
+    def save(
+        self,
+        path: str | Path,
+        *,
+        angle: str | None = None,
+        length: str = "m",
+        overwrite: bool = False,
+    ) -> None:
         """Write the arm as ``.yaml`` (all of it) or ``.csv`` (table and signs; refused when there
         is more to say).
 
@@ -103,11 +135,11 @@ class Arm:
 
         write(path, self, angle=angle, length=length, overwrite=overwrite)
 
-    def __len__(self):
+    def __len__(self) -> int:
         """The number of joints."""
         return len(self.table)
 
-    def forward(self, q, out=None):
+    def forward(self, q: ArrayLike, out: NDArray[Any] | None = None) -> NDArray[np.float64]:
         """End pose, tool included.
 
         Parameters
@@ -130,7 +162,7 @@ class Arm:
         """
         return self._kinematics.forward(q, out)
 
-    def frames(self, q, out=None):
+    def frames(self, q: ArrayLike, out: NDArray[Any] | None = None) -> NDArray[np.float64]:
         """Every frame of the chain; ``frames[0]`` is the base, ``frames[i] = base · A_1 … A_i``;
         the tool is not included.
 
@@ -153,7 +185,7 @@ class Arm:
         """
         return self._kinematics.frames(q, out)
 
-    def links(self, q):
+    def links(self, q: ArrayLike) -> NDArray[np.float64]:
         """Every link matrix ``A_i`` at ``q`` (..., n); returns (..., n, 4, 4).
 
         Examples
@@ -164,7 +196,7 @@ class Arm:
         """
         return self._kinematics.plain.links(self._checked(q))
 
-    def jacobian(self, q, out=None):
+    def jacobian(self, q: ArrayLike, out: NDArray[Any] | None = None) -> NDArray[np.float64]:
         """Geometric Jacobian at the end point (tool included), in the frame :meth:`forward` uses.
 
         Parameters
@@ -193,7 +225,16 @@ class Arm:
         plain = Plain(self.table, self.base, self.tool, self.sign, self.coupling)
         return Kinematics(plain, self.name)
 
-    def solve(self, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, method=None):
+    def solve(
+        self,
+        T: ArrayLike,
+        *,
+        limits: bool = False,
+        near: ArrayLike | None = None,
+        redundancy: Any = None,
+        tolerance: float = 1e-9,
+        method: str | None = None,
+    ) -> Solutions | list[Solutions]:
         """The configurations that bring the end to a pose: the way back from :meth:`forward`.
 
         Parameters
@@ -240,7 +281,7 @@ class Arm:
             method=method,
         )
 
-    def to(self, convention):
+    def to(self, convention: str) -> Arm:
         """The same arm with its table in another convention, ``"standard"`` or ``"craig"``; base
         and tool take up the difference.
 
@@ -254,7 +295,7 @@ class Arm:
 
         return to_convention(self, convention)
 
-    def flip_x(self, i):
+    def flip_x(self, i: int) -> Arm:
         """The same arm with x_i turned round (frame i, 0 to n): theta_i and theta_{i+1} by 180°,
         a_i and alpha_i change sign.
 
@@ -268,7 +309,7 @@ class Arm:
 
         return flip_x(self, i)
 
-    def flip_z(self, i):
+    def flip_z(self, i: int) -> Arm:
         """The same arm with z_i turned round (frame i, 0 to n): the joint on z_i counts the other
         way.
 
@@ -282,7 +323,7 @@ class Arm:
 
         return flip_z(self, i)
 
-    def slide(self, i, h):
+    def slide(self, i: int, h: float) -> Arm:
         """The same arm with o_i moved by ``h`` metres along z_i, where the axes on both sides are
         parallel (a ValueError elsewhere).
 
@@ -296,7 +337,7 @@ class Arm:
 
         return slide(self, i, h)
 
-    def joint_values(self, q):
+    def joint_values(self, q: ArrayLike) -> NDArray[np.float64]:
         """What ``q`` (..., n) makes of the joints, before the offsets of the table: sign · q, and
         ``coupling @ (sign · q)`` where the joints are coupled; (..., n).
 
@@ -308,7 +349,7 @@ class Arm:
         """
         return self._kinematics.plain.joint_values(self._checked(q))
 
-    def within_limits(self, q):
+    def within_limits(self, q: ArrayLike) -> NDArray[np.bool_]:
         """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint
         without limits always is.
 
@@ -326,13 +367,13 @@ class Arm:
         low, high = np.array(bounds).T
         return (low <= q) & (q <= high)
 
-    def _checked(self, q):
+    def _checked(self, q: ArrayLike) -> NDArray[np.float64]:
         """``q`` as floats (..., n), or a sentence."""
         array = as_numbers(q, len(self), self.name)
         require_finite(array)
         return array.astype(float)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         """The same numbers and signs; whether two arms move alike is answered by
         ``dhlab.equivalent``.
         """
@@ -347,10 +388,10 @@ class Arm:
             and all(np.array_equal(x, y) for x, y in arrays)
         )
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash((self.table, self.base.tobytes(), self.tool.tobytes()))
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return Arm, (
             self.table,
             self.base,
@@ -362,88 +403,20 @@ class Arm:
             self.coupling,
         )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Arm {self.name or 'without a name'}: {len(self)} joints, {self.table.convention}>"
 
-    def __str__(self):
+    def __str__(self) -> str:
         from .printing import arm_text
 
         return arm_text(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         from .printing import arm_html
 
         return arm_html(self)
 
-    def _repr_mimebundle_(self, include=None, exclude=None):
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
         from .view.explorer import arm_bundle
 
         return arm_bundle(self)
-
-
-def _signs(sign, n):
-    try:
-        signs = np.ones(n) if sign is None else np.array(sign, dtype=float)
-    except (TypeError, ValueError):
-        signs = np.array(np.nan)
-    if signs.shape != (n,) or not np.isin(signs, (1, -1)).all():
-        raise ValueError(
-            f"Arm: sign: expected {n} entries, each 1 or -1, found {sign!r}; write -1 where a joint"
-            " counts the other way"
-        )
-    signs.flags.writeable = False
-    return signs
-
-
-def _coupling(coupling, n):
-    """A read-only matrix, or None where every joint is its own."""
-    if coupling is None:
-        return None
-    try:
-        matrix = np.array(coupling, dtype=float)
-    except (TypeError, ValueError):
-        matrix = np.array(np.nan)
-    if matrix.shape != (n, n) or not np.isfinite(matrix).all():
-        found = "NaN or infinity" if matrix.shape == (n, n) else repr(coupling)[:60]
-        raise ValueError(
-            f"Arm: coupling: expected a matrix of {n} rows with {n} finite numbers each, found"
-            f" {found}; row i says what joint i makes of each number of q"
-        )
-    if np.linalg.matrix_rank(matrix) < n:
-        raise ValueError(
-            "Arm: coupling: expected a matrix that can be inverted, found one in which some joints"
-            " cannot be moved apart; look for two equal rows or a row of zeros"
-        )
-    if np.array_equal(matrix, np.eye(n)):
-        return None
-    matrix.flags.writeable = False
-    return matrix
-
-
-def _limits(limits, n):
-    if limits is None:
-        return None
-    limits = (
-        list(limits)
-        if np.iterable(limits) and not isinstance(limits, (str, bytes, dict))
-        else [limits] * (n + 1)
-    )
-    if len(limits) != n:
-        raise ValueError(
-            f"Arm: limits: expected {n} entries, one (low, high) or None per joint, found"
-            f" {len(limits)}"
-        )
-    return tuple(None if pair is None else _pair(pair, i) for i, pair in enumerate(limits, 1))
-
-
-def _pair(pair, i):
-    try:
-        low, high = (float(value) for value in pair)
-    except (TypeError, ValueError):
-        low = high = np.nan
-    if not (np.isfinite([low, high]).all() and low <= high):
-        raise ValueError(
-            f"Arm: limits: joint {i}: expected (low, high), two finite numbers with low <= high,"
-            f" found {pair!r}; None for a joint without limits"
-        )
-    return low, high

@@ -6,9 +6,17 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["COLUMNS", "checked_rows", "require_finite", "checked_joints"]
+__all__ = [
+    "COLUMNS",
+    "checked_rows",
+    "require_finite",
+    "checked_joints",
+    "checked_signs",
+    "checked_coupling",
+    "checked_limits",
+]
 
 COLUMNS = ("theta", "d", "a", "alpha")
 
@@ -82,3 +90,70 @@ def checked_joints(joints: str | Sequence[str] | None, n: int, where: str) -> st
             " row and at least one row"
         )
     return "".join(letters)
+
+
+def checked_signs(sign: ArrayLike | None, n: int) -> NDArray[np.float64]:
+    """+1 or -1 for each of n joints, read-only."""
+    try:
+        signs = np.ones(n) if sign is None else np.array(sign, dtype=float)
+    except (TypeError, ValueError):
+        signs = np.array(np.nan)
+    if signs.shape != (n,) or not np.isin(signs, (1, -1)).all():
+        raise ValueError(
+            f"Arm: sign: expected {n} entries, each 1 or -1, found {sign!r}; write -1 where a joint"
+            " counts the other way"
+        )
+    signs.flags.writeable = False
+    return signs
+
+
+def checked_coupling(coupling: ArrayLike | None, n: int) -> NDArray[np.float64] | None:
+    """A read-only matrix, or None where every joint is its own."""
+    if coupling is None:
+        return None
+    try:
+        matrix = np.array(coupling, dtype=float)
+    except (TypeError, ValueError):
+        matrix = np.array(np.nan)
+    if matrix.shape != (n, n) or not np.isfinite(matrix).all():
+        found = "NaN or infinity" if matrix.shape == (n, n) else repr(coupling)[:60]
+        raise ValueError(
+            f"Arm: coupling: expected a matrix of {n} rows with {n} finite numbers each, found"
+            f" {found}; row i says what joint i makes of each number of q"
+        )
+    if np.linalg.matrix_rank(matrix) < n:
+        raise ValueError(
+            "Arm: coupling: expected a matrix that can be inverted, found one in which some joints"
+            " cannot be moved apart; look for two equal rows or a row of zeros"
+        )
+    if np.array_equal(matrix, np.eye(n)):
+        return None
+    matrix.flags.writeable = False
+    return matrix
+
+
+def checked_limits(limits: Any, n: int) -> tuple[tuple[float, float] | None, ...] | None:
+    """(low, high) or None for each of n joints; None where there are none at all."""
+    if limits is None:
+        return None
+    many = np.iterable(limits) and not isinstance(limits, (str, bytes, dict))
+    pairs = list(limits) if many else [limits] * (n + 1)
+    if len(pairs) != n:
+        raise ValueError(
+            f"Arm: limits: expected {n} entries, one (low, high) or None per joint, found"
+            f" {len(pairs)}"
+        )
+    return tuple(None if pair is None else _pair(pair, i) for i, pair in enumerate(pairs, 1))
+
+
+def _pair(pair, i):
+    try:
+        low, high = (float(value) for value in pair)
+    except (TypeError, ValueError):
+        low = high = np.nan
+    if not (np.isfinite([low, high]).all() and low <= high):
+        raise ValueError(
+            f"Arm: limits: joint {i}: expected (low, high), two finite numbers with low <= high,"
+            f" found {pair!r}; None for a joint without limits"
+        )
+    return low, high
