@@ -21,6 +21,7 @@ from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.grading.grade import grade  # noqa: E402
 from dhlab.grading.handing_out.variants import variant  # noqa: E402
 from dhlab.grading.intake.roster import Student  # noqa: E402
+from dhlab.grading.plan import plan  # noqa: E402
 from dhlab.grading.results.gradebook import Gradebook  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 
