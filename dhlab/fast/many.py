@@ -15,6 +15,9 @@ What makes it fast, beside the walk itself (``walk.py``):
 * *A right angle costs no product.* At alpha = ±90° y and z change places (``Frames.tilt``).
 * *What is 0 is skipped*: zero d and a, an alpha of 0, the zeros of base and tool.
 * *The last row is never computed.* It is 0 0 0 1 and stands ready (``_poses``).
+
+Where rows are stored, 0.0 is added instead of copying them: that costs the same, and -0.0, which
+prints badly, becomes 0.0.
 """
 
 import numpy as np
@@ -52,18 +55,22 @@ def jacobian(chain, q, out):
     0 where the joint slides.
     """
     block = _columns(chain, q)
-    for part, result, (v, z, p) in _chunks(q, out, block):
+    for part, result, rows in _chunks(q, out, block):
+        v, z, p = rows
         frame = Frames(chain, part, joined=True)
         for i in along_the_joints(chain, frame):
-            z[:, i], p[:, i] = frame.z, frame.p
+            np.add(frame.z, 0.0, out=z[:, i])
+            p[:, i] = frame.p
         np.subtract(frame.point(chain.end[:3, 3])[:, None], p, out=p)
         for k in range(3):
             i, j = (k + 1) % 3, (k + 2) % 3
             np.subtract(z[i] * p[j], z[j] * p[i], out=v[k])
+        v += 0.0
         for i, slides in enumerate(chain.slides):
             if slides:
                 v[:, i], z[:, i] = z[:, i], 0.0
-        _write(_per_count(chain, np.stack((v, z))), result)
+        columns = _per_count(chain, rows[:2])
+        _write(columns.reshape(6, *columns.shape[2:]), result)
 
 
 class Frames:
@@ -132,20 +139,15 @@ class Frames:
 
     def hold(self, rows):
         """This frame into ``rows`` (4, 4, m)."""
-        rows[:3, 0], rows[:3, 1], rows[:3, 2], rows[:3, 3] = (
-            self.w.real,
-            self.w.imag,
-            self.z,
-            self.p,
-        )
+        for k, column in enumerate((self.w.real, self.w.imag, self.z, self.p)):
+            np.add(column, 0.0, out=rows[:3, k])
 
     def behind(self, pose, rows):
         """This frame moved by a constant pose into ``rows`` (4, 4, m)."""
-        axes = (self.w.real, self.w.imag, self.z)
-        columns = pose[:3].T.tolist()
+        axes, columns = (self.w.real, self.w.imag, self.z), pose[:3].T.tolist()
         for k in range(3):
-            rows[:3, k] = _sum(zip(columns[k], axes))
-        rows[:3, 3] = self.point(columns[3])
+            np.add(_sum(zip(columns[k], axes)), 0.0, out=rows[:3, k])
+        np.add(self.point(columns[3]), 0.0, out=rows[:3, 3])
 
 
 def _sum(terms):
@@ -218,12 +220,10 @@ def _per_count(chain, J):
         return chain.rates.T @ J
     if (chain.rates != 1).any():
         J *= chain.rates[:, None]
+        J += 0.0
     return J
 
 
 def _write(rows, result):
-    """Rows (..., m) turned round into poses (m, ...); a zero loses its sign."""
-    rows += 0.0
-    if result.ndim == 3 and rows.ndim == 4:
-        rows = rows.reshape(6, *rows.shape[2:])
+    """Rows (..., m) turned round into poses (m, ...)."""
     result.transpose(*range(1, result.ndim), 0)[...] = rows
