@@ -1,12 +1,19 @@
 """What several verbs take and print."""
 
+from __future__ import annotations
+
 import json
-from typing import Annotated, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from ..arm import Arm
 from ..units import ANGLE, LENGTH
+
+if TYPE_CHECKING:
+    from ..grading.intake.roster import Student
+    from ..grading.settings import Settings
 
 __all__ = [
     "ArmName",
@@ -67,7 +74,7 @@ def give(model: Arm, out: str, as_json: bool) -> None:
     print(json.dumps(described(model), ensure_ascii=False) if as_json else model)
 
 
-def units_of(text, verb):
+def units_of(text: str, verb: str) -> tuple[str, str]:
     """The unit of length and that of angles in a text such as "mm,deg"."""
     parts = [part.strip() for part in text.split(",")]
     lengths = [part for part in parts if part in LENGTH]
@@ -80,14 +87,14 @@ def units_of(text, verb):
     return lengths[0], angles[0]
 
 
-def class_of(path):
+def class_of(path: str | Path) -> tuple[Student, ...]:
     """The class of a roster file; nobody where none is given."""
     from ..grading.intake.roster import read_roster
 
     return read_roster(path) if path else ()
 
 
-def settings_of(path):
+def settings_of(path: str | Path) -> Settings:
     """The settings of a course file, or those that every course begins with."""
     from ..grading.settings import Settings, read_settings
 

@@ -4,7 +4,7 @@ import json
 import sys
 from collections import Counter
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -65,7 +65,7 @@ def grade(
     from ..grading.results.publish import publish
 
     students = class_of(roster)
-    common = {
+    common: dict[str, Any] = {
         "roster": students,
         "key": read_key(key) if key else None,
         "settings": settings_of(course),

@@ -50,7 +50,7 @@ def ik(
         ),
     ] = False,
     as_json: Json = False,
-):
+) -> None:
     """Inverse kinematics: every configuration that brings the end to a pose, or why there is none;
     exit status 1 when there is none.
     """
@@ -133,9 +133,10 @@ def _near(near, model, length, angle):
 
 def _redundancy(text, model, length, angle):
     found = re.fullmatch(r"\s*(\d+)\s*=\s*([-+.\deE]+)\s*", text)
+    given = found.groups() if found else ("", "")
     try:
-        joint, value = int(found[1]), float(found[2])
-    except (TypeError, ValueError):
+        joint, value = int(given[0]), float(given[1])
+    except ValueError:
         raise ValueError(
             f"ik: --redundancy: expected a joint and its value, such as 3=20, found {text!r}"
         ) from None

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from dhlab import Arm, DHTable, load, robots, symbolic
-from dhlab.symbolic import exact
 from dhlab.symbolic.numbers import the_sympy
 from dhlab.transform import from_xyz_rpy, rot_x, rot_z, trans_x, trans_z
 
