@@ -3,10 +3,13 @@
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.util import find_spec
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arm import Arm
+from ..table import DHTable
 from ..transform import inverse
 from . import prepared
 from .joints import wrapped
@@ -20,7 +23,7 @@ NOTHING = 1e-12  # of a direction or of the arm's length: rounding, taken for 0
 KNOWN = 1e-6  # rad: a solution that is known was met
 
 
-def installed():
+def installed() -> bool:
     """Whether the library is there."""
     return find_spec("ssik") is not None
 
@@ -44,26 +47,26 @@ class ClosedForm:
     solver : ssik.Manipulator
     """
 
-    free: np.ndarray
-    held: tuple
+    free: NDArray[np.int64]
+    held: tuple[tuple[int, float], ...]
     count: int
-    zero: np.ndarray
+    zero: NDArray[np.float64]
     turned: bool
-    solver: object
+    solver: Any  # its library is an extra
 
     @property
-    def name(self):
+    def name(self) -> str:
         """What ssik calls the kind of solution."""
         return self.solver.solver_name.removeprefix("ikgeo.")
 
     @property
-    def general(self):
+    def general(self) -> bool:
         """True when no two axes meet or run parallel in a way that helps: ssik then has to derive
         the equations of this arm first, which takes minutes.
         """
         return self.solver.dispatch_plan.needs_symbolic_precompute
 
-    def solve(self, T_0n):
+    def solve(self, T_0n: NDArray[np.float64]) -> NDArray[np.float64]:
         """Joint variables (k, n) that bring frame n to the pose ``T_0n`` (4, 4) in frame 0, as ssik
         gives them: not verified yet.
         """
@@ -82,7 +85,7 @@ class ClosedForm:
 
 
 @lru_cache(maxsize=512)
-def closed_form(table, held=()):
+def closed_form(table: DHTable, held: tuple[tuple[int, float], ...] = ()) -> ClosedForm | None:
     """How ssik solves a table with ``held`` joints fixed, or None when six turning joints are not
     what is left, or ssik is not installed.
 

@@ -3,9 +3,12 @@ where there is none.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from .residuals import missing
 
 __all__ = ["Problem", "approach", "descend"]
@@ -38,25 +41,29 @@ class Problem:
         The joints that may move; all when left out.
     """
 
-    arm: object
-    T: np.ndarray
+    arm: Arm
+    T: NDArray[np.float64]
     length: float
-    weights: tuple = (1.0, 1.0)
-    low: np.ndarray | None = None
-    high: np.ndarray | None = None
-    free: np.ndarray | None = None
+    weights: tuple[float, float] = (1.0, 1.0)
+    low: NDArray[np.float64] | None = None
+    high: NDArray[np.float64] | None = None
+    free: NDArray[np.bool_] | None = None
 
     @property
-    def scale(self):
+    def scale(self) -> NDArray[np.float64]:
         """What each of the six components of the error is multiplied by."""
         return np.repeat([self.weights[0], self.weights[1] * self.length], 3)
 
-    def off(self, q, rows):
+    def off(
+        self, q: NDArray[np.float64], rows: Any
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The scaled error (k, 6) of these rows, and its square (k,)."""
         off = missing(self.arm, q, self.T[rows]) * self.scale
         return off, (off**2).sum(axis=1)
 
-    def stepped(self, q, off, damping):
+    def stepped(
+        self, q: NDArray[np.float64], off: NDArray[np.float64], damping: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
         """``q + (JᵀJ + damping · 1)⁻¹ Jᵀ off`` (k, n), no joint further than it may go."""
         free = slice(None) if self.free is None else self.free
         J = self.arm.jacobian(q)[:, :, free] * self.scale[:, None]
@@ -74,7 +81,7 @@ class Problem:
         return np.array(q, dtype=float) if self.low is None else np.clip(q, self.low, self.high)
 
 
-def approach(problem, q, steps=40):
+def approach(problem: Problem, q: NDArray[np.float64], steps: int = 40) -> NDArray[np.float64]:
     """Walk every configuration of ``q`` (m, n) towards a solution; where there is none it ends
     somewhere near.
 
@@ -106,7 +113,7 @@ def approach(problem, q, steps=40):
     return best
 
 
-def descend(problem, q, steps=100):
+def descend(problem: Problem, q: NDArray[np.float64], steps: int = 100) -> NDArray[np.float64]:
     """Walk every configuration of ``q`` (m, n) down to a minimum; a step that does not help is not
     made.
 

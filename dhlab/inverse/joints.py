@@ -3,13 +3,16 @@ configuration a whole turn further on.
 """
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..arm import Arm
 
 __all__ = ["bounds", "counted", "inside_by_turns", "nearest_by_turns", "variables", "wrapped"]
 
 TURN = 2 * np.pi
 
 
-def variables(arm, q):
+def variables(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
     """The joint variables of ``q`` (..., n), without the table's offsets; :func:`counted` is the
     way back.
 
@@ -24,15 +27,14 @@ def variables(arm, q):
     return arm.joint_values(q)
 
 
-def counted(arm, v):
+def counted(arm: Arm, v: NDArray[np.float64]) -> NDArray[np.float64]:
     """``q`` (..., n) of joint variables ``v``."""
-    v = np.asarray(v, dtype=float)
-    if arm.coupling is not None:
-        v = np.linalg.solve(arm.coupling, v[..., None])[..., 0]
-    return arm.sign * v
+    if arm.coupling is None:
+        return arm.sign * v
+    return arm.sign * np.linalg.solve(arm.coupling, np.asarray(v, dtype=float)[..., None])[..., 0]
 
 
-def wrapped(angle):
+def wrapped(angle: ArrayLike) -> NDArray[np.float64]:
     """Angles brought into (-π, π] by whole turns.
 
     Examples
@@ -43,7 +45,9 @@ def wrapped(angle):
     return np.pi - np.mod(np.pi - np.asarray(angle, dtype=float), TURN)
 
 
-def nearest_by_turns(arm, q, to):
+def nearest_by_turns(
+    arm: Arm, q: NDArray[np.float64], to: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """``q`` (..., n) with every revolute joint turned by whole turns until it is nearest to ``to``
     (..., n).
 
@@ -57,7 +61,7 @@ def nearest_by_turns(arm, q, to):
     return to + counted(arm, np.where(arm.table.prismatic, away, wrapped(away)))
 
 
-def bounds(arm):
+def bounds(arm: Arm) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Lowest and highest ``q``, two arrays (n,); infinite where the arm states no limit.
 
     Examples
@@ -73,7 +77,7 @@ def bounds(arm):
     return low, high
 
 
-def inside_by_turns(arm, q):
+def inside_by_turns(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
     """``q`` (k, n) moved by whole turns until as little as possible of it is outside the limits.
 
     Examples

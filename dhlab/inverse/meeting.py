@@ -1,13 +1,14 @@
 """Where lines meet."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 __all__ = ["meeting_point"]
 
 MEET = 1e-9  # m, as the doctor's exact comparison has it
 
 
-def meeting_point(p, z):
+def meeting_point(p: NDArray[np.float64], z: NDArray[np.float64]) -> NDArray[np.float64] | None:
     """The point where the lines (p, z) (k, 3) meet, or None when they do not all meet in one.
 
     The point whose squared distances to all lines add up to the least, accepted when none passes it

@@ -1,7 +1,9 @@
 """The same solution found twice is one solution."""
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from .joints import nearest_by_turns
 from .residuals import residuals
 
@@ -11,7 +13,9 @@ SAME = 1e-6  # rad and m: nearer than that in every joint, two are one
 CLOSE = 1e-3  # nearer than that, they are one when half way between them solves the target too
 
 
-def merged(arm, q, T, tolerance):
+def merged(
+    arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64], tolerance: float
+) -> tuple[NDArray[np.float64], list[NDArray[np.int64]]]:
     """Distinct solutions, and which of the given ones each was met as.
 
     Parameters

@@ -7,9 +7,12 @@ one of its own, with a mark in it when the derivation is complete.
 import hashlib
 import os
 import platform
+from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
+
+from ..table import DHTable
 
 __all__ = ["folder_of", "is_ready", "mark", "place"]
 
@@ -17,7 +20,7 @@ VARIABLE = "SSIK_DERIVATION_CACHE"
 COUNTS = ("ssik", "numpy", "sympy", "mpmath")  # another version may derive other numbers
 
 
-def place(table):
+def place(table: DHTable) -> Path:
     """The folder of a table, existing or not."""
     from platformdirs import user_cache_path
 
@@ -27,19 +30,19 @@ def place(table):
     return Path(user_cache_path("dhlab", appauthor=False)) / "inverse" / key
 
 
-def is_ready(table):
+def is_ready(table: DHTable) -> bool:
     """Whether the derivation is there."""
     return (place(table) / "ready").exists()
 
 
-def mark(table):
+def mark(table: DHTable) -> None:
     """Say that the derivation is complete."""
     place(table).mkdir(parents=True, exist_ok=True)
     (place(table) / "ready").write_text("")
 
 
 @contextmanager
-def folder_of(table):
+def folder_of(table: DHTable) -> Iterator[None]:
     """Let ssik look into, and write to, this table's folder."""
     before = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = str(place(table))

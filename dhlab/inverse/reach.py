@@ -3,7 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..geometry.canonical import joint_axes
 from ..geometry.lines import across, common_normal, tilt
 from ..printing import number
@@ -34,14 +36,14 @@ class ElbowArm:
         bends; elbow from shoulder; wrist centre from elbow.
     """
 
-    base: np.ndarray
-    centre: np.ndarray
+    base: NDArray[np.float64]
+    centre: NDArray[np.float64]
     forward: float
     aside: float
     upper: float
     fore: float
 
-    def shortfall(self, T):
+    def shortfall(self, T: NDArray[np.float64]) -> tuple[float, str]:
         """How many metres the wrist centre lacks, and the sentence that says so; (0, "") when the
         pose ``T`` (4, 4) is within reach.
         """
@@ -70,7 +72,7 @@ class ElbowArm:
         )
 
 
-def elbow_arm(arm):
+def elbow_arm(arm: Arm) -> ElbowArm | None:
     """The arm as an :class:`ElbowArm`, or None when it is none.
 
     Examples
@@ -92,8 +94,10 @@ def elbow_arm(arm):
         return None
     normal = common_normal(p[0], z[0], p[1], z[1])
     origin = p[0] + normal.out * z[0]  # on axis 1, at the height of the shoulder
+    x = normal.x
+    assert x is not None  # which two axes that are not parallel always have
     base = np.eye(4)
-    base[:3, :3] = np.column_stack([normal.x, np.cross(z[0], normal.x), z[0]])
+    base[:3, :3] = np.column_stack([x, np.cross(z[0], x), z[0]])
     base[:3, 3] = origin
     centre = inverse(axes.end)[:3] @ np.append(wrist, 1.0)
     return ElbowArm(

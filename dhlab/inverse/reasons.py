@@ -3,10 +3,12 @@
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..printing import number
 from .descent import Problem, approach, descend
 from .joints import bounds, inside_by_turns, nearest_by_turns
+from .question import Question
 from .reach import elbow_arm
 from .residuals import residuals
 from .search import STARTS, arm_length, search, starts
@@ -20,7 +22,12 @@ FAINT = 1e-3  # the weight of the orientation where the position comes first
 SEED = 1
 
 
-def explained(question, outside, seen, complete):
+def explained(
+    question: Question,
+    outside: NDArray[np.float64],
+    seen: NDArray[np.float64] | None,
+    complete: bool,
+) -> tuple[Reason, Nearest]:
     """The reason and the nearest pose, for a question without a solution.
 
     Parameters

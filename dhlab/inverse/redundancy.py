@@ -1,9 +1,12 @@
 """Arms with a joint to spare: which joint is held, and at which values."""
 
 from itertools import product
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..geometry.canonical import joint_axes
 from .joints import bounds
 from .meeting import meeting_point
@@ -13,7 +16,7 @@ __all__ = ["given_holds", "joint_to_hold", "usual_holds"]
 STEP = np.pi / 8  # between the values that are tried when none is stated
 
 
-def joint_to_hold(arm):
+def joint_to_hold(arm: Arm) -> int:
     """The joint (from 0) that is held when seven joints turn and none is named.
 
     Joint 3 where the last three axes meet, which turns the elbow about the line from shoulder to
@@ -30,7 +33,7 @@ def joint_to_hold(arm):
     return 6 if wrist is None and shoulder is not None else 2
 
 
-def usual_holds(arm, near=None):
+def usual_holds(arm: Arm, near: NDArray[np.float64] | None = None) -> list[dict[int, float]]:
     """What is tried, one after the other, when no redundancy is stated: the joint at its value in
     ``near``, or in the middle of its range, and from there outwards.
 
@@ -54,7 +57,7 @@ def usual_holds(arm, near=None):
     return [{joint: middle + step} for step in steps if step == 0 or low <= middle + step <= high]
 
 
-def given_holds(arm, redundancy):
+def given_holds(arm: Arm, redundancy: Any) -> list[dict[int, float]]:
     """The same from what a user states: a value or several of the usual joint, or
     ``{joint from 1: value or values}``; every combination.
 

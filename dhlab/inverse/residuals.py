@@ -1,8 +1,10 @@
 """How far a configuration is from a target pose, in metres and radians; and targets, checked."""
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
+from ..arm import Arm
 from ..transform import RIGID_TOLERANCE, pose_fault
 
 __all__ = ["missing", "require_targets", "residuals", "rotation_vector"]
@@ -11,7 +13,7 @@ SMALL = 1e-8  # rad: below, sine and angle are the same number
 NEARLY_HALF_A_TURN = -0.99  # the cosine of 172°
 
 
-def missing(arm, q, T):
+def missing(arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
     """What moves the end at ``q`` (m, n) to the targets ``T`` (m, 4, 4): (m, 6), metres along and
     the rotation vector about the axes of the frame that :meth:`Arm.forward` uses.
 
@@ -27,7 +29,7 @@ def missing(arm, q, T):
     return np.concatenate([T[:, :3, 3] - here[:, :3, 3], rotation_vector(turn)], axis=1)
 
 
-def rotation_vector(R):
+def rotation_vector(R: NDArray[np.float64]) -> NDArray[np.float64]:
     """The rotation vectors (m, 3) of rotations (m, 3, 3), in radians.
 
     ``sin(angle) · axis`` stands in ``R - Rᵀ`` (Siciliano et al., Robotics, eq. 2.27); near half a
@@ -52,7 +54,7 @@ def rotation_vector(R):
     return vector
 
 
-def residuals(arm, q, T):
+def residuals(arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
     """Distance (m) and angle (rad) between the end at every ``q`` (m, n) and the target ``T``
     (4, 4), or one target each (m, 4, 4): (m, 2).
     """
@@ -61,7 +63,7 @@ def residuals(arm, q, T):
     return np.stack([np.linalg.norm(off[:, :3], axis=1), np.linalg.norm(off[:, 3:], axis=1)], 1)
 
 
-def require_targets(T):
+def require_targets(T: ArrayLike) -> tuple[NDArray[np.float64], bool]:
     """Target poses (m, 4, 4), each with the nearest exact rotation, and whether one was given
     rather than a batch; or a sentence.
 

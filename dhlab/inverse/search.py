@@ -1,9 +1,12 @@
 """Solutions by search: damped least squares from many starts, for any arm."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..geometry.canonical import joint_axes
 from .descent import Problem, approach
 from .joints import bounds
@@ -26,13 +29,13 @@ class Found:
     only one start led to.
     """
 
-    q: np.ndarray
-    nearest: np.ndarray
+    q: NDArray[np.float64]
+    nearest: NDArray[np.float64]
     starts: int
     once: int
 
 
-def arm_length(arm):
+def arm_length(arm: Arm) -> float:
     """How far the arm's joint axes and end lie from each other, in metres: what a radian counts
     as.
 
@@ -51,7 +54,13 @@ def arm_length(arm):
     return float(max(axes.reach, max(slides, default=0.0)) or max(axes.largest, 1e-3))
 
 
-def starts(arm, count, generator, low, high):
+def starts(
+    arm: Arm,
+    count: int,
+    generator: np.random.Generator,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+) -> NDArray[np.float64]:
     """Random configurations (count, n): inside ``low`` and ``high`` where they are finite, else
     half a turn, or the arm's length, to either side.
     """
@@ -60,7 +69,15 @@ def starts(arm, count, generator, low, high):
     return generator.uniform(low, high, (count, len(arm)))
 
 
-def search(arm, T, *, tolerance, held=None, near=None, within=False):
+def search(
+    arm: Arm,
+    T: NDArray[np.float64],
+    *,
+    tolerance: float,
+    held: Mapping[int, float] | None = None,
+    near: NDArray[np.float64] | None = None,
+    within: bool = False,
+) -> list[Found]:
     """Every solution that the starts lead to, for each target.
 
     Parameters

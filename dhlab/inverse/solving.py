@@ -1,11 +1,15 @@
 """``solve``: every solution of a pose in closed form where there is one, by search elsewhere."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .candidates import by_closed_form, by_search, form_for, needs_preparation
+from ..arm import Arm
+from .candidates import Candidates, by_closed_form, by_search, form_for, needs_preparation
 from .closedform import installed, prepare_table
 from .question import Question
 from .reasons import explained
@@ -20,7 +24,16 @@ INSTALL = "pip install 'dhlab-kinematics[ik]'"
 PREPARE = "dhlab.inverse.prepare(arm), or dhlab ik ARM --prepare"
 
 
-def solve(arm, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, method=None):
+def solve(
+    arm: Arm,
+    T: ArrayLike,
+    *,
+    limits: bool = False,
+    near: ArrayLike | None = None,
+    redundancy: Any = None,
+    tolerance: float = 1e-9,
+    method: str | None = None,
+) -> Solutions | list[Solutions]:
     """The configurations that bring the end to a pose; the door is :meth:`Arm.solve`, which says
     what the arguments are.
     """
@@ -38,7 +51,7 @@ def solve(arm, T, *, limits=False, near=None, redundancy=None, tolerance=1e-9, m
     return answers[0] if single else answers
 
 
-def prepare(arm):
+def prepare(arm: Arm) -> bool:
     """Derive, once, what the closed form of a general six-axis arm needs: minutes of work, kept in
     the user's cache folder for this table. Nothing to do for other arms.
 
@@ -77,14 +90,16 @@ def _question(arm, limits, near, redundancy, tolerance):
                 f" {near.shape}"
             )
     holds = None if redundancy is None else tuple(given_holds(arm, redundancy))
-    return Question(arm, None, bool(limits), near, holds, float(tolerance))
+    anywhere = np.eye(4)  # each target takes its place
+    return Question(arm, anywhere, bool(limits), near, holds, float(tolerance))
 
 
 def _plainly(questions, method):
     """The solutions with every stated hold, or with none: a list of Candidates for each
     question.
     """
-    holds = (questions[0].holds if questions else None) or ({},)
+    stated = questions[0].holds if questions else None
+    holds: tuple[Mapping[int, float], ...] = stated or ({},)
     by_hold = [_at(questions, hold, method) for hold in holds]
     return [list(row) for row in zip(*by_hold, strict=True)]
 
@@ -92,7 +107,7 @@ def _plainly(questions, method):
 def _with_a_spare_joint(questions, method):
     """Seven turning joints and no stated redundancy: the first of the usual values that serves."""
     arm = questions[0].arm
-    found = [[] for _ in questions]
+    found: list[list[Candidates]] = [[] for _ in questions]
     for k, hold in enumerate(usual_holds(arm, questions[0].near)):
         form = method != "search" and form_for(arm, hold)
         if k and not form:
