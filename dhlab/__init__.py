@@ -1,8 +1,5 @@
 """dhlab: learn, teach and debug Denavit-Hartenberg kinematics. Radians and metres inside; degrees
 and millimetres where people write.
-
-``__init__.pyi`` beside this file is the one list of names; each is loaded when it is first asked
-for, and so is a room (``dhlab.transform``), so that ``import dhlab`` costs little.
 """
 
 from importlib import import_module
@@ -12,6 +9,8 @@ import lazy_loader
 
 __version__ = "0.1.0"
 
+# __init__.pyi lists the names; each is loaded when it is first asked for, and so is a room
+# (dhlab.transform), so that import dhlab costs little
 _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 

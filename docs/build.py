@@ -24,6 +24,8 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from sphinx.cmd.build import main as sphinx
 
+from reference import filled_in
+
 from dhlab.view.explorer import without_widgets
 
 __all__ = ["build", "pages", "executed", "accessible"]
@@ -94,12 +96,12 @@ def pages(cache):
     after a run.
     """
     plain, notebooks = {}, {}
-    for path in sorted(DOCS.glob("*.md")):
+    for path in sorted([*DOCS.glob("*.md"), *DOCS.glob("reference/*.md")]):
         text = path.read_text(encoding="utf-8")
         if "{code-cell}" in text:
             notebooks[path.stem] = jupytext.reads(text, fmt="md:myst")
         else:
-            plain[path.name] = text
+            plain[path.relative_to(DOCS).as_posix()] = filled_in(text)
     for path in sorted((ROOT / "lessons").glob("*.ipynb")):
         notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4))
     plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")

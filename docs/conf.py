@@ -19,6 +19,7 @@ language = "en"
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
     "sphinx_copybutton",
     "sphinx_design",
@@ -32,6 +33,7 @@ nb_merge_streams = True
 smartquotes_action = "D"  # dashes; quotation marks stay as they were typed
 
 autodoc_member_order = "bysource"
+autosummary_generate = False
 autodoc_typehints = "none"
 add_module_names = False
 toc_object_entries_show_parents = "hide"
