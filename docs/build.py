@@ -2,7 +2,9 @@
 reader's browser sent elsewhere.
 
     python docs/build.py          # docs/_build/html
-    python docs/build.py OUT      # OUT/html; the folders html, source, doctrees and executed in OUT belong to the build
+    python docs/build.py OUT      # OUT/html
+
+In OUT the folders html, source, doctrees and executed belong to the build.
 
 A lesson is run again when it or anything in ``dhlab`` has changed; a cell that fails, and any
 warning of Sphinx, ends the build.
@@ -22,20 +24,19 @@ import jupytext
 import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
-from sphinx.cmd.build import main as sphinx
-
 from reference import filled_in
+from sphinx.cmd.build import main as sphinx
 
 from dhlab.view.explorer import without_widgets
 
-__all__ = ["build", "pages", "executed", "accessible"]
+__all__ = ["accessible", "build", "executed", "pages"]
 
 DOCS = Path(__file__).resolve().parent
 ROOT = DOCS.parent
 NOTE = """:::{admonition} Read it here, do it in Jupyter
 :class: tip
-This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted yet*.
-To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
+This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted
+yet*. To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
 :::"""
 # what furo leaves to be named, so that somebody who listens to the page can tell its parts
 LANDMARKS = [
@@ -107,7 +108,11 @@ def pages(cache):
     plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")
     with ThreadPoolExecutor(2) as pool:
         runs = dict(
-            zip(notebooks, pool.map(lambda name: executed(name, notebooks[name], cache), notebooks))
+            zip(
+                notebooks,
+                pool.map(lambda name: executed(name, notebooks[name], cache), notebooks),
+                strict=True,
+            )
         )
     for path in set(cache.rglob("*.ipynb")) - set(runs.values()):
         path.unlink()

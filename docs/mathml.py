@@ -8,7 +8,7 @@ from docutils import nodes
 from latex2mathml.converter import convert
 from sphinx.util import logging
 
-__all__ = ["setup", "mathml"]
+__all__ = ["mathml", "setup"]
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 THIN = "0.167em"

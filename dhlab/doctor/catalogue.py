@@ -19,6 +19,12 @@ class Mistake:
 
     ``refs`` are threads and pages where people met it; ``also`` are other ids under which
     :func:`catalogue` finds it.
+
+    Examples
+    --------
+    >>> mistake = catalogue()["alpha-sign"]
+    >>> mistake.id, mistake == catalogue()[mistake.id]
+    ('alpha-sign', True)
     """
 
     id: str

@@ -44,6 +44,15 @@ class Diagnosis:
     compared : (Arm, q, measured) or None
         What :attr:`picture` draws: the arm as given (its base and tool in place where they are
         free), q (m, n), poses (m, 4, 4) or positions (m, 3).
+
+    Examples
+    --------
+    >>> import numpy as np, dhlab as dh
+    >>> arm = dh.load("article-6r")
+    >>> q = np.random.default_rng(1).uniform(-2, 2, (6, 6))
+    >>> answer = dh.diagnose(arm, q, arm.forward(q))
+    >>> answer.verdict, answer.findings, len(answer.before)
+    ('agrees', (), 2)
     """
 
     verdict: str

@@ -29,6 +29,15 @@ class Finding:
         The corrected arm.
     look_alikes : tuple of str
         Ids of other mistakes that give the same on this arm.
+
+    Examples
+    --------
+    >>> import numpy as np, dhlab as dh
+    >>> arm = dh.load("article-6r")
+    >>> q = np.random.default_rng(1).uniform(-2, 2, (6, 6))
+    >>> finding, = dh.diagnose(arm, q, arm.forward(q) @ dh.transform.trans_z(0.1)).findings
+    >>> finding.mistake, finding.joint, finding.parameter
+    ('length-value', 6, 'd')
     """
 
     mistake: str

@@ -90,7 +90,15 @@ def header(arm: Arm, formulas: dict[str, Formulas], notes: list[str], check: str
         JOINTS,
     ]
     lines = [line for text in paragraphs for line in _wrapped(text)]
-    lines += ["", *_table(arm).splitlines(), "", *_coupling(arm), *_frames(arm), *notes, *_results(arm)]
+    lines += [
+        "",
+        *_table(arm).splitlines(),
+        "",
+        *_coupling(arm),
+        *_frames(arm),
+        *notes,
+        *_results(arm),
+    ]
     for name, formula in formulas.items():
         counts = ", ".join(f"{number} {kind}" for kind, number in formula.count.items())
         lines.append(f"Cost of {name}: {counts}")

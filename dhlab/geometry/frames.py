@@ -27,6 +27,15 @@ RUNAWAY = 10.0
 class NearlyParallelWarning(UserWarning):
     """Two axes are so nearly parallel that their common normal is far outside the arm, or that they
     had to be taken as parallel.
+
+    Examples
+    --------
+    >>> import warnings, dhlab as dh
+    >>> axes = [([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0], [1e-5, 0, 1])]
+    >>> with warnings.catch_warnings(record=True) as said:
+    ...     arm = dh.assign_frames(axes, end=dh.transform.trans([0.7, 0, 0]))
+    >>> said[0].category.__name__
+    'NearlyParallelWarning'
     """
 
 

@@ -29,6 +29,14 @@ class Nearest:
     metres, radians : float
         What is missing there; a radian was counted as much as ``length`` metres.
     length : float
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm = dh.load("ur5e")
+    >>> near = arm.solve(dh.transform.trans([2, 0, 0.3])).nearest
+    >>> round(near.metres, 2)
+    1.06
     """
 
     q: np.ndarray
@@ -67,6 +75,12 @@ class Reason:
     certain : bool
         True where the arm's geometry proves it; else a search from many starts says so, and its
         numbers are the least that it found.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> dh.load("ur5e").solve(dh.transform.trans([2, 0, 0.3])).reason.kind
+    'reach'
     """
 
     kind: str

@@ -36,6 +36,14 @@ def solve(
 ) -> Solutions | list[Solutions]:
     """The configurations that bring the end to a pose; the door is :meth:`Arm.solve`, which says
     what the arguments are.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm = dh.load("ur5e")
+    >>> q = [0.1, -1.2, 1.4, -0.8, 0.7, 0.2]
+    >>> len(solve(arm, arm.forward(q)))
+    8
     """
     targets, single = require_targets(T)
     asked = _question(arm, limits, near, redundancy, tolerance)

@@ -49,6 +49,14 @@ class Calibration:
     are free. ``base`` and ``tool`` (4, 4): the corrections found, ``base · old pose · tool``, the
     identity where fixed. ``noise``: (m, rad or None), given or estimated. ``explained``: whether
     offsets bring the model within the noise; None when the noise was not given.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm, q = dh.load("article-6r"), np.random.default_rng(0).uniform(-2, 2, (30, 6))
+    >>> found = dh.calibrate_offsets(arm, q, arm.forward(q + [0, 0.1, 0, 0, 0, 0]))
+    >>> found.offsets.round(3) + 0.0, found.undetermined
+    (array([0. , 0.1, 0. , 0. , 0. , 0. ]), ())
     """
 
     arm: Arm

@@ -32,6 +32,16 @@ class Circle:
     ``differs`` holds measured minus model's, each as (value, standard deviation): axis, shift,
     height, radius, phase; empty without a model. ``noise`` is what was given, ``convention`` the
     model's. ``fault`` says why there is no circle; the numbers are then None.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm = dh.load("article-6r")
+    >>> q = np.tile([0.3, 0.0, -0.7, 0.5, 0.9, 0.2], (9, 1))
+    >>> q[:, 1] = np.linspace(-1, 1, 9)
+    >>> circle = dh.fit_circles(q, arm.forward(q)).circles[0]
+    >>> circle.joint, circle.points, round(circle.span, 3), round(circle.radius, 4)
+    (2, 9, 2.0, 0.6271)
     """
 
     joint: int
@@ -63,6 +73,16 @@ class Circle:
 class CircleReport:
     """The circles found (``circles``), one per sweep; how many measurements belonged to no sweep
     (``left_out``).
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> arm = dh.load("article-6r")
+    >>> q = np.tile([0.3, 0.0, -0.7, 0.5, 0.9, 0.2], (9, 1))
+    >>> q[:, 1] = np.linspace(-1, 1, 9)
+    >>> report = dh.fit_circles(q, arm.forward(q))
+    >>> len(report.circles), report.left_out
+    (1, 0)
     """
 
     circles: tuple[Circle, ...]

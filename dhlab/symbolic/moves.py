@@ -30,6 +30,13 @@ MOVES = {
 class Step:
     """One elementary move of the link matrix: ``name``, its own ``matrix`` and the ``product`` of
     all moves so far (SymPy).
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> last = dh.symbolic.steps("craig")[-1]
+    >>> last.name, last.matrix[2, 3], last.product[2, 3]
+    ('Trans(z, d)', d, d*cos(alpha))
     """
 
     name: str
@@ -49,7 +56,14 @@ class Step:
 
 
 class Steps(tuple[Step, ...]):
-    """The four moves in their order; a notebook shows them one below the other."""
+    """The four moves in their order; a notebook shows them one below the other.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> len(dh.symbolic.steps("standard"))
+    4
+    """
 
     def _repr_latex_(self) -> str:
         return (

@@ -43,6 +43,13 @@ class Protocol:
         The joints (1-based) that do not move the measured point, which lies on their axes.
     above : bool
         The poses keep the arm above its base's plane.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> plan = protocol(dh.load("article-6r"), 4)
+    >>> plan.q.shape, plan.still, plan.above
+    ((4, 6), (6,), True)
     """
 
     arm: Arm

@@ -35,6 +35,13 @@ TRIES = 60  # random configurations among which the one that tells the readings 
 class Reading:
     """One way to read a table: the arm, the way in words, what had to be assumed, and which answer
     to each question leads here.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> found = dh.recognise_table("0 0.1 0 90\\n0 0 0.4 0")
+    >>> found.readings[0].arm.table.convention
+    'standard'
     """
 
     arm: Arm
@@ -65,6 +72,13 @@ class Recognised:
         Patterns worth a look: degrees among radians, lengths all positive.
     matches : bool or None
         Whether the first reading is equivalent to ``right``; None without it.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> found = dh.recognise_table("0 0.1 0 90\\n0 0 0.4 0")
+    >>> len(found.readings) > 1, len(found.questions) > 0, found.matches
+    (True, True, None)
     """
 
     readings: tuple
