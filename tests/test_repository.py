@@ -4,6 +4,7 @@ with the package.
 
 import pathlib
 import re
+import tomllib
 
 import pytest
 from ruamel.yaml import YAML
@@ -53,3 +54,22 @@ def test_a_workflow_pins_its_actions_and_calls_what_we_call(name):
     assert {"ci": ".ci/run", "pages": "make site"}[name] in commands
     for path in re.findall(r"\b(?:tests|dhlab|lessons)\b[\w/.]*", commands):
         assert (ROOT / path).exists(), path
+
+
+def test_contributing_shows_the_rooms_as_they_are():
+    """Its table, read from below, is the import checker's contract."""
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    table = text.partition("| room | what is in it |\n|---|---|\n")[2].partition("\n\n")[0]
+    shown = [sorted(re.findall(r"`([\w]+)/?`", row.split("|")[1])) for row in table.splitlines()]
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    layers = settings["tool"]["importlinter"]["contracts"][0]["layers"]
+    assert shown == [sorted(layer.split(" | ")) for layer in reversed(layers)]
+
+
+def test_the_files_that_contributing_opens_are_there():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    named = re.findall(r"`((?:dhlab|tests|docs|geometry|doctor|course|grading)/[\w/.]+)`", text)
+    assert len(named) > 10
+    for path in named:
+        path = path.replace("NN", "05")
+        assert (ROOT / path).exists() or (ROOT / "dhlab" / path).exists(), path
