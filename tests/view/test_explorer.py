@@ -79,7 +79,24 @@ def test_compare_mode_follows_the_pose_shown(arm):
         explorer.step = 5
 
 
+def test_branches_mode_follows_the_solution_shown():
+    arm = dh.load("puma560")
+    answer = arm.solve(arm.forward([0.1, 0.5, -0.2, 0.3, 0.4, 0.5]), method="search")
+    explorer = dh.explore(arm, mode="branches", q=answer)
+    assert explorer.step == 1
+    assert explorer.q.tolist() == answer[0].tolist()
+    explorer.step = 8
+    assert explorer.q.tolist() == answer[7].tolist()
+    assert "8 ways" in repr(explorer)
+    assert "8 configurations" in explorer._still().alt
+    with pytest.raises(ValueError, match="from 1 to 8, found 9"):
+        explorer.step = 9
+
+
 ERRORS = [
+    ({"mode": "branches"}, "one or more configurations"),
+    ({"mode": "branches", "q": [0] * 6}, "one or more configurations"),
+    ({"mode": "branches", "q": np.zeros((2, 5))}, "q: expected 6 values"),
     ({"mode": "arms"}, "expected one of the modes arm, link"),
     ({"q": [0]}, "q: expected 6 values"),
     ({"q": np.zeros((2, 6))}, "expected one configuration"),

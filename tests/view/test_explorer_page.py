@@ -30,6 +30,7 @@ def every_mode():
         "conventions": dh.explore(arm, mode="conventions", q=Q),
         "compare": dh.explore(wrong(arm), mode="compare", q=qs, poses=arm.forward(qs)),
         "two": dh.explore(arm, mode="compare", other=wrong(arm), q=Q),
+        "branches": dh.explore(arm, mode="branches", q=qs),
         "place": dh.explore(dh.load("stanford"), mode="place"),
     }
 
@@ -506,6 +507,18 @@ def test_compare_tells_every_error_and_goes_to_the_worst(opened, modes):
     page.get_by_role("button", name="The pose before").click()
     page.get_by_role("button", name="Worst").click()
     assert page.get_by_role("slider", name="Pose").input_value() == str(1 + errors.argmax())
+
+
+def test_branches_are_gone_through_one_by_one(opened, modes):
+    page = opened(modes["branches"])
+    qs = modes["branches"]._data["qs"]
+    page.get_by_role("button", name="The next solution").click()
+    assert page.get_by_text("Solution 2 of 5").first.is_visible()
+    rows = text_table(page, "Every solution")
+    shown = [[numbers(cell)[0] for cell in row[1:]] for row in rows]
+    assert np.allclose(shown, np.rad2deg(qs), atol=0.006)
+    page.get_by_role("button", name="The solution before").click()
+    assert page.get_by_text("Solution 1 of 5").first.is_visible()
 
 
 def test_two_arms_mark_the_entry_that_differs(opened, modes):

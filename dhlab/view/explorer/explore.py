@@ -1,4 +1,4 @@
-"""``dhlab.explore``: one call, five modes; what each needs is checked here and handed on as
+"""``dhlab.explore``: one call, six modes; what each needs is checked here and handed on as
 numbers.
 """
 
@@ -29,16 +29,17 @@ def explore(
     ----------
     arm : Arm or DHTable
         In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them.
-    mode : "arm", "link", "conventions", "compare" or "place"
+    mode : "arm", "link", "conventions", "compare", "branches" or "place"
         The whole arm with its frames; the four numbers of one row and the moves they stand for;
-        standard and Craig frames together; predicted against measured, or two arms; joint axes on
-        which frames are to be placed.
+        standard and Craig frames together; predicted against measured, or two arms; several
+        configurations of one arm, such as what :meth:`Arm.solve` gives; joint axes on which frames
+        are to be placed.
     **needs
-        ``q`` (n,): where the arm stands at first, in every mode but "place" and "compare" with
-        poses; zeros when left out. "link": ``joint``, the row, from 1. "compare": ``q`` (m, n) and
-        ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as many joints.
-        "place": ``convention``, "standard" or "craig" (the arm's when left out); ``end`` (4, 4)
-        with a list of axes.
+        ``q`` (n,): where the arm stands at first, in every mode but "place", "branches" and
+        "compare" with poses; zeros when left out. "link": ``joint``, the row, from 1. "compare":
+        ``q`` (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as
+        many joints. "branches": ``q`` (k, n), all of them. "place": ``convention``, "standard" or
+        "craig" (the arm's when left out); ``end`` (4, 4) with a list of axes.
 
     Returns
     -------
@@ -219,6 +220,27 @@ def _measured(arm, q, poses):
     )
 
 
+def _branches(arm, *, q=()):
+    arm = as_arm(arm, "explore")
+    qs = np.asarray(q, dtype=float) if len(q) else np.empty(0)
+    if qs.ndim != 2:
+        raise ValueError(
+            'explore: mode "branches" expected q, one or more configurations (k,'
+            f" {len(arm)}), found shape {qs.shape}; give what arm.solve(T) gives"
+        )
+    qs = arm._checked(qs)
+    return _explorer(
+        "branches",
+        arm,
+        f"{_name(arm)}: {len(qs)} ways to one pose",
+        lambda: stills.branches(arm, qs),
+        {"arm": arm_data(arm), "qs": qs.tolist(), "steps": (1, len(qs))},
+        q=qs[0],
+        step=1,
+        convention=arm.table.convention,
+    )
+
+
 def _place(arm, *, end=None, convention=None):
     name = "Frames on bare axes"
     if not isinstance(arm, (list, tuple)):
@@ -252,6 +274,7 @@ MODES: dict[str, Callable[..., Explorer]] = {
     "link": _link,
     "conventions": _conventions,
     "compare": _compare,
+    "branches": _branches,
     "place": _place,
 }
 

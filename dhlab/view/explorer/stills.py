@@ -22,14 +22,39 @@ from ..pictures.conventions import conventions
 from ..pictures.link import link
 from .placing import Placing
 
-__all__ = ["arm", "conventions", "link", "measured", "two", "place"]
+__all__ = ["arm", "branches", "conventions", "link", "measured", "two", "place"]
 
 SECOND = "#916008"
+OTHERS = "#a9b0b8"
 
 
 def arm(arm: Arm, q: NDArray[np.float64]) -> Picture:
     """The arm with its frames."""
     return arm_picture(arm, q, side=False)
+
+
+def branches(arm: Arm, qs: NDArray[np.float64]) -> Picture:
+    """Every configuration as a line from origin to origin, the first one in front."""
+    scene, last = Scene(), len(qs)
+    chains, ends = arm.frames(qs), arm.forward(qs)
+    for k in reversed(range(last)):
+        path = dh_path(arm.table.convention, chains[k])
+        _add_line(scene, path, ends[k], LINK if k == 0 else OTHERS, "1" if k == 0 else "")
+    add_triads(scene, ends[:1], ["1"], 0.12 * spread(scene.points()), titles=[""], subscripts=False)
+    camera = orbit()
+    add_floor(scene, camera, floor_height(scene.points()))
+    first = words.configuration(arm.table.joints, qs[0])
+    return Picture(
+        compose([View(scene, camera)], f"{arm.name or 'Arm'}: {last} ways to one pose"),
+        f"An arm in {last} configurations, drawn over each other as lines, with its end at"
+        f" {words.place(ends[0, :3, 3])} in the first of them, q = {first}.",
+        ("solution", *(f"q{i + 1}" for i in range(len(arm)))),
+        [
+            [str(k), *words.configuration(arm.table.joints, q).split(", ")]
+            for k, q in enumerate(qs, 1)
+        ],
+        "Every configuration",
+    )
 
 
 def place(placing: Placing) -> Picture:

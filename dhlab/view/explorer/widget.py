@@ -29,7 +29,7 @@ class Explorer(anywidget.AnyWidget):
     Attributes
     ----------
     mode : str
-        "arm", "link", "conventions", "compare" or "place".
+        "arm", "link", "conventions", "compare", "branches" or "place".
     arm : Arm or None
         The arm shown; in mode "place" the finished one, None until then.
     q : array (n,)
@@ -39,8 +39,8 @@ class Explorer(anywidget.AnyWidget):
     convention : str
         Mode "link": the order in which the four moves are made; else the arm's.
     step : int
-        Which move is done (mode "link", 0 to 4), which pose is shown ("compare", from 1), how far a
-        worked placement is ("place").
+        Which move is done (mode "link", 0 to 4), which pose or solution is shown
+        ("compare", "branches", from 1), how far a worked placement is ("place").
 
     Notes
     -----

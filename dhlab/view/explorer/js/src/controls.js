@@ -53,6 +53,20 @@ export function choice(legend, name, options, value, changed) {
   return { element, set: (key) => inputs.forEach((input, k) => { input.checked = options[k][0] === key; }) };
 }
 
+// One of a numbered row of things, from 1, by a slider and arrows; `extra` are more buttons beside them.
+export function stepper(name, count, select, extra = []) {
+  const to = (number) => select(Math.max(1, Math.min(count, number)));
+  const range = h("input", { type: "range", min: 1, max: count, step: 1, "aria-label": name, oninput: () => to(Number(range.value)) });
+  const lower = name.toLowerCase();
+  const bar = h("div", { class: "transport" }, button("◀", () => to(Number(range.value) - 1), { "aria-label": `The ${lower} before` }),
+    button("▶", () => to(Number(range.value) + 1), { "aria-label": `The next ${lower}` }), ...extra);
+  const element = h("fieldset", { class: "sliders" }, h("legend", {}, `${name} shown`), range, bar);
+  return { element, set: (number) => {
+    range.value = number;
+    range.setAttribute("aria-valuetext", `${lower} ${number} of ${count}`);
+  } };
+}
+
 // One slider per joint of an arm; a joint without limits gets a full turn, or the arm's size.
 export function jointSliders(arm, size, host) {
   const sliders = [...arm.joints].map((letter, i) => {

@@ -2,6 +2,7 @@
 
 import { h, write } from "./dom.js";
 import { armMode } from "./modes/arm.js";
+import { branchesMode } from "./modes/branches.js";
 import { compareMode } from "./modes/compare.js";
 import { conventionsMode } from "./modes/conventions.js";
 import { linkMode } from "./modes/link.js";
@@ -10,7 +11,7 @@ import { Stage } from "./stage.js";
 import style from "./style.css";
 import { theme, watchTheme } from "./theme.js";
 
-const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, place: placeMode };
+const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, branches: branchesMode, place: placeMode };
 const SILENCE = 700; // ms after the last change before a screen reader is told
 
 // `host` is what holds the state, a notebook's model or the page: {data, get, set, listen, send}. Returns the way to take everything down.

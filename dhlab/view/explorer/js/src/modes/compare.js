@@ -1,7 +1,7 @@
 // Mode "compare": predicted against measured end poses, one after the other; or two tables as two arms in one picture.
 
 import { drawBody, drawTriads, legend, named } from "../bodies.js";
-import { button, jointSliders } from "../controls.js";
+import { button, jointSliders, stepper } from "../controls.js";
 import { Table, h, write } from "../dom.js";
 import { degrees, millimetres, place } from "../format.js";
 import { endOf, forward, frames } from "../kinematics.js";
@@ -22,15 +22,13 @@ function measured(host, redraw) {
   const mode = { size: sizeOf(arm, frames(arm, qs[worst]), qs[0]), build, changed, said };
   const factor = longer(gaps[worst].far, mode.size);
   let k, chain;
-  const pick = h("input", { type: "range", min: 1, max: qs.length, step: 1, "aria-label": "Pose", oninput: () => select(Number(pick.value)) });
+  const toWorst = button("Worst", () => host.set("step", worst + 1)), steps = stepper("Pose", qs.length, (number) => host.set("step", number), [toWorst]);
   const words = h("p"), dh = new DHTable(arm);
   const frameTable = new FramesTable([...named(arm, frames(arm, qs[0]), predicted[0]).titles, "measured"]);
   const table = new Table("Errors, pose by pose", ["pose", "error (mm)", ...(positions ? [] : ["error (°)"]), "measured (mm)", "predicted (mm)"], qs.length);
   table.set(poses.map((pose, i) => [String(i + 1), millimetres(gaps[i].far, 2).slice(0, -3), ...(positions ? [] : [degrees(gaps[i].turned).slice(0, -1)]),
     point(pose), point(predicted[i])]));
-  const bar = h("div", { class: "transport" }, button("◀", () => select(k), { "aria-label": "The pose before" }),
-    button("▶", () => select(k + 2), { "aria-label": "The next pose" }), button("Worst", () => select(worst + 1)));
-  mode.controls = [h("fieldset", { class: "sliders" }, h("legend", {}, "Pose shown"), pick, bar), words,
+  mode.controls = [steps.element, words,
     legend(["error", `error${factor > 1 ? `, drawn ${factor} times as long` : ""}`]),
     h("p", { class: "hint" }, `○ measured, ● predicted. The largest error is ${gapWords(gaps[worst])}, at pose ${worst + 1}.`)];
   mode.below = [h("div", { class: "pair" }, table.element, dh.element)];
@@ -38,15 +36,10 @@ function measured(host, redraw) {
   changed();
   return mode;
 
-  function select(number) {
-    host.set("step", Math.max(1, Math.min(qs.length, number)));
-  }
-
   function changed() {
     k = Math.max(0, Math.min(qs.length, host.get("step")) - 1);
     chain = frames(arm, qs[k]);
-    pick.value = k + 1;
-    pick.setAttribute("aria-valuetext", `pose ${k + 1} of ${qs.length}`);
+    steps.set(k + 1);
     table.lines.forEach((line, i) => line.classList.toggle("now", i === k));
     dh.update(qs[k]);
     frameTable.update([...named(arm, chain, predicted[k]).poses, poses[k]]);
