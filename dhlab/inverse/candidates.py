@@ -1,17 +1,20 @@
 """The solutions of one target with some joints held: found, verified, merged, kept to limits."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..transform import inverse
-from .closedform import closed_form
+from .closedform import ClosedForm, closed_form
 from .descent import Problem, approach
 from .families import flat, same_family, settled, still_free
 from .joints import counted, inside_by_turns, nearest_by_turns, variables
 from .merging import merged
 from .prepared import folder_of, is_ready
-from .question import free_joints
+from .question import Question, free_joints
 from .residuals import residuals
 from .search import SHARP, arm_length, search
 
@@ -41,23 +44,23 @@ class Candidates:
         Where a search came nearest.
     """
 
-    q: np.ndarray
-    outside: np.ndarray
-    families: tuple
-    hold: dict
+    q: NDArray[np.float64]
+    outside: NDArray[np.float64]
+    families: tuple[tuple[int, ...], ...]
+    hold: Mapping[int, float]
     method: str
     complete: bool
-    seen: np.ndarray | None = None
+    seen: NDArray[np.float64] | None = None
 
 
-def form_for(arm, hold):
+def form_for(arm: Arm, hold: Mapping[int, float]) -> ClosedForm | None:
     """The closed form that is ready for use with these joints held, or None."""
     form = _any_form(arm, hold)
     ready = form is not None and (not form.general or (not hold and is_ready(arm.table)))
     return form if ready else None
 
 
-def needs_preparation(arm):
+def needs_preparation(arm: Arm) -> bool:
     """Whether a closed form could be had for this arm, were it derived first."""
     form = _any_form(arm, {})
     return form is not None and form.general and not is_ready(arm.table)
@@ -70,7 +73,7 @@ def _any_form(arm, hold):
     return closed_form(arm.table, tuple((joint, float(v[joint])) for joint in sorted(hold)))
 
 
-def by_closed_form(question, form, hold):
+def by_closed_form(question: Question, form: ClosedForm, hold: Mapping[int, float]) -> Candidates:
     """Every solution that ssik knows for one question."""
     arm = question.arm
     T_0n = inverse(arm.base) @ question.T @ inverse(arm.tool)
@@ -82,7 +85,7 @@ def by_closed_form(question, form, hold):
     return _sorted_out(question, counted(arm, v), hold, f"closed form, ssik {form.name}", True)
 
 
-def by_search(questions, hold):
+def by_search(questions: Sequence[Question], hold: Mapping[int, float]) -> list[Candidates]:
     """What a search finds for each question; these share everything but the target."""
     if not questions:
         return []
@@ -135,7 +138,8 @@ def _families(question, q, free):
     bent = flat(arm, q, free) if free.sum() <= 6 else np.zeros(len(q), dtype=bool)
     away = np.abs(q - question.reference).max(axis=1, initial=0.0)
     members = np.flatnonzero(bent)[np.argsort(away[bent], kind="stable")][:MEMBERS]
-    kept, families = list(q[~bent]), [()] * int((~bent).sum())
+    kept = list(q[~bent])
+    families: list[tuple[int, ...]] = [()] * len(kept)
     for row in q[members]:
         moving = still_free(arm, row, T, tolerance, free)
         if moving:

@@ -1,7 +1,9 @@
 """Solutions that are not alone: at some poses joints can move and the end stays where it is."""
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from .joints import nearest_by_turns
 from .residuals import missing, residuals
 
@@ -14,13 +16,19 @@ ALIKE = 1e-5  # rad, m
 CORRECTIONS, WALK = 5, 200
 
 
-def flat(arm, q, free):
+def flat(arm: Arm, q: NDArray[np.float64], free: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Where the Jacobian of the free joints loses rank: booleans (k,) for ``q`` (k, n)."""
     sizes = np.linalg.svd(arm.jacobian(q)[..., free], compute_uv=False)
     return sizes[:, -1] <= FLAT * sizes[:, 0]
 
 
-def still_free(arm, q, T, tolerance, free=None):
+def still_free(
+    arm: Arm,
+    q: NDArray[np.float64],
+    T: NDArray[np.float64],
+    tolerance: float,
+    free: NDArray[np.bool_] | None = None,
+) -> tuple[int, ...]:
     """Which joints of a solution can move while the end stays.
 
     Parameters
@@ -62,7 +70,9 @@ def still_free(arm, q, T, tolerance, free=None):
     return tuple(int(i) + 1 for i in np.flatnonzero(moved > SHARE * max(moved.max(), PROBE)))
 
 
-def same_family(arm, q, other, moving):
+def same_family(
+    arm: Arm, q: NDArray[np.float64], other: NDArray[np.float64], moving: tuple[int, ...]
+) -> bool:
     """Whether two solutions in which the same two joints can move are one family: two such joints
     turn about one line (or slide along one), so that all of their family has the others alike.
     """
@@ -71,7 +81,14 @@ def same_family(arm, q, other, moving):
     return len(moving) == 2 and apart.max(initial=0.0) < ALIKE
 
 
-def settled(arm, q, T, to, tolerance, free):
+def settled(
+    arm: Arm,
+    q: NDArray[np.float64],
+    T: NDArray[np.float64],
+    to: NDArray[np.float64],
+    tolerance: float,
+    free: NDArray[np.bool_],
+) -> NDArray[np.float64]:
     """The member of a solution's family that is nearest to ``to`` (n,), as far as a walk along the
     family gets; ``q`` (n,) itself where that does not work.
 

@@ -2,14 +2,17 @@
 none.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 from textwrap import fill
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arm import Arm
 from ..printing import grid_html, grid_text, number
 from .question import Question
 
@@ -39,13 +42,13 @@ class Nearest:
     1.06
     """
 
-    q: np.ndarray
-    pose: np.ndarray
+    q: NDArray[np.float64]
+    pose: NDArray[np.float64]
     metres: float
     radians: float
     length: float
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Plain values for a program."""
         return {
             "q": self.q.tolist(),
@@ -90,13 +93,13 @@ class Reason:
     short: float = 0.0
     certain: bool = False
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Plain values for a program."""
         return dict(vars(self))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Solutions(Sequence):
+class Solutions(Sequence[NDArray[np.float64]]):
     """The solutions for one pose: a sequence of ``q``, true when there is one.
 
     Parameters
@@ -134,57 +137,57 @@ class Solutions(Sequence):
     """
 
     question: Question
-    q: np.ndarray
-    residuals: np.ndarray
+    q: NDArray[np.float64]
+    residuals: NDArray[np.float64]
     method: str
     complete: bool
-    families: tuple = ()
-    held: tuple = ()
-    outside: np.ndarray | None = None
-    notes: tuple = ()
-    explain: Callable | None = None
+    families: tuple[tuple[int, ...], ...] = ()
+    held: tuple[Mapping[int, float], ...] = ()
+    outside: NDArray[np.float64] | None = None
+    notes: tuple[str, ...] = ()
+    explain: Callable[[], tuple[Reason, Nearest]] | None = None
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.q)
 
-    def __getitem__(self, i):
+    def __getitem__(self, i: Any) -> Any:
         return self.q[i]
 
-    def __array__(self, dtype=None, copy=None):
+    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[np.float64]:
         return np.array(self.q, dtype=dtype)
 
     @property
-    def arm(self):
+    def arm(self) -> Arm:
         """The arm that was asked about."""
         return self.question.arm
 
     @property
-    def T(self):
+    def T(self) -> NDArray[np.float64]:
         """The target (4, 4)."""
         return self.question.T
 
     @property
-    def within_limits(self):
+    def within_limits(self) -> NDArray[np.bool_]:
         """Which solutions keep the arm's stated limits: booleans (k,)."""
-        return self.arm.within_limits(self.q).all(axis=1)
+        return np.all(self.arm.within_limits(self.q), axis=1)
 
     @cached_property
     def _explained(self):
-        return (None, None) if len(self) else self.explain()
+        return (None, None) if len(self) or self.explain is None else self.explain()
 
     @property
-    def reason(self):
+    def reason(self) -> Reason | None:
         """Why there is none, a :class:`Reason`, worked out when first asked for; None when there is
         one.
         """
         return self._explained[0]
 
     @property
-    def nearest(self):
+    def nearest(self) -> Nearest | None:
         """The :class:`Nearest` pose that can be reached; None when the target itself can."""
         return self._explained[1]
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Plain values for a program; lengths in metres, angles in radians."""
         return {
             "solved": bool(self),
@@ -203,7 +206,8 @@ class Solutions(Sequence):
     def _headline(self):
         name = self.arm.name or "the arm"
         if not len(self):
-            return f"{name}: no solution. {self.reason.sentence}"
+            why = self.reason.sentence if self.reason else ""
+            return f"{name}: no solution. {why}"
         metres, radians = self.residuals.max(axis=0)
         count = "1 solution" if len(self) == 1 else f"{len(self)} solutions"
         return (
@@ -250,13 +254,13 @@ class Solutions(Sequence):
             f" {number(np.rad2deg(nearest.radians), 3)}° away, {at}"
         )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         lines = [fill(self._headline(), WIDTH)]
         if len(self):
             lines.append(grid_text(*self._grid()))
         return "\n".join(lines + [fill(remark, WIDTH) for remark in self._remarks()])
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         remarks = "".join(f"<p>{escape(remark)}</p>" for remark in self._remarks())
         if not len(self):
             return f"<p>{escape(self._headline())}</p>{remarks}"
