@@ -13,8 +13,8 @@ import numpy as np
 import dhlab as dh
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from oracles import AGREEING, chain_disagreement, exponential_pose, pose_errors  # noqa: E402
-from test_oracles import pinocchio_model  # noqa: E402
+from oracles import AGREEING, chain_disagreement, exponential_pose, pose_errors
+from test_oracles import pinocchio_model
 
 
 def urdf_table():

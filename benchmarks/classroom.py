@@ -18,7 +18,7 @@ import tempfile
 import time
 from collections import Counter
 from dataclasses import dataclass, field
-from datetime import datetime, timedelta, timezone
+from datetime import UTC, datetime, timedelta
 from itertools import permutations, product
 from pathlib import Path
 
@@ -38,8 +38,8 @@ from dhlab.grading.results.publish import publish
 from dhlab.grading.settings import read_settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor" / "programs"))
-from unseen_programs import UNSEEN  # noqa: E402
-from wrong_programs import RIGHT, WRONG  # noqa: E402
+from unseen_programs import UNSEEN
+from wrong_programs import RIGHT, WRONG
 
 ROT_X = (
     "import numpy as np\ndef rot_x(alpha):\n    c, s = np.cos(alpha), np.sin(alpha)\n    return"
@@ -110,11 +110,8 @@ def plans(lessons=("05", "06"), size=60, seed=7, numbers=None):
 def _answer(plan, exercise, hard, variant, rng):
     slope = -2 if exercise.id == BAD_QUESTION else 2
     knows = rng.random() < 1 / (1 + np.exp(-slope * (plan.able - hard)))
-    if (
-        not knows
-        and rng.random() < 0.1
-        or isinstance(exercise, Function)
-        and not _programs(exercise)
+    if (not knows and rng.random() < 0.1) or (
+        isinstance(exercise, Function) and not _programs(exercise)
     ):
         return  # left out
     plan.planted[exercise.id], plan.code[exercise.id] = (
@@ -379,7 +376,7 @@ def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1):
     )  # the same class every time
     key, _ = key_of(folder / "teacher.key", folder / "handed-out")
     everybody = roster(size)
-    due = (datetime.now(timezone.utc) - timedelta(days=1.2)).isoformat(timespec="seconds")
+    due = (datetime.now(UTC) - timedelta(days=1.2)).isoformat(timespec="seconds")
     (folder / "course.yaml").write_text(
         COURSE + "".join(f'  "{lesson}": {{due: {due}}}\n' for lesson in lessons)
     )

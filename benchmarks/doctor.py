@@ -190,20 +190,23 @@ def main():
     arms, only = options.arms.split(","), options.only.split(",")
     print("| what | cases | explained | named | median s | worst s |\n|---|---|---|---|---|---|")
     lines = {
-        "1": ("singles, exact, 10 poses", dict(m=10, noise=None, every=options.every)),
-        "2": ("singles, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, every=options.every)),
+        "1": ("singles, exact, 10 poses", {"m": 10, "noise": None, "every": options.every}),
+        "2": (
+            "singles, 1 mm and 0.2°, 10 poses",
+            {"m": 10, "noise": NOISE, "every": options.every},
+        ),
         "3": (
             "singles, positions, base free, 1 mm, 20 poses",
-            dict(m=20, noise=NOISE, positions=True, free=True, every=options.every),
+            {"m": 20, "noise": NOISE, "positions": True, "free": True, "every": options.every},
         ),
-        "4": ("pairs, 1 mm and 0.2°, 10 poses", dict(m=10, noise=NOISE, pair=options.pairs)),
+        "4": ("pairs, 1 mm and 0.2°, 10 poses", {"m": 10, "noise": NOISE, "pair": options.pairs}),
         "6": (
             "pairs, positions, 1 mm, 20 poses",
-            dict(m=20, noise=NOISE, positions=True, pair=options.pairs),
+            {"m": 20, "noise": NOISE, "positions": True, "pair": options.pairs},
         ),
         "7": (
             "pairs, positions, base free, 1 mm, 20 poses",
-            dict(m=20, noise=NOISE, positions=True, free=True, pair=options.pairs),
+            {"m": 20, "noise": NOISE, "positions": True, "free": True, "pair": options.pairs},
         ),
     }
     for key, (title, settings) in lines.items():

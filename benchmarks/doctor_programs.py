@@ -18,11 +18,11 @@ import numpy as np
 import dhlab.doctor.programs.functions as functions
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor" / "programs"))
-from fresh_programs import PROGRAMS  # noqa: E402
-from unseen_programs import UNSEEN  # noqa: E402
-from wrong_programs import KINDS, RIGHT, WRONG, program  # noqa: E402
+from fresh_programs import PROGRAMS
+from unseen_programs import UNSEEN
+from wrong_programs import KINDS, RIGHT, WRONG, program
 
-from dhlab.doctor import catalogue  # noqa: E402
+from dhlab.doctor import catalogue
 
 
 def diagnosed(kind, text):

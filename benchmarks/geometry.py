@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from geometry_cases import (  # noqa: E402
+from geometry_cases import (
     CHAINS,
     PUBLISHED,
     TRUE_CHANGES,
@@ -32,10 +32,10 @@ from geometry_cases import (  # noqa: E402
     with_rows,
 )
 
-import dhlab as dh  # noqa: E402
-from dhlab.geometry.canonical import gaps, joint_axes  # noqa: E402
-from dhlab.geometry.equivalence import equivalent  # noqa: E402
-from dhlab.geometry.frames import NearlyParallelWarning, assign_frames  # noqa: E402
+import dhlab as dh
+from dhlab.geometry.canonical import gaps, joint_axes
+from dhlab.geometry.equivalence import equivalent
+from dhlab.geometry.frames import NearlyParallelWarning, assign_frames
 
 FREEDOMS = (("fixed", "fixed"), ("fixed", "free"), ("free", "fixed"), ("free", "free"))
 

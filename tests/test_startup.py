@@ -41,7 +41,7 @@ def rooms(code):
 
 
 @pytest.mark.parametrize(
-    ("code", "absent"),
+    "code, absent",
     [
         ("import dhlab", "numpy scipy matplotlib ruamel sympy dhlab.arm"),
         ("import dhlab; dhlab.DHTable", "scipy matplotlib ruamel sympy dhlab.geometry"),
@@ -87,7 +87,7 @@ def test_a_name_that_is_not_there_is_answered_with_those_that_are():
     import dhlab
 
     with pytest.raises(AttributeError, match=r"dhlab has no 'forwards'; it has Arm, DHTable, "):
-        dhlab.forwards  # noqa: B018
+        dhlab.forwards
 
 
 def test_a_room_is_there_without_an_import_of_its_own():
@@ -95,7 +95,7 @@ def test_a_room_is_there_without_an_import_of_its_own():
 
 
 @pytest.mark.parametrize(
-    ("package", "name"), [("dhlab", "robots"), ("dhlab.doctor", "catalogue")], ids=str
+    "package, name", [("dhlab", "robots"), ("dhlab.doctor", "catalogue")], ids=str
 )
 def test_a_function_with_the_name_of_its_module_stays_the_function(package, name):
     same = f"assert p.{name} is sys.modules['{package}.{name}'].{name}"

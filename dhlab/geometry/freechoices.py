@@ -235,7 +235,7 @@ def _slid(run, slides, a):
     """What the slides of one run do to the column d: from one row to another, or frame by frame
     when more rows take part.
     """
-    gain = {row: 0.0 for row in range(run[0], run[-1] + 2)}
+    gain = dict.fromkeys(range(run[0], run[-1] + 2), 0.0)
     for i in run:
         c = np.sign(np.cos(_alpha(a, i)))
         before, behind = (c, 1.0) if a.table.convention == "standard" else (1.0, c)

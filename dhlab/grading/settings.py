@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from datetime import date, datetime, time, timezone, tzinfo
+from datetime import UTC, date, datetime, time, tzinfo
 from pathlib import Path
 from typing import TYPE_CHECKING
 from zoneinfo import ZoneInfo
@@ -64,7 +64,7 @@ class Settings:
     own_kinematics: float = 0.0
     limits: Limits = Limits()
     cage: str | None = None
-    zone: tzinfo = timezone.utc
+    zone: tzinfo = UTC
 
     def lateness(self, lesson: str, when: datetime | None) -> tuple[float, float]:
         """(days after the due date, share of the points taken off) of work on a lesson that came at
@@ -158,7 +158,7 @@ def read_settings(path: str | Path) -> Settings:
 
 def _zone(item):
     if item is None:
-        return timezone.utc
+        return UTC
     name = plainyaml.text(item, "timezone")
     try:
         return ZoneInfo(name)

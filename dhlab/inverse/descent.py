@@ -76,7 +76,7 @@ class Problem:
         there[:, free] += step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, LONGEST_STEP))
         return self.kept(there)
 
-    def kept(self, q):
+    def kept(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
         """``q`` with what is outside the bounds put onto them."""
         return np.array(q, dtype=float) if self.low is None else np.clip(q, self.low, self.high)
 

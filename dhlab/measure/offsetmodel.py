@@ -54,7 +54,7 @@ class OffsetModel:
         if self.n_base:
             R_W = self._turn_of_base(R, p)
             x[self.n : self.n + 6] = np.r_[(self.points - p @ R_W.T).mean(axis=0), _log(R_W)]
-        if self.n_tool == 6:
+        if self.n_tool == 6 and self.R is not None:
             x[-3:] = _log(_mean(np.swapaxes(R_W @ R, 1, 2) @ self.R))
         return x
 

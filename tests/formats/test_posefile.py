@@ -43,7 +43,7 @@ def csv_text(header, columns):
 
 
 def test_positions_alone(file):
-    q, T, vectors = poses()
+    q, T, _vectors = poses()
     got_q, got = read_poses(file(csv_text(HEADER, np.hstack([q, T[:, :3, 3]]))), 2)
     assert np.array_equal(got_q, q) and np.array_equal(got, T[:, :3, 3])
 

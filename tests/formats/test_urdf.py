@@ -69,10 +69,9 @@ def by_pinocchio(path, q, base, tip):
     data, poses = model.createData(), []
     base, tip = (model.getFrameId(name) for name in (base, tip))
     for one in q:
-        values, k = [], 0
-        for joint in model.joints[1:]:
+        values = []
+        for k, joint in enumerate(model.joints[1:]):
             values += [np.cos(one[k]), np.sin(one[k])] if joint.nq == 2 else [one[k]]
-            k += 1
         pinocchio.framesForwardKinematics(model, data, np.array(values))
         poses.append((data.oMf[base].inverse() * data.oMf[tip]).homogeneous)
     return np.array(poses)

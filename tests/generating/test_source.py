@@ -185,7 +185,7 @@ def test_a_table_will_do_and_names_can_be_chosen():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    "arguments, words",
     [
         ((3, "c"), "expected a DHTable or an Arm, found int"),
         (("ur5e", "c"), "expected a DHTable or an Arm, found str"),

@@ -12,19 +12,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 sys.path.insert(0, str(Path(__file__).parent))
-import corpus  # noqa: E402
+import contextlib
 
-import dhlab as dh  # noqa: E402
-from dhlab.course.exercises import exercises  # noqa: E402
-from dhlab.course.kinds import Function  # noqa: E402
-from dhlab.doctor.programs.calling import Called, CallFault, record  # noqa: E402
+import corpus
+
+import dhlab as dh
+from dhlab.course.exercises import exercises
+from dhlab.course.kinds import Function
+from dhlab.doctor.programs.calling import Called, CallFault, record
 from dhlab.grading.cage import cage
-from dhlab.grading.inside import notebook, watch  # noqa: E402
-from dhlab.grading.inside.cells import TimeLimit, run_cell  # noqa: E402
-from dhlab.grading.inside.wire import Opaque, decode, encode  # noqa: E402
-from dhlab.grading.judging import judge  # noqa: E402
-from dhlab.grading.judging.questions import FRESH, Course, handed_out_checks, request  # noqa: E402
-from dhlab.grading.settings import Limits, Settings  # noqa: E402
+from dhlab.grading.inside import notebook, watch
+from dhlab.grading.inside.cells import TimeLimit, run_cell
+from dhlab.grading.inside.wire import Opaque, decode, encode
+from dhlab.grading.judging import judge
+from dhlab.grading.judging.questions import FRESH, Course, handed_out_checks, request
+from dhlab.grading.settings import Limits, Settings
 
 COURSE = Course(("05", "06"), Settings(), {"ada": 7})
 
@@ -80,10 +82,8 @@ def test_the_unattempted_and_what_is_no_number_come_through_as_such():
         type("X<script>", (), {})(),
     ):
         assert (
-            isinstance(through(odd), Opaque)
-            and type(through(odd)).__name__.isidentifier()
-            or type(through(odd)).__name__.isprintable()
-        )
+            isinstance(through(odd), Opaque) and type(through(odd)).__name__.isidentifier()
+        ) or type(through(odd)).__name__.isprintable()
     assert type(through(type("X<script>", (), {})())).__name__ == "Xscript"
 
 
@@ -112,10 +112,8 @@ JSON = st.recursive(
 @settings(max_examples=150, deadline=None)
 @given(JSON)
 def test_whatever_comes_out_is_read_or_refused(sent):
-    try:
+    with contextlib.suppress(judge.DECODED):
         decode(sent)
-    except judge.DECODED:
-        pass
 
 
 @settings(max_examples=40, deadline=None)

@@ -9,7 +9,7 @@ import os
 import subprocess
 import sys
 import zipfile
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 
 import nbformat
@@ -69,8 +69,8 @@ BORROWED = {
     ),
 }
 ANSWERS = {"noisy": NOISY, "wrong": WRONG, "borrowed": BORROWED, "late": RIGHT, "untouched": {}}
-LATE = datetime(2026, 11, 3, 6, tzinfo=timezone.utc)
-ON_TIME = datetime(2026, 11, 1, 10, tzinfo=timezone.utc)
+LATE = datetime(2026, 11, 3, 6, tzinfo=UTC)
+ON_TIME = datetime(2026, 11, 1, 10, tzinfo=UTC)
 
 
 def fill_in(notebook, answers):
@@ -165,7 +165,7 @@ def test_nbgrader_hands_out_what_we_hand_out(course):
         and "graded_check" not in text
         and "NotImplementedError" not in text
     )
-    theirs = [cell for cell in nbformat.reads(text, as_version=4).cells]
+    theirs = list(nbformat.reads(text, as_version=4).cells)
     own = nbformat.read(
         Path(__file__).parents[2] / "lessons" / f"{LESSON}.ipynb", as_version=4
     ).cells

@@ -9,21 +9,21 @@ import signal
 import subprocess
 import sys
 import time
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-import corpus  # noqa: E402
+import corpus
 
-from dhlab.course.exercises import exercises  # noqa: E402
-from dhlab.grading.grade import grade  # noqa: E402
-from dhlab.grading.handing_out.variants import variant  # noqa: E402
-from dhlab.grading.intake.roster import Student  # noqa: E402
-from dhlab.grading.plan import plan  # noqa: E402
-from dhlab.grading.results.gradebook import Gradebook  # noqa: E402
-from dhlab.grading.settings import Lesson, Settings  # noqa: E402
+from dhlab.course.exercises import exercises
+from dhlab.grading.grade import grade
+from dhlab.grading.handing_out.variants import variant
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.plan import plan
+from dhlab.grading.results.gradebook import Gradebook
+from dhlab.grading.settings import Lesson, Settings
 
 ROSTER = tuple(Student(name) for name in ("ada", "bo", "cy", "dee", "eve", "fay", "gus"))
 WRONG = "def dh_closed(theta, d, a, alpha):\n    return dh_transform(theta, d, a, -alpha)"
@@ -291,7 +291,7 @@ def test_a_second_run_grades_what_is_new_and_one_exercise_leaves_the_rest(folder
 
 def test_the_teachers_settings(folder, tmp_path):
     os.utime(folder / "bo" / "05-link-matrix.ipynb", (1_700_000_000, 1_700_000_000))
-    due = datetime.fromtimestamp(1_700_000_000 - 30 * 3600, timezone.utc)
+    due = datetime.fromtimestamp(1_700_000_000 - 30 * 3600, UTC)
     late = Settings(
         {"05": Lesson(due, {"05.6": 4})},
         percent_per_day=10,

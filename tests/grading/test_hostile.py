@@ -17,12 +17,12 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-import corpus  # noqa: E402
+import corpus
 
 from dhlab.grading import grade
 from dhlab.grading.cage import cage
-from dhlab.grading.results import publish  # noqa: E402
-from dhlab.grading.settings import Limits, Settings  # noqa: E402
+from dhlab.grading.results import publish
+from dhlab.grading.settings import Limits, Settings
 
 LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
 HARMLESS = [
@@ -62,7 +62,7 @@ def graded(request, tmp_path_factory):
     level.
     """
     level, cases = request.param, LEVELS[request.param]
-    if level == "bubblewrap" and not shutil.which("bwrap") or not works(level):
+    if (level == "bubblewrap" and not shutil.which("bwrap")) or not works(level):
         pytest.skip(f"{level} does not work on this machine")
     top = tmp_path_factory.mktemp(level)
     with (
@@ -126,12 +126,8 @@ def test_marks_are_fair(graded):
         if lost == corpus.ANY:
             fair = one is not None and 0 <= one.points <= one.of
         elif isinstance(lost, str):
-            fair = (
-                one is None
-                and lost == "missing"
-                or one is not None
-                and one.status == lost
-                and one.points == 0
+            fair = (one is None and lost == "missing") or (
+                one is not None and one.status == lost and one.points == 0
             )
         else:
             fair = one is not None and one.status == "graded" and found == set(lost)

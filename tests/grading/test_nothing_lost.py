@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 import zipfile
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from pathlib import Path
 
 import nbformat
@@ -36,7 +36,7 @@ ROSTER = (
     Student("bo", "Bo Müller"),
 )
 RULE = 'rule = "b"'
-ZONE = timezone.utc
+ZONE = UTC
 pytestmark = pytest.mark.skipif(
     not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
 )
@@ -197,7 +197,7 @@ def test_numbers_of_somebody_else_and_of_nobody_are_told(tmp_path):
             "adah": 77,
         },
     )
-    results, planned = grade(tmp_path / "in", tmp_path / "out", roster=ROSTER, key=KEY)
+    results, _planned = grade(tmp_path / "in", tmp_path / "out", roster=ROSTER, key=KEY)
     by = by_student(results)
     assert (
         by["bo"].numbers_of == "ada"

@@ -1,6 +1,6 @@
 """course.yaml: what may stand in it, and what is said of what may not."""
 
-from datetime import datetime, timedelta, timezone
+from datetime import UTC, datetime, timedelta
 
 import pytest
 
@@ -28,9 +28,9 @@ def read(tmp_path, text):
 def test_everything(tmp_path):
     course = read(tmp_path, WHOLE)
     assert course.lessons["05"].due == datetime(
-        2026, 11, 20, 22, 59, tzinfo=timezone.utc
+        2026, 11, 20, 22, 59, tzinfo=UTC
     )  # Vienna is an hour ahead in winter
-    assert course.lessons["06"].due == datetime(2026, 11, 27, 23, 59, tzinfo=timezone.utc)
+    assert course.lessons["06"].due == datetime(2026, 11, 27, 23, 59, tzinfo=UTC)
     assert (
         course.points(exercises()["06.2"]),
         course.points(exercises()["06.1"]),
@@ -54,7 +54,7 @@ def test_a_date_alone_is_the_end_of_that_day(tmp_path):
         23,
         59,
         timedelta(hours=1),
-    ) and course.lateness("05", datetime(2026, 11, 17, 22, 30, tzinfo=timezone.utc)) == (0, 0)
+    ) and course.lateness("05", datetime(2026, 11, 17, 22, 30, tzinfo=UTC)) == (0, 0)
 
 
 @pytest.mark.parametrize("number", ["5", "55", "11"])

@@ -264,7 +264,7 @@ def test_nothing_wrong_passes_and_nothing_right_is_refused():
     """Random candidates for the origin and x of one frame, judged by the definition of a row."""
     counts = {True: 0, False: 0}
     for seed in range(150):
-        task, axes, end, _ = solved(seed, "standard")
+        task, axes, _end, _ = solved(seed, "standard")
         rng = np.random.default_rng(seed)
         i = int(rng.integers(1, len(axes) + 1))
         assert task.set_z(i, task.z[i])  # a line that was free to choose is free again
@@ -442,10 +442,8 @@ def test_each_wrong_choice_is_refused_under_its_rule(rule, upto, step, words):
         judgement.message.endswith(".")
         and " ".join(str(judgement).split()) == f"✗ {judgement.step}: {judgement.message}"
     )
-    assert (
-        judgement.step in task.missing
-        or judgement.step in {"z1", "z2", "z3", "z5"}
-        and task.missing == before
+    assert judgement.step in task.missing or (
+        judgement.step in {"z1", "z2", "z3", "z5"} and task.missing == before
     )
 
 

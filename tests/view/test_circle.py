@@ -67,7 +67,7 @@ def test_a_reversed_axis_points_the_other_way_in_picture_and_words():
         for name in ("measured axis", "the table's axis")
     )
     assert np.allclose(one, -other) and "differ by 180°" in picture.alt
-    assert [text.get_text() for text in picture.figure.texts][0] == "the cup"
+    assert next(text.get_text() for text in picture.figure.texts) == "the cup"
 
 
 @pytest.mark.parametrize("joint", range(1, 6))

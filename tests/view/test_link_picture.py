@@ -1,5 +1,7 @@
 """The four parameters of a row, as drawn, against their definitions."""
 
+import itertools
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -25,7 +27,7 @@ def check_arc(points, centre, axis, first, angle):
     radii = np.linalg.norm(rays, axis=1)
     assert radii == pytest.approx(np.full(len(radii), radii[0]), rel=1e-9)
     assert rays[0] / radii[0] == pytest.approx(first, abs=1e-9)
-    steps = [np.arctan2(axis @ np.cross(a, b), a @ b) for a, b in zip(rays[:-1], rays[1:])]
+    steps = [np.arctan2(axis @ np.cross(a, b), a @ b) for a, b in itertools.pairwise(rays)]
     assert sum(steps) == pytest.approx(angle, abs=1e-9)
 
 

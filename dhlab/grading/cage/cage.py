@@ -148,7 +148,7 @@ class Cage:
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = tempfile.mkdtemp(prefix=PREFIX)
         # held as long as this process lives
-        self._lock = open(os.path.join(self._folder, "lock"), "wb")
+        self._lock = open(os.path.join(self._folder, "lock"), "wb")  # noqa: SIM115
         fcntl.flock(self._lock, fcntl.LOCK_EX)
         staged, work = os.path.join(self._folder, "staged"), os.path.join(self._folder, "work")
         for folder in (staged, work):
@@ -275,11 +275,8 @@ def best_level() -> str:
     """The strongest level that works here, found by trying; ValueError where there is none."""
     _known(None)
     for level in LEVELS:
-        if (
-            level == "bubblewrap"
-            and not shutil.which("bwrap")
-            or level == "landlock"
-            and not sys.platform.startswith("linux")
+        if (level == "bubblewrap" and not shutil.which("bwrap")) or (
+            level == "landlock" and not sys.platform.startswith("linux")
         ):
             continue
         with contextlib.suppress(ValueError), Cage(level):

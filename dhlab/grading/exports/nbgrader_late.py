@@ -1,6 +1,6 @@
 """The course's late policy for nbgrader: the same days, the same share, the same floor."""
 
-from datetime import datetime, timedelta, timezone
+from datetime import UTC, datetime, timedelta
 
 from nbgrader.plugins import LateSubmissionPlugin
 from traitlets import Float
@@ -9,7 +9,7 @@ from ..settings import Lesson, Settings
 
 __all__ = ["Lateness"]
 
-DUE = datetime(2000, 1, 1, tzinfo=timezone.utc)  # any: only the time since then counts
+DUE = datetime(2000, 1, 1, tzinfo=UTC)  # any: only the time since then counts
 
 
 class Lateness(LateSubmissionPlugin):

@@ -40,8 +40,7 @@ class Book:
         if (
             not isinstance(key, str)
             or self.noted.get(key, 0) >= MOST
-            or self.only
-            and key not in self.only
+            or (self.only and key not in self.only)
         ):
             return
         self.noted[key] = self.noted.get(key, 0) + 1

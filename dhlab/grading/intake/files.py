@@ -10,7 +10,7 @@ import stat
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator
-from datetime import datetime, timezone, tzinfo
+from datetime import UTC, datetime, tzinfo
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -71,7 +71,7 @@ def _in_folder(place, zone):
             parts = Path(path).relative_to(place).parts
             if stat.S_ISDIR(status.st_mode) or _boring(name):
                 continue
-            when = datetime.fromtimestamp(status.st_mtime, timezone.utc)
+            when = datetime.fromtimestamp(status.st_mtime, UTC)
             if not stat.S_ISREG(status.st_mode):
                 refused = "refused: a link, a pipe or a device, not a file"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
@@ -171,7 +171,7 @@ def _when(member, zone):
     try:
         year, month, day, hour, minute, second = member.date_time
         moment = datetime(year, month, day, hour, minute, second, tzinfo=zone)
-        return moment.astimezone(timezone.utc)
+        return moment.astimezone(UTC)
     except (ValueError, OverflowError):
         return None
 

@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from datetime import datetime, timezone, tzinfo
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import NamedTuple
 from zoneinfo import ZoneInfo
@@ -54,7 +54,7 @@ def submissions(
     place: str | Path,
     roster: Sequence[Student] = (),
     lessons: Sequence[str] = (),
-    zone: tzinfo = timezone.utc,
+    zone: tzinfo = UTC,
 ) -> dict[str, Submission]:
     """Everything that was handed in, by student.
 
@@ -167,7 +167,7 @@ def _take(mine, entry):
     name = name.encode("utf-8", "replace").decode("utf-8")
     if fault:
         mine.notes.append(f"{name}: {fault}")
-    elif ending == ".ipynb" or ending in NOTEBOOK_ENDINGS and _sniffed(read):
+    elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(read)):
         mine.notebooks.append(Notebook(name, read, entry.when, entry.source))
     else:
         mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")

@@ -158,8 +158,7 @@ def _tokens(code):
             if (
                 token.type in SKIPPED
                 or token.string in ("(", ")")
-                or token.type == tokenize.STRING
-                and (not found or found[-1][0] == "layout")
+                or (token.type == tokenize.STRING and (not found or found[-1][0] == "layout"))
             ):
                 continue  # the last of these is a docstring
             layout = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)

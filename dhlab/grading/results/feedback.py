@@ -124,7 +124,8 @@ def headline(mark: Mark) -> str:
     known = getattr(builtins, stops[2], None)
     return stops[1] + (
         stops[2]
-        if isinstance(known, type) and issubclass(known, BaseException) or stops[2] == "LinAlgError"
+        if (isinstance(known, type) and issubclass(known, BaseException))
+        or stops[2] == "LinAlgError"
         else "an error"
     )
 

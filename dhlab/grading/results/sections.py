@@ -38,7 +38,7 @@ def _read(notebook):
             if "mistake" in cell["metadata"]:
                 mistakes[cell["metadata"]["mistake"]] = section
         else:
-            exercises |= {number: section for number in CALL.findall(source)}
+            exercises |= dict.fromkeys(CALL.findall(source), section)
     return title, exercises, mistakes
 
 

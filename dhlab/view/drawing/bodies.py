@@ -2,6 +2,8 @@
 axes.
 """
 
+import itertools
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -90,13 +92,13 @@ def add_tool(scene: Scene, start: NDArray[np.float64], end: NDArray[np.float64])
 
 def _add_path(scene, path, longest):
     """Links in short pieces, since a piece is either before or behind a joint."""
-    for start, end in zip(path[:-1], path[1:]):
+    for start, end in itertools.pairwise(path):
         length = np.linalg.norm(end - start)
         if length < 1e-9:
             continue
         stops = np.linspace(0, 1, int(np.ceil(length / longest)) + 1)[:, None]
         points = start + stops * (end - start)
-        for piece in zip(points[:-1], points[1:]):
+        for piece in itertools.pairwise(points):
             scene.add(Stroke(np.array(piece), LINK, 5.5, casing=1.2, gid="link"))
 
 

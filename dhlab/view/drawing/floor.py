@@ -22,7 +22,7 @@ def floor_height(points: NDArray[np.float64]) -> float:
     """
     low, high = np.min(points, axis=0)[2], np.max(points, axis=0)[2]
     size = np.ptp(points, axis=0).max()
-    return 0.0 if -1e-9 <= low + 0.02 * size and low <= max(high - low, 0.5 * size) else low
+    return 0.0 if low + 0.02 * size >= -1e-9 and low <= max(high - low, 0.5 * size) else low
 
 
 def add_floor(scene: Scene, camera: Camera, z: float) -> None:

@@ -4,6 +4,7 @@ that hides least.
 All coordinates here are page points from the panel's lower left corner.
 """
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -52,7 +53,7 @@ def place_labels(scene: Scene, panel: Panel) -> list[Text]:
     taken: list[Any] = [None] * len(texts)
     # those with least choice first
     order = sorted(range(len(texts)), key=lambda k: (len(choices[k][0]), -sizes[k][0]))
-    for sweep in range(3):  # the second and third time each one knows where all others are
+    for _sweep in range(3):  # the second and third time each one knows where all others are
         for k in order:
             boxes, costs = choices[k]
             others = np.array(
@@ -108,7 +109,7 @@ def _ink(scene, panel):
     """Samples (k, 3) of what is drawn: where, and how bad it is to cover it."""
     samples = [np.empty((0, 3))]
     for item in scene.items:
-        if LAYERS[item.layer] < LAYERS["body"] or isinstance(item, Face) and not item.outline:
+        if LAYERS[item.layer] < LAYERS["body"] or (isinstance(item, Face) and not item.outline):
             continue
         weight = 2.0 if item.layer == "frame" else 1.0
         points = np.atleast_2d(item.point) if isinstance(item, Dot) else item.points
@@ -123,7 +124,7 @@ def _along(path):
         return path
     pieces = [
         np.linspace(start, end, max(2, int(np.ceil(np.hypot(*(end - start)) / SPACING)) + 1))
-        for start, end in zip(path[:-1], path[1:])
+        for start, end in itertools.pairwise(path)
     ]
     return np.vstack(pieces)
 
@@ -221,7 +222,7 @@ def _put(label, text, box, panel, doubtful):
     anchor = panel.to_page(panel.camera.flat(label.anchor))
     nearest = np.clip(anchor, box[:2], box[2:])
     distance = np.hypot(*(nearest - anchor))
-    if label.far and (distance > 11 or doubtful and distance > 3):
+    if label.far and (distance > 11 or (doubtful and distance > 3)):
         ends = panel.from_page(np.array([anchor, nearest]))
         panel.axes.add_line(
             Line2D(*ends.T, color=QUIET, linewidth=0.7, zorder=LAYERS["mark"] + 0.5)

@@ -2,6 +2,7 @@
 measured lengths.
 """
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -162,7 +163,7 @@ def _samples(scene):
         [
             start + steps * (end - start)
             for points in lines
-            for start, end in zip(points[:-1], points[1:])
+            for start, end in itertools.pairwise(points)
         ]
     )
 
@@ -170,7 +171,7 @@ def _samples(scene):
 def add_link_and_axes(scene: Scene, moves: Sequence[Move], length: float) -> None:
     """The bent link from {i-1} to {i}, and the lines on which the two z axes lie."""
     path = [move.start[:3, 3] for move in moves] + [moves[-1].end[:3, 3]]
-    for start, end in zip(path[:-1], path[1:]):
+    for start, end in itertools.pairwise(path):
         if np.linalg.norm(end - start) > NOTHING:
             scene.add(Stroke(np.array([start, end]), "#c3c9cf", 6.0, gid="link"))
     for pose in (moves[0].start, moves[-1].end):

@@ -99,11 +99,11 @@ class Placing:
         while not worked.finished:
             step = worked.missing[0]
             letter, i = step[0], int(step[1:])
-            made = {
-                "z": lambda: worked.set_z(i, frames[i][:3, 2], frames[i][:3, 3]),
-                "o": lambda: worked.set_origin(i, frames[i][:3, 3]),
-                "x": lambda: worked.set_x(i, frames[i][:3, 0]),
-            }[letter]()
+            x, _, z, o = frames[i][:3].T
+            if letter == "z":
+                made = worked.set_z(i, z, o)
+            else:
+                made = worked.set_origin(i, o) if letter == "o" else worked.set_x(i, x)
             if not made:
                 break
             steps.append(

@@ -2,6 +2,7 @@
 common normals between them, the tool.
 """
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -119,7 +120,7 @@ def _pairs(given, reach):
     anywhere.
     """
     found: list[Geometry | None] = []
-    for k, ((p, w, one), (q, z, other)) in enumerate(zip(given[:-1], given[1:]), 1):
+    for k, ((p, w, one), (q, z, other)) in enumerate(itertools.pairwise(given), 1):
         before = found[-1] if found else None
         anchor = p if before is None or before.feet is None else before.feet[1]
         found.append(
