@@ -1,19 +1,126 @@
-"""The paths that numba compiles, where the extra ``[fast]`` is installed."""
+"""The paths that numba compiles, where the extra ``[fast]`` is installed.
+
+To load numba takes half a second, to compile the kernels for the first time on a machine several;
+they are kept on disk from then on. Who asks for one pose, or for a million, must not wait for that.
+So numba is loaded by the first batch that finds that batches have kept numpy busy for as long as
+loading takes (``PATIENCE``), and arms use it from their next batch on; arms that are made later use
+it for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it at once, ``DHLAB_NUMBA=0``
+never. Results differ from those of the other paths by rounding alone.
+"""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from importlib.util import find_spec
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
+
 from .chain import Chain
 
-__all__ = ["packed"]
+__all__ = ["Compiled", "Work", "kernels", "packed"]
+
+FLOAT = np.dtype(float)
+PATIENCE = 1.0  # seconds of batches in numpy
+PART = 8192  # poses that one thread takes at a time
 
 
-def packed(chain: Chain):
-    """A chain as one row of numbers, as ``kernels.py`` reads it."""
+class Work:
+    """How long batches have kept numpy busy in this process."""
+
+    seconds = 0.0
+
+    @classmethod
+    def is_worth_it(cls) -> bool:
+        """Whether numba is to be used now."""
+        wanted = os.environ.get("DHLAB_NUMBA", "")
+        return wanted != "0" and (cls.seconds > PATIENCE or wanted == "1") and bool(kernels())
+
+
+@cache
+def kernels() -> Any:
+    """The module of kernels, None without numba."""
+    if find_spec("numba") is None:
+        return None
+    from . import kernels as module
+
+    return module
+
+
+@cache
+def threads() -> ThreadPoolExecutor:
+    """As many threads as this process may use cores; the kernels run without Python's lock."""
+    return ThreadPoolExecutor(cores(), thread_name_prefix="dhlab")
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+class Compiled:
+    """One question of one arm: ``take`` as ``paths.Path`` has it, ``rows`` as ``many.py``."""
+
+    def __init__(self, chain: Chain, kind: int, shape: tuple[int, ...], slow: Callable) -> None:
+        self.numbers, self.shape = packed(chain, kind), shape
+        self.one, self.many = kernels().answer_one, kernels().answer
+        self.take = self._taker(slow)
+
+    def _taker(self, slow):
+        """The answer for ``q``: a row of doubles goes straight to the kernel, which sees for itself
+        whether it is n finite numbers. (A function within a function, since its names are found
+        faster than attributes, and a tenth of all the time goes there.)
+        """
+        one, numbers, shape, empty, double = self.one, self.numbers, self.shape, np.empty, FLOAT
+
+        def take(q: Any, out: NDArray | None = None) -> NDArray:
+            try:
+                if out is None and q.ndim == 1 and q.dtype is double:
+                    answer = empty(shape)
+                    if one(q, numbers, answer):
+                        return answer
+            except AttributeError:  # no array
+                pass
+            return slow(q, out)
+
+        return take
+
+    def floats(self, q: list[float]) -> NDArray[np.float64]:
+        """The answer for a list of n finite numbers."""
+        answer = np.empty(self.shape)
+        self.one(np.array(q, dtype=float), self.numbers, answer)
+        return answer
+
+    def rows(self, chain: Chain, q: NDArray, out: NDArray) -> bool:
+        """The answers for ``q`` (m, n) into ``out``; False where not all of q is finite."""
+        starts = range(0, len(q), PART)
+        parts = [(q[start : start + PART], out[start : start + PART]) for start in starts]
+        if len(parts) == 1 or cores() == 1:
+            return all([self._part(*part) for part in parts])
+        return all(list(threads().map(lambda part: self._part(*part), parts)))
+
+    def _part(self, q, out):
+        """A part of a batch, doubles in one stretch of memory both in and out."""
+        result = out if out.flags.c_contiguous and out.dtype == float else np.empty(out.shape)
+        given = np.ascontiguousarray(q, float)
+        good = self.many(given, self.numbers, result.reshape(len(q), -1))
+        if result is not out:
+            out[...] = result
+        return good
+
+
+def packed(chain: Chain, kind: int) -> NDArray[np.float64]:
+    """A chain and the kind of question as one row of numbers, as ``kernels.py`` reads it."""
     joints = zip((0.0, *chain.theta), (0.0, *chain.d), (False, *chain.slides))
     rows = [[*joint, step.a, step.c, step.s] for joint, step in zip(joints, chain.steps)]
     rates = chain.rates if chain.coupled else np.diag(chain.rates)
     return np.concatenate(
         [
-            [chain.standard, chain.coupled],
+            [chain.standard, chain.coupled, kind],
             chain.base[:3].T.ravel(),
             chain.end[:3].ravel(),
             np.ravel(rows),

@@ -38,6 +38,7 @@ def forward(chain, q, out):
         frame = to_the_end(chain, Frames(chain, part, joined=True))
         frame.behind(chain.end, rows)
         _write(rows, result)
+    return True
 
 
 def frames(chain, q, out):
@@ -48,6 +49,7 @@ def frames(chain, q, out):
         for i in frame_by_frame(chain, frame):
             frame.hold(rows[i])
         _write(rows, result)
+    return True
 
 
 def jacobian(chain, q, out):
@@ -71,6 +73,7 @@ def jacobian(chain, q, out):
                 v[:, i], z[:, i] = z[:, i], 0.0
         columns = _per_count(chain, rows[:2])
         _write(columns.reshape(6, *columns.shape[2:]), result)
+    return True
 
 
 class Frames:

@@ -8,9 +8,12 @@ one pose               the arm's straight-line program (``straight.py``); to wri
 a few dozen            the plain product (``plain.py``): so few are no slower by it, and an arm
                        that is asked once, as in a search over tables, prepares nothing
 more                   rows of a thousand in the cache (``many.py``)
+one or more, with      the same walk as machine code (``kernels.py``); ``compiled.py`` says when
+numba
 =====================  =========================================================================
 """
 
+import time
 from collections.abc import Callable
 from functools import cached_property
 from typing import Any
@@ -20,6 +23,7 @@ from numpy.typing import NDArray
 
 from . import many, one
 from .chain import Chain, chain_of
+from .compiled import Compiled, Work
 from .inputs import as_numbers, require_finite, result_for
 from .plain import Plain
 from .straight import straight
@@ -29,6 +33,7 @@ __all__ = ["Kinematics"]
 FLOAT = np.dtype(float)
 FIRST = 8  # single poses of an arm before its program is written
 DOZENS = 40  # poses that the plain product does as fast as the others
+QUESTIONS = ("forward", "frames", "jacobian")  # numbered as in kernels.py
 
 
 class Kinematics:
@@ -38,16 +43,31 @@ class Kinematics:
     ``name`` is the arm's, for the sentences about a wrong q.
     """
 
+    forward: Callable[..., NDArray]
+    frames: Callable[..., NDArray]
+    jacobian: Callable[..., NDArray]
+
     def __init__(self, plain: Plain, name: str) -> None:
         self.plain, self.name, self.n = plain, name, len(plain.table)
-        self.forward = Path(self, one.forward, plain.forward, many.forward, (4, 4)).take
-        self.frames = Path(self, one.frames, plain.frames, many.frames, (self.n + 1, 4, 4)).take
-        self.jacobian = Path(self, one.jacobian, plain.jacobian, many.jacobian, (6, self.n)).take
+        shapes = ((4, 4), (self.n + 1, 4, 4), (6, self.n))
+        self.paths = [Path(self, *pair) for pair in zip(QUESTIONS, shapes)]
+        for question, path in zip(QUESTIONS, self.paths):
+            setattr(self, question, path.take)
+        if Work.is_worth_it():
+            self.compile()
 
     @cached_property
     def chain(self) -> Chain:
         """The constants of the fast paths, worked out when one of them is first taken."""
         return chain_of(self.plain)
+
+    def compile(self) -> None:
+        """From now on by the compiled kernels."""
+        for kind, (question, path) in enumerate(zip(QUESTIONS, self.paths)):
+            machine = Compiled(self.chain, kind, path.shape, path.take)
+            path.one, path.rows = machine.floats, machine.rows
+            path.compiled = True
+            setattr(self, question, machine.take)
 
 
 class Path:
@@ -55,12 +75,11 @@ class Path:
     of an answer.
     """
 
-    def __init__(
-        self, of: Kinematics, floats: Callable, plain: Callable, rows: Callable, shape: tuple
-    ) -> None:
+    def __init__(self, of: Kinematics, question: str, shape: tuple[int, ...]) -> None:
         self.of, self.shape, self.single = of, shape, (of.n,)
-        self.floats, self.plain, self.rows = floats, plain, rows
-        self.asked, self.one = 0, self._first_ones
+        self.floats, self.rows = getattr(one, question), getattr(many, question)
+        self.plain = getattr(of.plain, question)
+        self.asked, self.one, self.compiled = 0, self._first_ones, False
 
     def take(self, q: Any, out: NDArray | None = None) -> NDArray:
         """The answer for ``q``."""
@@ -76,19 +95,28 @@ class Path:
         return self.one(numbers)
 
     def _batch(self, q, result):
-        if q.size > DOZENS * self.of.n:
+        if q.size == self.of.n:
+            require_finite(q)
+            result[...] = self.one(q.ravel().tolist())
+        elif q.size <= DOZENS * self.of.n:
+            require_finite(q)
+            result[...] = self.plain(q.astype(float))
+        else:
             rows = q.reshape(-1, self.of.n)
             flat = result.reshape(-1, *self.shape)  # a copy where the memory of out has gaps
-            self.rows(self.of.chain, rows, flat)
-            if np.may_share_memory(flat, result):
-                return result
-            answer = flat.reshape(result.shape)
-        else:
-            require_finite(q)
-            one_only = q.size == self.of.n
-            answer = self.one(q.ravel().tolist()) if one_only else self.plain(q.astype(float))
-        result[...] = answer
+            self._many(rows, flat)
+            if not np.may_share_memory(flat, result):
+                result[...] = flat.reshape(result.shape)
         return result
+
+    def _many(self, rows, flat):
+        if not self.compiled and Work.is_worth_it():
+            self.of.compile()
+        began = time.perf_counter()
+        if not self.rows(self.of.chain, rows, flat):
+            require_finite(rows)
+        if not self.compiled:
+            Work.seconds += time.perf_counter() - began
 
     def _first_ones(self, q):
         self.asked += 1
