@@ -2,7 +2,7 @@
 
 ``dhlab.kinematics`` says what the numbers are; this room gives the same numbers sooner. Read
 ``walk.py`` first, the way along the chain, then whoever walks it: ``one.py`` (floats), ``many.py``
-(numpy), ``kernels.py`` (numba). ``paths.py`` chooses.
+(numpy), ``kernel_many.py`` and ``kernel_one.py`` (numba). ``paths.py`` chooses.
 
 ===============  ===============================================================================
 ``plain.py``     the product of link matrices, applied to an arm: the definition
@@ -11,7 +11,7 @@
 ``one.py``       one pose in floats
 ``straight.py``  the same as the program of one arm
 ``many.py``      rows of a thousand poses in numpy
-``kernels.py``   one pose or many, compiled by numba
+``kernel_*.py``  one pose, many, and what both share, as numba compiles them
 ``compiled.py``  when numba is loaded, and what it is given
 ``inputs.py``    whether q and out are what they should be
 ``paths.py``     which path a question takes

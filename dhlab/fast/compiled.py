@@ -40,13 +40,14 @@ class Work:
 
 
 @cache
-def kernels() -> Any:
-    """The module of kernels, None without numba."""
+def kernels() -> tuple[Callable, Callable] | None:
+    """The compiled functions for one pose and for many; None without numba."""
     if find_spec("numba") is None:
         return None
-    from . import kernels as module
+    from .kernel_many import answer
+    from .kernel_one import answer_one
 
-    return module
+    return answer_one, answer
 
 
 @cache
@@ -67,7 +68,9 @@ class Compiled:
 
     def __init__(self, chain: Chain, kind: int, shape: tuple[int, ...], slow: Callable) -> None:
         self.numbers, self.shape = packed(chain, kind), shape
-        self.one, self.many = kernels().answer_one, kernels().answer
+        found = kernels()
+        assert found is not None
+        self.one, self.many = found
         self.take = self._taker(slow)
 
     def _taker(self, slow):
@@ -114,7 +117,7 @@ class Compiled:
 
 
 def packed(chain: Chain, kind: int) -> NDArray[np.float64]:
-    """A chain and the kind of question as one row of numbers, as ``kernels.py`` reads it."""
+    """A chain and the kind of question as one row of numbers, as ``kernel_parts.py`` reads it."""
     joints = zip((0.0, *chain.theta), (0.0, *chain.d), (False, *chain.slides))
     rows = [[*joint, step.a, step.c, step.s] for joint, step in zip(joints, chain.steps)]
     rates = chain.rates if chain.coupled else np.diag(chain.rates)

@@ -8,7 +8,7 @@ one pose               the arm's straight-line program (``straight.py``); to wri
 a few dozen            the plain product (``plain.py``): so few are no slower by it, and an arm
                        that is asked once, as in a search over tables, prepares nothing
 more                   rows of a thousand in the cache (``many.py``)
-one or more, with      the same walk as machine code (``kernels.py``); ``compiled.py`` says when
+one or more, with      the same walk as machine code (``kernel_*.py``); ``compiled.py`` says when
 numba
 =====================  =========================================================================
 """
@@ -33,7 +33,7 @@ __all__ = ["Kinematics"]
 FLOAT = np.dtype(float)
 FIRST = 8  # single poses of an arm before its program is written
 DOZENS = 40  # poses that the plain product does as fast as the others
-QUESTIONS = ("forward", "frames", "jacobian")  # numbered as in kernels.py
+QUESTIONS = ("forward", "frames", "jacobian")  # numbered as in kernel_parts.py
 
 
 class Kinematics:

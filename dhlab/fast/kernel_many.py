@@ -1,18 +1,18 @@
-"""The walk as numba compiles it: ``answer`` for many poses, ``answer_one`` for one. Only
-``compiled.py`` imports this file, when numba is wanted.
+"""The walk for many poses, as numba compiles it. Only ``compiled.py`` imports this file, when numba
+is wanted.
 
-It is the walk of ``walk.py`` and the tricks of ``many.py``, with three differences that a compiler
-makes worth while:
+It is the walk of ``walk.py`` with the tricks of ``many.py``, and with three that a compiler makes
+worth while:
 
 * *A block of poses stays in the first-level cache* (``BLOCK``), and every loop over it is so small
-  that the compiler turns it into vector instructions.
-* *Cosine and sine are two short polynomials* (``cos_sin``), since a call of the library's for one
-  angle at a time costs more than all the rest; they too run eight angles at once.
+  that the compiler turns it into vector instructions, eight poses at a time.
+* *Cosine and sine are two short polynomials* (``kernel_parts.cos_sin``): a call of the library's
+  for one angle at a time costs more than all the rest; the polynomials take eight at a time too.
 * *The result is written where it belongs, pose by pose*: no transposed copy.
 
-One function answers all three questions (``kind``), so that there is one to compile. The chain
-comes as one row of numbers, since every argument costs a tenth of a microsecond; ``compiled.packed``
-says what stands where.
+One function answers all three questions, so that there is one to compile. Loops over the three
+components run to ``len(F) // 6``, which is 3, but unknown to the compiler: it would write each loop
+out three times, and take as much longer.
 """
 
 import math
@@ -20,54 +20,20 @@ import math
 import numpy as np
 from numba import boolean, float64, njit, types
 
-__all__ = ["BLOCK", "FORWARD", "FRAMES", "JACOBIAN", "answer", "answer_one"]
+from .kernel_parts import (  # isort: skip
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, ROW, SLIDES, STANDARD,
+    THETA, A, C, D, S, cos_sin, fast, per_count,
+)  # fmt: skip
+
+__all__ = ["BLOCK", "answer"]
 
 BLOCK = 128  # poses; half of it where every frame is kept
-FORWARD, FRAMES, JACOBIAN = range(3)
-STANDARD, COUPLED, KIND, BASE, END, JOINTS = 0, 1, 2, 3, 15, 27  # places in a packed chain
-THETA, D, SLIDES, A, C, S = range(6)  # of joint i, and of step i
 X, Y, Z, P = 0, 3, 6, 9  # rows of a block of frames: three for each axis and for the origin
 ANGLE, COS, SIN, ALONG, ACROSS, MOVED, ROWS = 12, 13, 14, 15, 16, 17, 18
 
-# products and sums may be fused into one instruction; nothing else is left to the compiler
-LOOSE = {"cache": True, "nogil": True, "fastmath": {"contract"}, "error_model": "numpy"}
-fast = njit(**LOOSE)
-
 # for other types numba would compile again, for seconds, at somebody's call
-ANY_ROW, ROW = types.Array(float64, 1, "A", readonly=True), float64[::1]
-ROWS_READ = types.Array(float64, 2, "C", readonly=True)
-ONE_TYPES = [boolean(ANY_ROW, ROW, float64[:, ::1]), boolean(ANY_ROW, ROW, float64[:, :, ::1])]
-MANY_TYPES = [boolean(ROWS_READ, ROW, float64[:, ::1])]
-
-# pi / 2 in three parts of 33 bits: k times the first two is exact for k below a million
-TO_QUARTERS = 2 / math.pi
-QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
-FAR = 1e6  # radians
-
-
-@fast
-def cos_sin(angle):
-    """Cosine and sine: what is left of the angle beside quarter turns, less than 45°, goes into the
-    polynomials of fdlibm (k_cos.c, k_sin.c), which are exact to the last bit; the number of quarter
-    turns says which of the two is which, and with which sign.
-    """
-    k = np.floor(angle * TO_QUARTERS + 0.5)
-    r = ((angle - k * QUARTER[0]) - k * QUARTER[1]) - k * QUARTER[2]
-    z = r * r
-    high = 2.75573137070700676789e-06 + z * (
-        -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
-    )
-    low = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * high)
-    sine = r + r * z * (-1.66666666666666324348e-01 + z * low)
-    high = -2.75573143513906633035e-07 + z * (
-        2.08757232129817482790e-09 + z * -1.13596475577881948265e-11
-    )
-    low = -1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * high)
-    cosine = 1.0 - 0.5 * z + z * z * (4.16666666666666019037e-02 + z * low)
-    half = np.floor(0.5 * k)
-    odd = k != 2.0 * half
-    sign = 1.0 - 2.0 * (half - 2.0 * np.floor(0.5 * half))
-    return sign * (-sine if odd else cosine), sign * (cosine if odd else sine)
+ROWS_READ, ROWS_WRITTEN = types.Array(float64, 2, "C", readonly=True), float64[:, ::1]
+TYPES = [boolean(ROWS_READ, ROW, ROWS_WRITTEN)]
 
 
 @fast
@@ -280,20 +246,6 @@ def write_columns(axes, out, m):
 
 
 @fast
-def per_count(out, rates, n, m):
-    """The chain rule for coupled joints: from per joint variable to per unit of q."""
-    row = np.empty(n)
-    for j in range(m):
-        for r in range(6):
-            for k in range(n):
-                row[k] = 0.0
-                for i in range(n):
-                    row[k] += out[j, r * n + i] * rates[n * i + k]
-            for k in range(n):
-                out[j, r * n + k] = row[k]
-
-
-@fast
 def carry(q, numbers, F, kept, m):
     """Carry a block of frames along the chain: ``along_the_joints`` and ``frame_by_frame`` of
     ``walk.py`` in one. ``kept`` takes the frames, or axes and points of the joints.
@@ -334,7 +286,7 @@ def carry(q, numbers, F, kept, m):
             keep(F, X, ANGLE, kept[i], m)
 
 
-@njit(MANY_TYPES, **LOOSE)
+@njit(TYPES, cache=True, **LOOSE)
 def answer(q, numbers, out):
     """The end poses, frames or Jacobians of ``q`` (m, n) into ``out`` (m, ...), a row of numbers
     each; False where a number of q is NaN or infinite.
@@ -364,116 +316,4 @@ def answer(q, numbers, out):
         write_columns(kept, result, m)
         if numbers[COUPLED] != 0.0:
             per_count(result, numbers[JOINTS + 6 * (n + 1) :], n, m)
-    return True
-
-
-@fast
-def summed(p, x, length):
-    return (p[0] + length * x[0], p[1] + length * x[1], p[2] + length * x[2])
-
-
-@fast
-def rotated(x, y, c, s):
-    """x and y turned about z, or y and z about x."""
-    return (
-        (x[0] * c + y[0] * s, x[1] * c + y[1] * s, x[2] * c + y[2] * s),
-        (y[0] * c - x[0] * s, y[1] * c - x[1] * s, y[2] * c - x[2] * s),
-    )
-
-
-@fast
-def write_one(x, y, z, p, out, at):
-    for k in range(3):
-        out[at + 4 * k] = x[k] + 0.0
-        out[at + 4 * k + 1] = y[k] + 0.0
-        out[at + 4 * k + 2] = z[k] + 0.0
-        out[at + 4 * k + 3] = p[k] + 0.0
-        out[at + 12 + k] = 0.0
-    out[at + 15] = 1.0
-
-
-@fast
-def behind(x, y, z, p, numbers, column):
-    """p and a column of the end's pose, seen from the frame."""
-    at = END + column
-    p = summed(p, x, numbers[at])
-    return summed(summed(p, y, numbers[at + 4]), z, numbers[at + 8])
-
-
-@njit(ONE_TYPES, **LOOSE)
-def answer_one(q, numbers, result):
-    """The same for one pose, its frame in registers; False where ``q`` is not n finite numbers."""
-    n, kind, out = len(q), numbers[KIND], result.reshape(-1)
-    rates = JOINTS + 6 * (n + 1)
-    if len(numbers) != rates + n * n:
-        return False
-    standard, coupled = numbers[STANDARD] != 0.0, numbers[COUPLED] != 0.0
-    x = (numbers[BASE], numbers[BASE + 1], numbers[BASE + 2])
-    y = (numbers[BASE + 3], numbers[BASE + 4], numbers[BASE + 5])
-    z = (numbers[BASE + 6], numbers[BASE + 7], numbers[BASE + 8])
-    p = (numbers[BASE + 9], numbers[BASE + 10], numbers[BASE + 11])
-    angle = along = across = 0.0
-    for i in range(n + 1):
-        of = JOINTS + 6 * i
-        a, step_c, step_s = numbers[of + A], numbers[of + C], numbers[of + S]
-        if i > 0:
-            moved = numbers[rates + (n + 1) * (i - 1)] * q[i - 1]
-            if coupled:
-                moved = 0.0
-                for k in range(n):
-                    moved += numbers[rates + n * (i - 1) + k] * q[k]
-            if moved - moved != 0.0:  # NaN
-                return False
-            slides = numbers[of + SLIDES] != 0.0
-            angle += numbers[of + THETA] + (0.0 if slides else moved)
-            p = summed(p, z, numbers[of + D] + (moved if slides else 0.0))
-            runs_on = kind != FRAMES and i < n and step_c == 1.0 and step_s == 0.0
-            if kind == JACOBIAN or not runs_on:
-                p = summed(summed(p, x, along), y, across)
-                along = across = 0.0
-            if kind == JACOBIAN:
-                for k in range(3):
-                    out[n * k + i - 1], out[n * (3 + k) + i - 1] = p[k], z[k]
-            if not runs_on or a != 0.0:
-                c, s = cos_sin(angle) if abs(angle) < FAR else (math.cos(angle), math.sin(angle))
-            if runs_on:
-                if a != 0.0:
-                    along += a * c
-                    across += a * s
-                continue
-            x, y = rotated(x, y, c, s)
-            angle = 0.0
-        if kind == FRAMES and (i == 0 or not standard):
-            write_one(x, y, z, p, out, 16 * i)
-        if kind != FRAMES and i == n:
-            break
-        p = summed(p, x, a)
-        y, z = rotated(y, z, step_c, step_s)
-        if kind == FRAMES and i > 0 and standard:
-            write_one(x, y, z, p, out, 16 * i)
-    if kind == FRAMES:
-        return True
-    p = behind(x, y, z, p, numbers, 3)
-    if kind == FORWARD:
-        origin = (0.0, 0.0, 0.0)
-        u, v, w = (
-            behind(x, y, z, origin, numbers, 0),
-            behind(x, y, z, origin, numbers, 1),
-            behind(x, y, z, origin, numbers, 2),
-        )
-        write_one(u, v, w, p, out, 0)
-        return True
-    for i in range(n):
-        rate = 1.0 if coupled else numbers[rates + (n + 1) * i]
-        lx, ly, lz = p[0] - out[i], p[1] - out[n + i], p[2] - out[2 * n + i]
-        x0, x1, x2 = rate * out[3 * n + i], rate * out[4 * n + i], rate * out[5 * n + i]
-        if numbers[JOINTS + 6 * (i + 1) + SLIDES] != 0.0:
-            out[i], out[n + i], out[2 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
-            out[3 * n + i] = out[4 * n + i] = out[5 * n + i] = 0.0
-        else:
-            out[i], out[n + i] = x1 * lz - x2 * ly + 0.0, x2 * lx - x0 * lz + 0.0
-            out[2 * n + i] = x0 * ly - x1 * lx + 0.0
-            out[3 * n + i], out[4 * n + i], out[5 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
-    if coupled:
-        per_count(out.reshape(1, -1), numbers[rates:], n, 1)
     return True

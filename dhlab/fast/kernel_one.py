@@ -1,0 +1,136 @@
+"""The walk for one pose, as numba compiles it: the frame stays in registers. Only ``compiled.py``
+imports this file, when numba is wanted.
+
+What remains is the price of a call from Python, about a tenth of a microsecond an argument; so the
+chain comes as one row of numbers, the kind of question in it, and ``kernel_parts.py`` says what
+stands where.
+"""
+
+import math
+
+from numba import boolean, float64, njit, types
+
+from .kernel_parts import (  # isort: skip
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, ROW, SLIDES, STANDARD,
+    THETA, A, C, D, S, cos_sin, fast, per_count,
+)  # fmt: skip
+
+__all__ = ["answer_one"]
+
+# for other types numba would compile again, for seconds, at somebody's call
+ANY_ROW = types.Array(float64, 1, "A", readonly=True)
+TYPES = [boolean(ANY_ROW, ROW, float64[:, ::1]), boolean(ANY_ROW, ROW, float64[:, :, ::1])]
+
+
+@fast
+def summed(p, x, length):
+    return (p[0] + length * x[0], p[1] + length * x[1], p[2] + length * x[2])
+
+
+@fast
+def rotated(x, y, c, s):
+    """x and y turned about z, or y and z about x."""
+    return (
+        (x[0] * c + y[0] * s, x[1] * c + y[1] * s, x[2] * c + y[2] * s),
+        (y[0] * c - x[0] * s, y[1] * c - x[1] * s, y[2] * c - x[2] * s),
+    )
+
+
+@fast
+def write_one(x, y, z, p, out, at):
+    for k in range(3):
+        out[at + 4 * k] = x[k] + 0.0
+        out[at + 4 * k + 1] = y[k] + 0.0
+        out[at + 4 * k + 2] = z[k] + 0.0
+        out[at + 4 * k + 3] = p[k] + 0.0
+        out[at + 12 + k] = 0.0
+    out[at + 15] = 1.0
+
+
+@fast
+def behind(x, y, z, p, numbers, column):
+    """p and a column of the end's pose, seen from the frame."""
+    at = END + column
+    p = summed(p, x, numbers[at])
+    return summed(summed(p, y, numbers[at + 4]), z, numbers[at + 8])
+
+
+@njit(TYPES, cache=True, **LOOSE)
+def answer_one(q, numbers, result):
+    """The end pose, frames or Jacobian of ``q`` (n,) into ``result``; False where q is not n finite
+    numbers.
+    """
+    n, kind, out = len(q), numbers[KIND], result.reshape(-1)
+    rates = JOINTS + 6 * (n + 1)
+    if len(numbers) != rates + n * n:
+        return False
+    standard, coupled = numbers[STANDARD] != 0.0, numbers[COUPLED] != 0.0
+    x = (numbers[BASE], numbers[BASE + 1], numbers[BASE + 2])
+    y = (numbers[BASE + 3], numbers[BASE + 4], numbers[BASE + 5])
+    z = (numbers[BASE + 6], numbers[BASE + 7], numbers[BASE + 8])
+    p = (numbers[BASE + 9], numbers[BASE + 10], numbers[BASE + 11])
+    angle = along = across = 0.0
+    for i in range(n + 1):
+        of = JOINTS + 6 * i
+        a, step_c, step_s = numbers[of + A], numbers[of + C], numbers[of + S]
+        if i > 0:
+            moved = numbers[rates + (n + 1) * (i - 1)] * q[i - 1]
+            if coupled:
+                moved = 0.0
+                for k in range(n):
+                    moved += numbers[rates + n * (i - 1) + k] * q[k]
+            if moved - moved != 0.0:  # NaN
+                return False
+            slides = numbers[of + SLIDES] != 0.0
+            angle += numbers[of + THETA] + (0.0 if slides else moved)
+            p = summed(p, z, numbers[of + D] + (moved if slides else 0.0))
+            runs_on = kind != FRAMES and i < n and step_c == 1.0 and step_s == 0.0
+            if kind == JACOBIAN or not runs_on:
+                p = summed(summed(p, x, along), y, across)
+                along = across = 0.0
+            if kind == JACOBIAN:
+                for k in range(3):
+                    out[n * k + i - 1], out[n * (3 + k) + i - 1] = p[k], z[k]
+            if not runs_on or a != 0.0:
+                c, s = cos_sin(angle) if abs(angle) < FAR else (math.cos(angle), math.sin(angle))
+            if runs_on:
+                if a != 0.0:
+                    along += a * c
+                    across += a * s
+                continue
+            x, y = rotated(x, y, c, s)
+            angle = 0.0
+        if kind == FRAMES and (i == 0 or not standard):
+            write_one(x, y, z, p, out, 16 * i)
+        if kind != FRAMES and i == n:
+            break
+        p = summed(p, x, a)
+        y, z = rotated(y, z, step_c, step_s)
+        if kind == FRAMES and i > 0 and standard:
+            write_one(x, y, z, p, out, 16 * i)
+    if kind == FRAMES:
+        return True
+    p = behind(x, y, z, p, numbers, 3)
+    if kind == FORWARD:
+        origin = (0.0, 0.0, 0.0)
+        u, v, w = (
+            behind(x, y, z, origin, numbers, 0),
+            behind(x, y, z, origin, numbers, 1),
+            behind(x, y, z, origin, numbers, 2),
+        )
+        write_one(u, v, w, p, out, 0)
+        return True
+    for i in range(n):
+        rate = 1.0 if coupled else numbers[rates + (n + 1) * i]
+        lx, ly, lz = p[0] - out[i], p[1] - out[n + i], p[2] - out[2 * n + i]
+        x0, x1, x2 = rate * out[3 * n + i], rate * out[4 * n + i], rate * out[5 * n + i]
+        if numbers[JOINTS + 6 * (i + 1) + SLIDES] != 0.0:
+            out[i], out[n + i], out[2 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
+            out[3 * n + i] = out[4 * n + i] = out[5 * n + i] = 0.0
+        else:
+            out[i], out[n + i] = x1 * lz - x2 * ly + 0.0, x2 * lx - x0 * lz + 0.0
+            out[2 * n + i] = x0 * ly - x1 * lx + 0.0
+            out[3 * n + i], out[4 * n + i], out[5 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
+    if coupled:
+        per_count(out.reshape(1, -1), numbers[rates:], n, 1)
+    return True
