@@ -128,11 +128,11 @@ def _right(exercise, variant, rng):
         texts = _programs(exercise)[0]
         return "right", restyled(texts[rng.integers(len(texts))], rng)
     if isinstance(exercise, Table):
-        return "right", repr(_degrees(exercise.answer.table))
+        return "right", repr(_degrees(exercise.right_arm(variant).table))
     return "right", (
-        repr(exercise.correct)
+        repr(exercise.letters(variant)[exercise.correct])
         if isinstance(exercise, Choice)
-        else repr(_order(exercise, True, rng))
+        else repr(_order(exercise, True, variant, rng))
     )
 
 
@@ -163,19 +163,20 @@ def _degrees(table):
     return np.c_[np.rad2deg(table.theta), table.d, table.a, np.rad2deg(table.alpha)].tolist()
 
 
-def _order(exercise, right, rng):
-    """An order that is accepted, or one that is not; letters may come twice where there are more
-    places than letters or a right answer has them twice.
+def _order(exercise, right, variant, rng):
+    """The letters of an order that is accepted, or of one that is not; items may come twice where
+    there are more places than items or a right answer has them twice.
     """
-    length = exercise.length or len(exercise.items)
     orders = list(
-        product(exercise.items, repeat=length) if right else permutations(exercise.items, length)
-    ) or list(product(exercise.items, repeat=length))
-    return next(
-        list(letters)
-        for letters in rng.permutation(orders).tolist()
-        if bool(exercise.accepts(letters)) == right
+        product(exercise.items, repeat=exercise.size)
+        if right
+        else permutations(exercise.items, exercise.size)
+    ) or list(product(exercise.items, repeat=exercise.size))
+    ids = next(
+        ids for ids in rng.permutation(orders).tolist() if bool(exercise.accepts(ids)) == right
     )
+    letters = exercise.letters(variant)
+    return [letters[key] for key in ids]
 
 
 def _wrong(exercise, variant, rng):
@@ -199,7 +200,7 @@ def _wrong(exercise, variant, rng):
         mistake, text = texts[rng.integers(len(texts))]
         return mistake, restyled(text, rng)
     if isinstance(exercise, Table):
-        right = exercise.answer.table
+        right = exercise.right_arm(variant).table
         versions = [
             (mistake, table)
             for mistake, _, table in wrong_tables(right)
@@ -208,11 +209,10 @@ def _wrong(exercise, variant, rng):
         mistake, table = versions[rng.integers(len(versions))]
         return mistake, repr(_degrees(table))
     if isinstance(exercise, Order):
-        return "some order", repr(_order(exercise, False, rng))
-    letter = str(
-        rng.choice([*(letter for letter in exercise.options if letter != exercise.correct), "?"])
-    )
-    return None if letter == "?" else exercise.options[letter].mistake, repr(letter)
+        return "some order", repr(_order(exercise, False, variant, rng))
+    letters = exercise.letters(variant) | {"?": "?"}
+    chosen = str(rng.choice([key for key in letters if key != exercise.correct]))
+    return None if chosen == "?" else exercise.options[chosen].mistake, repr(letters[chosen])
 
 
 class _Restyle(ast.NodeTransformer):

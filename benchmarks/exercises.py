@@ -7,7 +7,7 @@ Wrong values are the exercise's own mistakes and slips of the hand (a sign, a un
 order, one digit); wrong programs are the doctor's wrong versions of the family; wrong tables its
 wrong tables that move the arm; of a choice all other options, of an order up to 200 others. A guess
 and the pre-test have no wrong answer; exercises of a kind of their own (frames to place, a table to
-repair, a drawn table) are judged in tests/course.
+repair) and tables of drawn numbers are judged in tests/course.
 """
 
 from itertools import islice, permutations, product
@@ -16,9 +16,7 @@ import numpy as np
 
 import dhlab as dh
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.drawn_table import DrawnTable
-from dhlab.course.kinds import Choice, Function, Order, Prediction, PreTest, Table, Value
-from dhlab.course.kinds.repaired import Impostor, Repair
+from dhlab.course.kinds import Choice, Function, Order, Table, Value
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.doctor.tables.rows import wrong_tables
 
@@ -39,18 +37,25 @@ def answers(exercise, variant):
     if isinstance(exercise, Table):
         return tables(exercise)
     if isinstance(exercise, Choice):
-        return [exercise.correct, exercise.correct.upper(), f" {exercise.correct} "], [
-            letter for letter in exercise.options if letter != exercise.correct
-        ]
-    length = exercise.length or len(exercise.items)
-    orders = list(permutations(exercise.items, length))
-    if not any(exercise.accepts(list(letters)) for letters in orders):
-        orders = list(product(exercise.items, repeat=length))  # a letter may stand twice
-    right = next(list(letters) for letters in orders if exercise.accepts(list(letters)))
-    rest = np.random.default_rng(variant).permutation(
-        [letters for letters in orders if not exercise.accepts(list(letters))]
-    )
-    return [right, tuple(right), ", ".join(right)], list(islice(rest.tolist(), 200))
+        letters = exercise.letters(variant)
+        right = letters.pop(exercise.correct)
+        return [right, right.upper(), f" {right} ", exercise.correct], list(letters.values())
+    return orders(exercise, variant)
+
+
+def orders(exercise, variant):
+    """A right order in several dresses, and up to 200 others; an item may stand twice where it must
+    for a right one.
+    """
+    letters, accepts = exercise.letters(variant), exercise.accepts
+    given = [list(ids) for ids in permutations(exercise.items, exercise.size)]
+    if not any(accepts(ids) for ids in given):
+        given = [list(ids) for ids in product(exercise.items, repeat=exercise.size)]
+    ids = next(ids for ids in given if accepts(ids))
+    right = [letters[key] for key in ids]
+    rest = np.random.default_rng(variant).permutation([o for o in given if not accepts(o)])
+    wrong = [[letters[key] for key in order] for order in islice(rest.tolist(), 200)]
+    return [right, tuple(right), ", ".join(right), ids], wrong
 
 
 def values(exercise, given):
@@ -92,7 +97,8 @@ def tables(exercise):
     """The right table as written, and as other right tables of the same arm; the wrong ones that
     move the end.
     """
-    arm, q = exercise.answer, np.random.default_rng(1).uniform(-2, 2, (8, len(exercise.answer)))
+    arm = exercise.right_arm()
+    q = np.random.default_rng(1).uniform(-2, 2, (8, len(arm)))
     right = [rows(arm.table)] + [
         rows(other.table)
         for other in (arm.flip_x(1), arm.flip_x(2))
@@ -135,10 +141,8 @@ def main():
             ),
             None,
         )
-        if kind is None or isinstance(
-            exercise, (Prediction, PreTest, DrawnTable, Impostor, Repair)
-        ):  # these are judged in tests/course, each in its own way
-            continue
+        if kind is None or kind is Table and (exercise.given(0) or exercise.handed_out):
+            continue  # these are judged in tests/course, each in its own way
         count = np.zeros(5, dtype=int)
         for variant in VARIANTS:
             right, wrong = answers(exercise, variant)

@@ -2,6 +2,7 @@
 ``then_and_now``.
 """
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from html import escape
 
@@ -9,6 +10,7 @@ from .exercises import exercises
 from .growth import Growth
 from .kinds import Prediction
 from .progress import Log, Progress
+from .verdict import Verdict
 
 __all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant", "then_and_now"]
 
@@ -17,7 +19,7 @@ _guesses = {}
 _variant = 0
 
 
-def set_variant(variant):
+def set_variant(variant: int) -> None:
     """Choose which numbers the exercises draw: a whole number, 0 unless a teacher handed out
     another.
 
@@ -34,7 +36,7 @@ def set_variant(variant):
     _variant = variant
 
 
-def check(exercise_id, answer):
+def check(exercise_id: str, answer: object) -> Verdict:
     """Judge an answer and say what is right or wrong with it.
 
     Parameters
@@ -42,7 +44,8 @@ def check(exercise_id, answer):
     exercise_id : str
         Such as ``"05.2"``.
     answer
-        A value, a function, a table, a letter or a list of letters, as the exercise asks.
+        A value, a function, a table, a letter or a list of letters, as the exercise asks; "?" is
+        an answer to every question with letters.
 
     Returns
     -------
@@ -64,7 +67,7 @@ def check(exercise_id, answer):
     return verdict
 
 
-def hint(exercise_id, level=1):
+def hint(exercise_id: str, level: int = 1) -> "Note":
     """A hint: level 1 says where to look, level 2 which way to go; neither gives the answer.
 
     Examples
@@ -79,7 +82,7 @@ def hint(exercise_id, level=1):
     return Note(f"Hint {level} of {len(hints)}: {hints[level - 1]}{more}")
 
 
-def given(exercise_id):
+def given(exercise_id: str) -> Mapping[str, object]:
     """The numbers of a task, by name, as the learner's variant has them.
 
     Examples
@@ -90,7 +93,7 @@ def given(exercise_id):
     return _exercise(exercise_id).given(_variant)
 
 
-def predict(prediction_id, guess):
+def predict(prediction_id: str, guess: object) -> Verdict:
     """Note a guess before the next cell shows what happens. Never marked.
 
     Examples
@@ -100,12 +103,12 @@ def predict(prediction_id, guess):
     """
     verdict = _exercise(prediction_id, Prediction).judge(guess, _variant)
     if verdict.status == "recorded":
-        _guesses[prediction_id] = guess.strip().lower()
+        (_guesses[prediction_id],) = verdict.chosen
         _log.add(verdict)
     return verdict
 
 
-def reveal(prediction_id):
+def reveal(prediction_id: str) -> "Note":
     """What happens, beside what was guessed.
 
     Examples
@@ -116,7 +119,7 @@ def reveal(prediction_id):
     return Note(_exercise(prediction_id, Prediction).after(_guesses.get(prediction_id)))
 
 
-def progress(lesson=""):
+def progress(lesson: str = "") -> Progress:
     """How far the learner is: every exercise of a lesson, or of all, from this session and the
     course folder's log.
 
@@ -142,7 +145,7 @@ def progress(lesson=""):
     return Progress(scored, _log.best())
 
 
-def then_and_now():
+def then_and_now() -> Growth:
     """The pre-test of lesson 00 beside the post-test of lesson 09, question by question.
 
     Returns

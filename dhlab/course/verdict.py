@@ -36,6 +36,8 @@ class Verdict:
         Earned, and possible.
     known : bool or None
         Of a pre-test: whether the answer was right, which is not shown.
+    chosen : tuple of str
+        Of an answer in letters: the ids of the options chosen, or "?".
 
     Examples
     --------
@@ -55,9 +57,10 @@ class Verdict:
     points: float = 0
     of: float = 0
     known: bool | None = None
+    chosen: tuple[str, ...] = ()
 
     @property
-    def lines(self):
+    def lines(self) -> list[tuple[str, str]]:
         """(label, text) pairs under the headline."""
         return [
             (label, text)
@@ -65,7 +68,7 @@ class Verdict:
             if text
         ]
 
-    def __str__(self):
+    def __str__(self) -> str:
         mark, word = MARKS[self.status]
         headline = f": {self.headline}" if self.headline else ""
         rest = [f"  {label + ':':6} {text}" for label, text in self.lines]

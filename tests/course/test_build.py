@@ -170,6 +170,11 @@ def test_a_marker_is_named_with_its_line(tmp_path):
             "expected dhlab: in the head with lines such as minutes: 15 under it",
         ),
         ("rule = ...", "rule = (", "expected Python, found a syntax error"),
+        (
+            "rule = ...",
+            '#   "a" none of them\nrule = ...',
+            "expected the options of 05.2 in its exercise alone, from where the lesson takes them",
+        ),
     ],
 )
 def test_a_source_that_is_no_lesson_is_refused(old, new, words, tmp_path):
@@ -186,7 +191,7 @@ def test_ipythons_commands_are_python(tmp_path):
 
 
 def misspelt(exercise):
-    options = {**exercise.options, "a": Option("x", "y", "wrong-frame-comparred")}
+    options = {**exercise.options, "none": Option("x", "y", "wrong-frame-comparred")}
     return replace(exercise, options=options)
 
 
@@ -196,9 +201,24 @@ def misspelt(exercise):
         (
             "05.2",
             lambda e: replace(e, correct="z"),
-            "expected correct= one of a, b, c, d, found 'z'",
+            "expected correct= one of none, about-one-axis, turns-with-shifts, both-turns, found 'z'",
         ),
-        ("05.P1", lambda e: replace(e, correct="z"), "expected correct= one of a, b, c, found 'z'"),
+        (
+            "05.P1",
+            lambda e: replace(e, correct="b"),
+            "expected correct= one of same-place, step-turned, step-straight, found 'b'",
+        ),
+        (
+            "05.P1",
+            lambda e: replace(e, options={**e.options, "b": "elsewhere"}),
+            "such as any-order, found 'b'; its letter is given when it is shown",
+        ),
+        (
+            "05.3",
+            lambda e: replace(e, items={**e.items, "rz": "Tz(d)"}),
+            "expected options that differ, found one text twice",
+        ),
+        ("05.8", lambda e: replace(e, question=" "), "expected a question, found none"),
         ("05.2", misspelt, "found 'wrong-frame-comparred'; did you mean 'wrong-frame-compared'?"),
         (
             "05.2",
@@ -292,9 +312,12 @@ def clone(tmp_path_factory):
         ("sheet", "print(task)\n", "print(task)\nT_0F = nothing\n", "NameError"),
         (
             "exercises",
+            'correct="tool"',
             'correct="b"',
-            'correct="z"',
-            "dhlab/course/exercises/lesson10.py, 10.2: expected correct= one of a, b, c, found 'z'",
+            (
+                "dhlab/course/exercises/lesson10.py, 10.2: expected correct= one of table, tool,"
+                " base, found 'b'"
+            ),
         ),
         (
             "exercises",

@@ -11,7 +11,7 @@ from right_ways_08 import RIGHT_WAYS
 import dhlab as dh
 from dhlab.course import check
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.lesson06 import UPRIGHT
+from dhlab.course.exercises.answers06 import UPRIGHT
 from dhlab.course.kinds import Choice, Function, Order, Prediction, Table, Value
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.doctor.tables.rows import wrong_tables
@@ -280,10 +280,10 @@ def test_wrong_tables_fail_and_are_named():
     exercise = SCORED["06.6"]
     assert isinstance(exercise, Table)
     visible = 0
-    for mistake, place, table in wrong_tables(exercise.answer.table):
+    for mistake, place, table in wrong_tables(exercise.right_arm().table):
         if np.allclose(
             dh.Arm(table).forward(exercise.poses_at(0)),
-            exercise.answer.forward(exercise.poses_at(0)),
+            exercise.right_arm().forward(exercise.poses_at(0)),
             atol=1e-9,
         ):
             continue
@@ -299,17 +299,17 @@ def test_wrong_tables_fail_and_are_named():
 @pytest.mark.parametrize("key", [key for key, e in SCORED.items() if isinstance(e, Choice)])
 def test_choices(key):
     exercise = SCORED[key]
-    for letter, option in exercise.options.items():
-        for dress in (letter, letter.upper(), f" {letter} "):
+    for letter, (key, option) in zip("abcdef", exercise.options.items()):
+        for dress in (letter, letter.upper(), f" {letter} ", key):
             verdict = exercise.judge(dress)
             assert (
-                verdict.status == ("right" if letter == exercise.correct else "wrong")
+                verdict.status == ("right" if key == exercise.correct else "wrong")
                 and verdict.headline == option.answer
+                and verdict.chosen == (key,)
             )
-            assert (verdict.mistake is None) == (letter == exercise.correct)
-    assert (
-        exercise.judge("?").status == "wrong" and "expected one of" in exercise.judge("z").headline
-    )
+            assert (verdict.mistake is None) == (key == exercise.correct)
+    assert exercise.judge("?").status == "wrong" and exercise.judge("?").chosen == ("?",)
+    assert "expected one of" in exercise.judge("z").headline
 
 
 def test_all_five_orders_of_the_moves_pass_and_no_other():
@@ -371,13 +371,17 @@ def test_feedback_never_holds_expected_numbers():
 )
 def test_any_letters_in_any_number_get_a_verdict(exercise):
     rng = np.random.default_rng(3)
-    letters, places = list(exercise.items), exercise.length or len(exercise.items)
+    letters, places = exercise.letters(), exercise.size
     for length in (*[places] * 300, places - 1, places + 1, 0):
-        given = rng.choice(letters, length).tolist()
-        verdict = exercise.judge(given)
+        given = rng.choice(list(letters), length).tolist()
+        verdict = exercise.judge([letters[key] for key in given])
+        assert verdict == exercise.judge(given), "letters and ids say the same"
         assert (verdict.status == "right") == (length == places and bool(exercise.accepts(given)))
         assert length == 0 or verdict.headline
+    first, letter = next(iter(letters.items()))
     assert (
         exercise.repeats
-        or exercise.judge([letters[0]] * places).headline == f"{letters[0]} stands there twice"
+        or exercise.judge([first] * places).headline == f"{letter} stands there twice"
     )
+    for undecided in ("?", ["?"] * places, [letter, "?"]):
+        assert exercise.judge(undecided).headline == exercise.undecided

@@ -91,7 +91,8 @@ def test_every_answer_is_noted_none_judged(key):
             and f"Lesson {exercise.lesson}" in said
         )
         assert not any(word in said.lower() for word in ("is right", "wrong", "not yet", "✓", "✗"))
-        assert verdict.known == (letter.strip().lower() == exercise.correct)
+        chosen = next(iter(exercise.options)) if letter == " A " else letter
+        assert verdict.chosen == (chosen,) and verdict.known == (chosen == exercise.correct)
         assert (verdict.mistake is None) == (
             verdict.known or letter == "?"
         ) and verdict.mistake in {None, *catalogue()}

@@ -203,7 +203,7 @@ def test_a_printed_table_in_our_columns(variant):
     flipped[2][0] = -180
     for right in (ours, np.array(ours), slid, flipped, dh.DHTable.standard(ours, angle="deg")):
         assert exercise.judge(right, variant).status == "right"
-    wrong = [rows for _, _, rows in exercise.slips(**exercise.given(variant))]
+    wrong = [rows for _, _, rows in exercise.mistakes(**exercise.given(variant))]
     seen, named = fails_by_name("02.7", wrong, variant)
     assert seen == named == 8
     said = [exercise.judge(rows, variant) for rows in (printed, np.abs(ours))]
@@ -217,10 +217,10 @@ def test_a_printed_table_in_our_columns(variant):
 def test_wrong_tables_of_a_printed_one_are_named():
     exercise = EXERCISES["02.7"]
     q = exercise.poses_at(0)
-    right = exercise.answer.forward(q)
+    right = exercise.right_arm().forward(q)
     visible = [
         table
-        for _, _, table in wrong_tables(exercise.answer.table)
+        for _, _, table in wrong_tables(exercise.right_arm().table)
         if not np.allclose(dh.Arm(table).forward(q), right, atol=1e-9)
     ]
     seen, named = fails_by_name("02.7", visible)

@@ -323,7 +323,7 @@ def test_from_standard_to_craig(variant):
         variant,
     )
     seen, named = fails_by_name(
-        "03.7", [wrong for _, _, wrong in EXERCISES["03.7"].slips(rows)], variant
+        "03.7", [wrong for _, _, wrong in EXERCISES["03.7"].mistakes(rows)], variant
     )
     assert seen == named >= 14
     tool = shift([rows[-1][2], 0, 0]) @ turn([np.deg2rad(rows[-1][3]), 0, 0])
@@ -353,7 +353,7 @@ def test_from_craig_to_standard(variant):
         variant,
     )
     seen, named = fails_by_name(
-        "03.8", [wrong for _, _, wrong in EXERCISES["03.8"].slips(rows)], variant
+        "03.8", [wrong for _, _, wrong in EXERCISES["03.8"].mistakes(rows)], variant
     )
     assert seen == named == 6
 
@@ -371,7 +371,7 @@ def test_the_half_converted_table(variant):
     ] == [2], "one column is wrong"
     wrong = [
         rows
-        for _, _, rows in exercise.slips(standard, broken)
+        for _, _, rows in exercise.mistakes(standard, broken)
         if not np.allclose(rows, broken) and not np.allclose(rows, right)
     ]
     seen, named = fails_by_name("03.9", wrong, variant)
@@ -381,7 +381,7 @@ def test_the_half_converted_table(variant):
 @pytest.mark.parametrize("key", ["03.7", "03.8", "03.9"])
 def test_wrong_tables_are_named(key):
     exercise = EXERCISES[key]
-    q, arm = exercise.poses_at(0), exercise.answer
+    q, arm = exercise.poses_at(0), exercise.right_arm()
     visible = [
         table
         for _, _, table in wrong_tables(arm.table)

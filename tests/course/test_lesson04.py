@@ -11,7 +11,7 @@ from oracles import elementary_pose
 
 import dhlab as dh
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.lesson04 import READ
+from dhlab.course.exercises.answers04 import READ
 from dhlab.course.kinds.placed import MISTAKES, Frames
 from dhlab.doctor import catalogue
 from dhlab.doctor.tables.rows import wrong_tables
@@ -247,8 +247,8 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
     ):
         assert exercise.judge(answer).status == "right", answer
     q, seen = exercise.poses_at(0), set()
-    for mistake, place, table in wrong_tables(exercise.answer.table):
-        if np.abs(dh.Arm(table).forward(q) - exercise.answer.forward(q)).max() > 1e-9:
+    for mistake, place, table in wrong_tables(exercise.right_arm().table):
+        if np.abs(dh.Arm(table).forward(q) - exercise.right_arm().forward(q)).max() > 1e-9:
             verdict = exercise.judge(table)
             assert verdict.status == "wrong" and verdict.mistake, (mistake, place)
             seen.add(verdict.mistake)

@@ -387,7 +387,7 @@ def test_orders_are_named_for_what_they_do():
         ("bdhfc", "jacobian-not-renewed"),
     ):
         assert exercise.judge(answer).mistake == mistake, answer
-    assert exercise.judge("dbfhc").headline == "b comes first" and "loop" not in str(
+    assert exercise.judge("dbfhc").headline == "the frames come first" and "loop" not in str(
         exercise.judge("dbfhc")
     )
 

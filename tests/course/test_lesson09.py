@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 import dhlab as dh
 from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.lesson09 import AR4, PIPER
+from dhlab.course.exercises.answers09 import AR4, PIPER
 from dhlab.doctor.tables.rows import wrong_tables
 from dhlab.robots.examples import FOLDER, example
 from dhlab.transform import from_xyz_rpy
@@ -85,7 +85,7 @@ def test_an_unknown_file_is_one_sentence():
 
 
 def test_the_sheets_are_the_arms():
-    ar4, piper = (exercises()[key].answer for key in ("09.2", "09.4"))
+    ar4, piper = (exercises()[key].right_arm() for key in ("09.2", "09.4"))
     distance, angle = chain_disagreement(ar4, "ar4_mk3")
     assert distance < 1e-5 and angle < 2e-5
     for q in np.random.default_rng(4).uniform(-2, 2, (20, 6)):
@@ -159,7 +159,7 @@ def test_wrong_axes_fail_and_are_named(key):
     exercise, seen, named = exercises()[key], 0, set()
     q = exercise.poses_at(0)
     for mistake, place, arm in exercise.mistakes():
-        if np.allclose(arm.forward(q), exercise.answer.forward(q), atol=1e-9):
+        if np.allclose(arm.forward(q), exercise.right_arm().forward(q), atol=1e-9):
             continue
         verdict = exercise.judge(arm)
         assert (
@@ -182,14 +182,23 @@ def test_wrong_axes_fail_and_are_named(key):
 def test_tables_pass_in_three_dresses_and_wrong_ones_are_named(key, right):
     exercise = exercises()[key]
     turned = [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in right]
-    for rows in (right, np.array(right), turned, exercise.answer, exercise.answer.flip_x(3)):
+    for rows in (
+        right,
+        np.array(right),
+        turned,
+        exercise.right_arm(),
+        exercise.right_arm().flip_x(3),
+    ):
         assert exercise.judge(rows).status == "right", rows
     q, seen = exercise.poses_at(0), 0
-    for mistake, place, table in wrong_tables(exercise.answer.table):
+    for mistake, place, table in wrong_tables(exercise.right_arm().table):
         wrong = dh.Arm(
-            table, base=exercise.answer.base, tool=exercise.answer.tool, sign=exercise.answer.sign
+            table,
+            base=exercise.right_arm().base,
+            tool=exercise.right_arm().tool,
+            sign=exercise.right_arm().sign,
         )
-        if np.allclose(wrong.forward(q), exercise.answer.forward(q), atol=1e-9):
+        if np.allclose(wrong.forward(q), exercise.right_arm().forward(q), atol=1e-9):
             continue
         verdict, seen = exercise.judge(wrong), seen + 1
         assert verdict.status == "wrong" and verdict.mistake, (mistake, place)
@@ -349,12 +358,12 @@ def test_the_hands_arrow_by_a_step_along_it():
 
 
 def test_the_wrong_program_is_no_attempt_until_it_is_changed():
-    from dhlab.course.exercises.lesson09 import _reversed_product
+    from dhlab.course.exercises.answers09 import reversed_product
 
     exercise = exercises()["09.8"]
-    assert exercise.judge(_reversed_product).status == "not attempted"
+    assert exercise.judge(reversed_product).status == "not attempted"
     assert np.allclose(
-        _reversed_product([[0.3, 0.1, 0.2, 0.5]], [0.4]),
+        reversed_product([[0.3, 0.1, 0.2, 0.5]], [0.4]),
         exercise.answer(np.array([[0.3, 0.1, 0.2, 0.5]]), [0.4]),
     )
 

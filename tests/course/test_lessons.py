@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 
 import nbformat
 import pytest
@@ -88,6 +89,7 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
         (tmp_path / folder).mkdir()
         for path in (reading.ROOT / folder).glob("*.*"):
             (tmp_path / folder / path.name).write_bytes(path.read_bytes())
+    shutil.copytree(reading.SOLUTIONS / "teacher", tmp_path / "solutions" / "teacher")
     monkeypatch.setattr(reading, "ROOT", tmp_path)
     monkeypatch.setattr(reading, "SOLUTIONS", tmp_path / "solutions")
     monkeypatch.setattr(reading, "LESSONS", tmp_path / "lessons")
@@ -113,7 +115,7 @@ BREAKS = {
     "checks": ('check("01.5", chain)', 'print("01.5")'),
     "predictions": ('reveal("01.P1")', 'print("01.P1")'),
     "misconceptions": ("**Against it.** Compare", "Compare"),
-    "choices": ('#   "?" I don\'t know yet\nwhy', "why"),
+    "choices": (':exercise: "01.6"\n', ""),
     "worked example": (":tags: [worked]", ":tags: [shown]"),
     "why": ("[exercise, why]", "[exercise]"),
     "modify, make": ("[modify]", "[play]"),

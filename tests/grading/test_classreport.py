@@ -95,6 +95,27 @@ def test_mistakes_lead_back_to_the_lesson_and_to_a_question(simulated, text):
     assert sheet_question("05") in page and len(sheet_question("05")) > 40
 
 
+def test_every_option_has_its_letter_its_text_and_how_many_chose_it(simulated, text):
+    results, made, _ = simulated
+    part = unescape(text).partition('id="e-05.2"')[2].partition("</section>")[0]
+    written = {plan.student.student: plan.code.get("05.2") for plan in made}
+    answered = Counter(
+        written[graded.student].strip("'")
+        for graded in results
+        for mark in graded.marks
+        if mark.exercise == "05.2" and mark.status in ("right", "wrong")
+    )
+    assert answered["a"] and answered["b"] and sum(answered.values()) > 30
+    for letter, said in (
+        ("a", "none: every change of order is a mistake"),
+        ("b", 'Rz with Tz, Tx with Rx, and Tz with Tx <span class="soft">(right)</span>'),
+        ("c", "all turns with all shifts"),
+        ("d", "Rz with Rx, since both are turns"),
+        ("?", "I don't know yet"),
+    ):
+        assert f"<b>{letter}</b> {said}</td><td>{answered[letter]}</td>" in part
+
+
 def test_the_misleading_question_shows_and_no_other(simulated, text):
     assert [item.exercise for item in items(simulated[0]) if item.discrimination < 0] == [
         classroom.BAD_QUESTION

@@ -109,7 +109,7 @@ def test_the_words_of_the_course_are_there():
         "row 3",
         "The reason.",
         "The next step.",
-        "Which moves may change places",
+        "Moves that commute",
         "Well done.",
         "0.75 of 2 points",
         "1 of 2 exercises",
@@ -117,6 +117,23 @@ def test_the_words_of_the_course_are_there():
     ):
         assert said in page.text
     assert page.balanced and page.tags <= TAGS
+
+
+@pytest.mark.parametrize(
+    "exercise, chosen, said",
+    [
+        ("05.2", ("none",), "a (none: every change of order is a mistake)"),
+        ("05.2", ("?",), "? (I don't know yet)"),
+        ("03.1", ("craig", "standard"), "c, s (Craig's; standard)"),
+        ("08.5", ("add-step",), "c (q = q + dq)"),
+    ],
+)
+def test_an_answer_is_shown_with_its_letter_and_its_text(exercise, chosen, said):
+    html = feedback_page(graded(Mark(exercise, "wrong", 0, 1, chosen=chosen)))
+    page = Page(html)
+    assert "Your answer" in page.text and said in page.text
+    assert page.balanced and page.tags <= TAGS | {"code"}
+    assert ("<code>q = q + dq</code>" in html) == (exercise == "08.5")
 
 
 @pytest.mark.parametrize("text", HOSTILE)

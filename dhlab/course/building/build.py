@@ -11,19 +11,21 @@ Run it as a module::
 
 import argparse
 import sys
+from collections.abc import Sequence
 
 import nbformat
 
 from ...formats.files import write_text
 from . import contract, reading
-from .faults import refuse_runs, refuse_sources
+from .faults import refuse_sources
 from .notebooks import lesson_notebook, ran, solution_notebook, without_outputs
 from .reading import read_source, sources
+from .runs import refuse_runs
 
 __all__ = ["build", "stale"]
 
 
-def build(only=()):
+def build(only: Sequence[str] = ()) -> None:
     """Rebuild the lessons named by number, or all.
 
     Raises
@@ -62,8 +64,8 @@ def build(only=()):
     )
 
 
-def stale(only=()):
-    """Which committed notebooks a rebuild would change (outputs apart)."""
+def stale(only: Sequence[str] = ()) -> list[str]:
+    """Which committed files a rebuild would change (outputs apart)."""
     differing = []
     for path in sources(only):
         notebook = read_source(path)
@@ -84,7 +86,7 @@ def stale(only=()):
     return differing
 
 
-def main():
+def main() -> None:
     """The command line of this module."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -99,7 +101,7 @@ def main():
                 "\n".join(
                     f"{name}: not what its source gives; run make lessons" for name in differing
                 )
-                or "all notebooks are what their sources give"
+                or "all lessons are what their sources give"
             )
             sys.exit(bool(differing))
         build(options.lessons)

@@ -3,6 +3,7 @@
 import re
 
 import nbformat
+from nbformat import NotebookNode
 
 from ...view.explorer.stored import without_widgets
 from .reading import ROOT
@@ -18,7 +19,7 @@ HERE = "\0"  # where a solution stood
 SECONDS = 120  # for a cell
 
 
-def lesson_notebook(source):
+def lesson_notebook(source: NotebookNode) -> NotebookNode:
     """What is handed out: the solutions cut out, a stub in their place, no outputs."""
     notebook = nbformat.from_dict(source)
     for cell in notebook.cells:
@@ -48,7 +49,7 @@ def _stub(source):
     )
 
 
-def solution_notebook(source):
+def solution_notebook(source: NotebookNode) -> NotebookNode:
     """The notebook with its outputs, from one run from top to bottom."""
     notebook = without_widgets(ran(source))
     for cell in notebook.cells:
@@ -57,7 +58,7 @@ def solution_notebook(source):
     return notebook
 
 
-def ran(notebook):
+def ran(notebook: NotebookNode) -> NotebookNode:
     """A copy of a notebook after a run from top to bottom; an error is among its outputs."""
     from nbclient import NotebookClient
     from nbclient.exceptions import CellTimeoutError, DeadKernelError
@@ -86,7 +87,7 @@ def ran(notebook):
     return notebook
 
 
-def without_outputs(notebook):
+def without_outputs(notebook: NotebookNode) -> NotebookNode:
     """A copy with outputs and counts taken out: what a rebuild must give again exactly."""
     bare = nbformat.from_dict(notebook)
     for cell in bare.cells:

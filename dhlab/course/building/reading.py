@@ -1,11 +1,16 @@
-"""The lessons' sources, ``solutions/NN-name.md``, as notebooks: cell ids from lesson and position."""
+"""The lessons' sources, ``solutions/NN-name.md``, as notebooks: cell ids from lesson and position,
+questions from the exercises.
+"""
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 
 from ..exercises import exercises
+from .questions import with_questions
 
 __all__ = ["LESSONS", "ROOT", "SOLUTIONS", "lines_of", "read_source", "sources"]
 
@@ -17,7 +22,7 @@ KERNEL = {
 }
 
 
-def sources(only=()):
+def sources(only: Sequence[str] = ()) -> list[Path]:
     """The lessons' sources, in order: all of them, or those named by number.
 
     Raises
@@ -36,9 +41,9 @@ def sources(only=()):
     return [path for path in found if not only or path.name[:2] in only]
 
 
-def read_source(path):
+def read_source(path: Path) -> NotebookNode:
     """A lesson's source as a notebook: cell ids from lesson and position, nbgrader's metadata on
-    exercises and checks.
+    exercises and checks, and what each exercise asks above its cell.
 
     Raises
     ------
@@ -59,6 +64,7 @@ def read_source(path):
         if cell.cell_type == "code":
             cell.execution_count, cell.outputs = None, []
             _add_grading(cell)
+    notebook.cells = list(with_questions(notebook.cells))
     return notebook
 
 
@@ -83,8 +89,10 @@ def _name(path):
     return f"{path.parent.name}/{path.name}"
 
 
-def lines_of(path, notebook):
-    """Where each cell's text begins in its source: {cell id: line number}."""
+def lines_of(path: Path, notebook: NotebookNode) -> dict[str, int]:
+    """Where each cell's text begins in its source: {cell id: line number}; of what is made from an
+    exercise, the place of the cell before it.
+    """
     text, lines, at = path.read_text(encoding="utf-8"), {}, 0
     for cell in notebook.cells:
         found = text.find("\n" + cell.source, at)

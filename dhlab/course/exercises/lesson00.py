@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...transform import rot_z
-from ..kinds import Option, Prediction, PreTest, Said
-from .shaped_value import ShapedValue, as_numbers, is_array_of
+from ..kinds import Option, Prediction, PreTest, Said, Value, as_numbers, is_array_of
 
 __all__ = ["EXERCISES"]
 
@@ -79,7 +78,7 @@ def _misshapen_product(answer, R, v):
 
 
 EXERCISES = [
-    ShapedValue(
+    Value(
         id="00.1",
         title="A matrix and a vector",
         draw=_draw_turn,
@@ -96,8 +95,9 @@ EXERCISES = [
     Prediction(
         id="00.P1",
         title="The cosine of 90",
-        options={"a": "0", "b": "about -0.45", "c": "an error"},
-        correct="b",
+        question="What does `np.cos(90)` give?",
+        options={"zero": "0", "negative": "about −0.45", "error": "an error"},
+        correct="negative",
         outcome=(
             "np.cos takes radians, and 90 radians are 14 turns and a bit. Degrees must be converted"
             " first: np.cos(np.deg2rad(90)) is 0 (printed as 6e-17)."
@@ -106,8 +106,9 @@ EXERCISES = [
     Prediction(
         id="00.P2",
         title="The same arm, another cup",
-        options={"a": "by the same 15 cm", "b": "by more than that", "c": "not at all"},
-        correct="c",
+        question="It missed the first cup by 15 cm. By how much does it miss the second?",
+        options={"same": "by the same 15 cm", "more": "by more than that", "hit": "not at all"},
+        correct="hit",
         outcome=(
             "the second cup is hit. One arrow is reversed, and the arm is right at some poses and"
             " wrong at others. Now you see why it took two days."
@@ -116,20 +117,24 @@ EXERCISES = [
     PreTest(
         id="00.2",
         title="What a column of a pose says",
-        correct="a",
+        question=(
+            "The pose of an arm's hand in the base is a 4×4 matrix. What do the first three numbers"
+            " of its third column say?"
+        ),
+        correct="hand-in-base",
         lesson="01",
         options={
-            "a": Option(
+            "hand-in-base": Option(
                 "where the hand's z arrow points, seen from the base",
                 "An arrow of the hand, written in the base: you will draw it.",
             ),
-            "b": Option(
+            "base-in-hand": Option(
                 "where the base's z arrow points, seen from the hand",
                 "An arrow of the base, written in the hand: you will hold both readings against a"
                 " picture.",
                 "rotation-transposed",
             ),
-            "c": Option(
+            "distance": Option(
                 "how far the hand is from the base along z",
                 "A distance along z: you will see which of the sixteen numbers that is.",
                 "rotation-block-misread",
@@ -139,19 +144,23 @@ EXERCISES = [
     PreTest(
         id="00.3",
         title="What a row says of two axes",
-        correct="b",
+        question=(
+            "A row of a DH table reads: θ = q2, d = 0, a = 0.4 m, α = 0. What does it say of the"
+            " two joint axes that it connects?"
+        ),
+        correct="parallel",
         lesson="02",
         options={
-            "a": Option(
+            "meet": Option(
                 "they meet, and the link behind them is 0.4 m long",
                 "Two axes that meet: you will move a from 0 to 0.4 and watch them.",
                 "intersecting-axes-given-a-length",
             ),
-            "b": Option(
+            "parallel": Option(
                 "they are parallel, 0.4 m apart",
                 "Two parallel axes: you will move each of the four numbers and watch them.",
             ),
-            "c": Option(
+            "shifted": Option(
                 "the second is the first, shifted by 0.4 m along itself",
                 "A shift along the axis: you will see which of the four numbers makes it.",
                 "a-d-exchanged",
@@ -161,19 +170,20 @@ EXERCISES = [
     PreTest(
         id="00.4",
         title="Two tables of one arm",
-        correct="b",
+        question="Two books print a table of the same arm, and the numbers differ. What follows?",
+        correct="own-program",
         lesson="03",
         options={
-            "a": Option(
+            "one-wrong": Option(
                 "one of the two is wrong",
                 "Then somebody should be told. You will put two such tables to the test.",
                 "table-taken-as-unique",
             ),
-            "b": Option(
+            "own-program": Option(
                 "both may be right, and each needs a program that fits it",
                 "You will see two such tables move together.",
             ),
-            "c": Option(
+            "any-program": Option(
                 "both may be right, and any program will do for either",
                 "You will feed one table to the other's program and see.",
                 "standard-rows-in-craig-matrix",
@@ -183,20 +193,24 @@ EXERCISES = [
     PreTest(
         id="00.5",
         title="The order of a product",
-        correct="a",
+        question=(
+            "A_i is the pose of frame i in frame i−1. Which product is the pose of frame 6 in frame"
+            " 0, and why?"
+        ),
+        correct="left-to-right",
         lesson="05",
         options={
-            "a": Option(
+            "left-to-right": Option(
                 "A_1 A_2 … A_6: each matrix is written in the frame that the ones before it"
                 " lead to",
                 "From the base outwards: you will make the moves one by one.",
             ),
-            "b": Option(
+            "right-to-left": Option(
                 "A_6 … A_2 A_1: what is done first stands on the right",
                 "From the hand inwards: you will make the moves one by one.",
                 "product-reversed",
             ),
-            "c": Option(
+            "either": Option(
                 "either: all six are there, so the order does not matter",
                 "Turn right and walk, or walk and turn right: you will try it.",
                 "order-taken-for-free",
@@ -206,20 +220,26 @@ EXERCISES = [
     PreTest(
         id="00.6",
         title="What one agreeing pose proves",
-        correct="c",
+        question=(
+            "With all joints at 0, a table puts the hand exactly where it was measured. What does"
+            " that prove?"
+        ),
+        correct="little",
         lesson="07",
         options={
-            "a": Option(
+            "table": Option(
                 "the table is right",
                 "You will meet a table that passes this test.",
                 "only-zero-pose-checked",
             ),
-            "b": Option(
+            "lengths": Option(
                 "the lengths are right, the angles perhaps not",
                 "You will meet lengths that pass this test.",
                 "only-position-checked",
             ),
-            "c": Option("little: many wrong tables agree there as well", "You will count them."),
+            "little": Option(
+                "little: many wrong tables agree there as well", "You will count them."
+            ),
         },
     ),
 ]

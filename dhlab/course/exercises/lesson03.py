@@ -2,396 +2,47 @@
 published tables apart, converting.
 """
 
-from dataclasses import dataclass
-from itertools import combinations, permutations
-
-import numpy as np
-
-from ...arm import Arm
 from ...doctor.programs.cases import SPECIAL, general_row
-from ...doctor.programs.wrong.craig import craig, in_order
-from ...doctor.programs.wrong.links import standard
-from ...robots import load
-from ...table import DHTable
-from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
-from .drawn_table import DrawnTable, numbers
+from ...doctor.programs.wrong.craig import craig
+from ..kinds import Choice, Option, Order, Prediction, Table, Value
+from .answers03 import (
+    CRAIG_ORDERS,
+    CRAIGS_ALPHA,
+    ENTRIES,
+    OTHER_ORDER,
+    PUBLISHED,
+    REASONS,
+    SIDES,
+    SIGNS,
+    STANDARD_ORDER,
+    CraigsMatrix,
+    badly_repaired,
+    draw_broken,
+    draw_craig,
+    draw_standard,
+    draw_unseen,
+    explain_order,
+    explain_published,
+    explain_reasons,
+    explain_sides,
+    half_to_craig,
+    half_to_standard,
+    repaired,
+    to_craig,
+    to_standard,
+    unseen_point,
+    wrong_points,
+)
 
 __all__ = ["EXERCISES"]
-
-MOVES = {"a": "Rz", "b": "Tz", "c": "Tx", "d": "Rx"}
-SIDES = ["c", "s", "c", "c", "s", "s"]  # 03.1
-PUBLISHED = ["c", "s", "s", "c", "s", "c"]  # 03.5
-REASONS = ["a", "b", "c", "d", "e"]  # 03.6
-ZEROS = [
-    "row 1",
-    "the last row",
-    "the last row",
-    "row 1",
-    "the last row",
-    "row 1",
-]  # where each table of 03.5 has a = 0 and α = 0
-UNSEEN = ("piper", "irb120")
-
-
-def _orders_of(matrix):
-    row = 0.3, 0.2, 0.4, 0.5
-    return [
-        list(letters)
-        for letters in permutations("abcd")
-        if np.allclose(in_order([MOVES[k] for k in letters], *row), matrix(*row))
-    ]
-
-
-CRAIG_ORDERS, STANDARD_ORDERS = _orders_of(craig), _orders_of(standard)
-
-
-def _wrong_numbers(letters, right):
-    return [k for k, (letter, wanted) in enumerate(zip(letters, right), 1) if letter != wanted]
-
-
-def _explain_sides(letters):
-    wrong = _wrong_numbers(letters, SIDES)
-    if len(wrong) == 6:
-        return "frame-at-other-end", "all six: the two have changed places"
-    named = f"statement {', '.join(map(str, wrong))}"
-    if set(wrong) <= {3, 6}:
-        return "frame-at-other-end", Said(
-            f"{named}: look at what lies between plate {{i-1}} and plate {{i}}",
-            place=named,
-            next=(
-                "From plate to plate: do you meet the joint first, or the link? And which link is"
-                " it, that before the joint or that behind it?"
-            ),
-        )
-    return "frame-at-other-end", named
-
-
-STANDARD_ORDER = Said(
-    "this is the standard matrix: the joint turns first, then comes the link",
-    next="Craig walks the link before joint i first. Which of the moves belong to a link?",
-)
-OTHER_ORDER = Said(
-    "this is neither Craig's matrix nor the standard one",
-    why="A turn changes the direction of every later shift across its axis, so the order counts.",
-    next="One move after the other: first the link before the joint, then the joint.",
-)
-
-
-ENTRIES = Said(
-    "not every entry is right",
-    next=(
-        "Call it with one argument at a time, the other three 0: does each of the four make its own"
-        " move, and the right way?"
-    ),
-)
-CRAIGS_ALPHA = Said(
-    "alpha turns the wrong way",
-    why="In Craig's matrix it is α_{i-1}: measured about x_{i-1}, from z_{i-1} to z_i.",
-    next="Set theta, d and a to 0: is what is left rot_x(alpha)?",
-)
-COPIED = (
-    "A conversion changes no number, only its row. Compare signs and digits with the given table."
-)
-SIGNS = {
-    "alpha-sign": Said("an α has the other sign", next=COPIED),
-    "length-sign": Said("a length has the other sign", next=COPIED),
-    "offset-sign": Said("a θ has the other sign", next=COPIED),
-    "lengths-made-positive": Said("the lengths have lost their signs", next=COPIED),
-}
-
-
-def _explain_order(letters):
-    if letters in STANDARD_ORDERS:
-        return "craig-rows-in-standard-matrix", STANDARD_ORDER
-    return "order-taken-for-free", OTHER_ORDER
-
-
-def _explain_published(letters):
-    wrong = _wrong_numbers(letters, PUBLISHED)
-    if len(wrong) == 6:
-        return "convention-guessed", Said(
-            "all six: the two have changed places",
-            next="Before joint 1 there is no link. Whose row 1 holds that missing link's pair?",
-        )
-    tables = {
-        where: [str(k) for k in wrong if ZEROS[k - 1] == where]
-        for where in ("row 1", "the last row")
-    }
-    said = [
-        f"the zeros of table {', '.join(found)} stand in {where}"
-        for where, found in tables.items()
-        if found
-    ]
-    return "convention-guessed", Said(
-        " and ".join(said),
-        next=(
-            "Row i holds the link before joint i, or the link behind it: which of the two is"
-            " missing in that row?"
-        ),
-    )
-
-
-def _explain_reasons(letters):
-    return (
-        "tables-differ-otherwise",
-        f"pair {', '.join(map(str, _wrong_numbers(letters, REASONS)))}",
-    )
-
-
-def _draw_rows(rng, n):
-    """n rows as somebody would publish them, degrees and metres; every a and alpha differs from its
-    neighbours'.
-    """
-    d, a = (
-        rng.permutation(np.arange(10, 45, 5))[:n] / 100,
-        rng.permutation(np.arange(12, 47, 5))[:n] / 100,
-    )
-    alpha = rng.permutation([90.0, -90.0, 60.0, -60.0, 30.0])[:n]
-    theta = rng.permutation([0.0, 90.0, -90.0, 180.0, 0.0])[:n]
-    return np.column_stack([theta, d, a * rng.choice([-1, 1], n), alpha])
-
-
-def _draw_standard(rng):
-    return {"rows": _draw_rows(rng, 3).tolist()}
-
-
-def _to_craig(rows):
-    return Arm(DHTable.standard(rows, angle="deg")).to("craig")
-
-
-def _half_to_craig(rows):
-    """What half a conversion looks like, twice: with a row 1 that is right, as 03.7 hands it out,
-    and with a row 1 of its own.
-    """
-    given, right = np.array(rows), np.array(numbers(_to_craig(rows).table))
-    up, rolled = (
-        _shifted(given, -1),
-        np.column_stack([given[:, :2], np.roll(given[:, 2:], 1, axis=0)]),
-    )
-    whole, joints = (
-        np.vstack([np.zeros(4), given[:-1]]),
-        np.column_stack([np.roll(given[:, :2], 1, axis=0), given[:, 2:]]),
-    )
-    for place, wrong in (
-        ("the rows are unchanged", given),
-        ("α moved, a did not", np.column_stack([given[:, :3], right[:, 3]])),
-        ("a moved, α did not", np.column_stack([right[:, :3], given[:, 3]])),
-        ("θ and d moved as well; they stay in their rows", whole),
-        ("the pairs moved up; from standard to Craig they move down", up),
-        ("the last pair came back in row 1; it belongs into the tool", rolled),
-        ("θ and d moved, a and α did not", joints),
-    ):
-        yield "conversion-incomplete", place, wrong
-        if not np.allclose(wrong[1:], right[1:]):
-            yield "conversion-incomplete", place, np.vstack([right[:1], wrong[1:]])
-    round_up = np.column_stack([given[:, :2], np.roll(given[:, 2:], -1, axis=0)])
-    yield (
-        "conversion-incomplete",
-        "the pairs moved up; from standard to Craig they move down",
-        np.vstack([right[:1], round_up[1:]]),
-    )
-    for k in range(1, len(given)):
-        forgotten = right.copy()
-        forgotten[k] = given[k]
-        yield "conversion-incomplete", f"row {k + 1} is unchanged", forgotten
-
-
-def _shifted(rows, step):
-    """a and alpha moved by one row, down (1) or up (-1), zeros in the row that is left empty."""
-    moved = np.roll(rows[:, 2:], step, axis=0)
-    moved[0 if step > 0 else -1] = 0
-    return np.column_stack([rows[:, :2], moved])
-
-
-def _draw_craig(rng):
-    rows = _draw_rows(rng, 4)
-    rows[0, 2:] = 0
-    return {"rows": rows.tolist()}
-
-
-def _to_standard(rows):
-    return Arm(DHTable.craig(rows, angle="deg")).to("standard")
-
-
-def _half_to_standard(rows):
-    given, right = np.array(rows), np.array(numbers(_to_standard(rows).table))
-    yield "conversion-incomplete", "the rows are unchanged", given
-    yield (
-        "conversion-incomplete",
-        "α moved, a did not",
-        np.column_stack([given[:, :3], right[:, 3]]),
-    )
-    yield (
-        "conversion-incomplete",
-        "a moved, α did not",
-        np.column_stack([right[:, :3], given[:, 3]]),
-    )
-    yield (
-        "conversion-incomplete",
-        "the pairs moved down; from Craig to standard they move up",
-        _shifted(given, 1),
-    )
-    yield (
-        "conversion-incomplete",
-        "θ and d moved as well; they stay in their rows",
-        np.vstack([given[1:], np.zeros(4)]),
-    )
-    yield (
-        "conversion-incomplete",
-        "the last row keeps a pair; nothing comes after it",
-        np.vstack([right[:-1], given[-1]]),
-    )
-
-
-def _draw_broken(rng):
-    """A standard table and its conversion in which a stayed where it was."""
-    rows = _draw_rows(rng, 4)
-    rows[-1, 2:] = 0
-    converted = np.array(numbers(_to_craig(rows).table))
-    return {
-        "standard": rows.tolist(),
-        "converted": np.column_stack([converted[:, :2], rows[:, 2], converted[:, 3]]).tolist(),
-    }
-
-
-def _repaired(standard, converted):
-    return _to_craig(standard)
-
-
-def _badly_repaired(standard, converted):
-    rows, right = np.array(converted), np.array(numbers(_to_craig(standard).table))
-    for k in range(1, len(rows)):
-        for mended in combinations(range(len(rows)), k):
-            partly = rows.copy()
-            partly[list(mended), 2] = right[list(mended), 2]
-            yield (
-                "conversion-incomplete",
-                Said(
-                    "some of column a is right by now, and not all of it",
-                    place=f"right so far: a of row {', '.join(str(i + 1) for i in mended)}",
-                    next=(
-                        "Where does the a of each link stand in the first table, and where must it"
-                        " stand in Craig's?"
-                    ),
-                ),
-                partly,
-            )
-    yield from _half_to_craig(standard)
-    yield (
-        "conversion-incomplete",
-        "both columns moved, α for the second time",
-        _shifted(np.array(converted), 1),
-    )
-
-
-def _draw_unseen(rng):
-    """A table that no habit gives away: its owner counts in a bracket below joint 1 (Craig) or a
-    hand (standard), so both ends hold numbers.
-    """
-    table = load(str(rng.choice(UNSEEN))).to(str(rng.choice(["standard", "craig"]))).table
-    rows = np.array(numbers(table))
-    rows[0 if table.convention == "craig" else -1, 2:] = (
-        rng.choice([0.05, 0.08, 0.1]),
-        rng.choice([-90.0, 90.0]),
-    )
-    arm = _read_as(table.convention, rows)
-    q_check, q = rng.integers(15, 75, (2, len(arm))) * rng.choice([-1, 1], (2, len(arm)))
-    return {
-        "rows": rows.tolist(),
-        "q_check": q_check.tolist(),
-        "p_check": arm.forward(np.deg2rad(q_check))[:3, 3].round(3).tolist(),
-        "q": q.tolist(),
-    }
-
-
-def _read_as(convention, rows, angle="deg"):
-    return Arm(getattr(DHTable, convention)(rows, angle=angle))
-
-
-def _convention_of(rows, q_check, p_check):
-    return min(
-        ("standard", "craig"),
-        key=lambda name: np.linalg.norm(
-            _read_as(name, rows).forward(np.deg2rad(q_check))[:3, 3] - p_check
-        ),
-    )
-
-
-def _unseen_point(rows, q_check, p_check, q):
-    return _read_as(_convention_of(rows, q_check, p_check), rows).forward(np.deg2rad(q))[:3, 3]
-
-
-def _wrong_points(rows, q_check, p_check, q):
-    right = _convention_of(rows, q_check, p_check)
-    arm, angles = _read_as(right, rows), np.deg2rad(q)
-    mistake, other = (
-        ("craig-rows-in-standard-matrix", "standard")
-        if right == "craig"
-        else ("standard-rows-in-craig-matrix", "craig")
-    )
-    T = arm.forward(angles)
-    yield (
-        mistake,
-        "the check pose does not fit this reading",
-        _read_as(other, rows).forward(angles)[:3, 3],
-    )
-    yield "joint-values-unused", "this is the point at q = 0", arm.forward(0 * angles)[:3, 3]
-    yield "degrees-in-sin-cos", "q went in in degrees", arm.forward(np.array(q, dtype=float))[:3, 3]
-    yield (
-        "degrees-in-sin-cos",
-        "the rows were read as radians",
-        _read_as(right, rows, "rad").forward(angles)[:3, 3],
-    )
-    yield (
-        "offset-missing",
-        "",
-        _read_as(right, np.array(rows) * [0, 1, 1, 1]).forward(angles)[:3, 3],
-    )
-    yield "offset-subtracted", "all joints", arm.forward(-angles)[:3, 3]
-    yield (
-        "conversion-incomplete",
-        "the rows were converted and then read in the convention they came from",
-        _read_as(right, numbers(arm.to(other).table)).forward(angles)[:3, 3],
-    )
-    yield (
-        "conversion-incomplete",
-        "the rows were converted, and base or tool forgotten",
-        _read_as(other, numbers(arm.to(other).table)).forward(angles)[:3, 3],
-    )
-    yield "length-unit", "", 1000 * T[:3, 3]
-    yield "rotation-block-misread", "this is the end's z arrow", T[:3, 2]
-    yield "rotation-block-misread", "this is the last row of the rotation", T[2, :3]
-    yield "pose-inverted", "", -T[:3, :3].T @ T[:3, 3]
-
-
-@dataclass(frozen=True, kw_only=True)
-class CraigsMatrix(Function):
-    """The function of 03.3; says which of the four moves is missing where one is."""
-
-    def refine(self, mistake, answers, cases):
-        if mistake not in (None, "matrix-entry-mistyped"):
-            return None
-        for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):
-            without = [
-                craig(*(0 if i == k else value for i, value in enumerate(case))) for case in cases
-            ]
-            if np.allclose(answers, without, rtol=0, atol=1e-9):
-                return None, Said(
-                    f"{name} has no effect", next=f"Is {move} missing in the product?"
-                )
-        return None
-
 
 EXERCISES = [
     Prediction(
         id="03.P1",
         title="Joint 2 turns alone",
-        options={
-            "a": "both origins {2} move",
-            "b": "only the standard origin {2} moves",
-            "c": "only Craig's origin {2} moves",
-        },
-        correct="b",
+        question="Which origin {2} moves?",
+        options={"both": "both", "standard": "only the standard one", "craig": "only Craig's"},
+        correct="standard",
         outcome=(
             "Craig's {2} sits on the axis of joint 2, and what lies on the axis stays. The standard"
             " {2} sits at the far end of the link and swings."
@@ -400,11 +51,20 @@ EXERCISES = [
     Order(
         id="03.1",
         title="Whose frame is it",
-        length=6,
+        question="Which convention is each sentence about? Six letters.",
+        alphabet="sc",
+        places=(
+            "$z_i$ lies on the axis of joint i",
+            "$z_i$ lies on the axis of joint i+1",
+            "row i holds the a and α of link i−1",
+            "turning joint i alone always leaves the origin of {i} where it is",
+            "plate {i} is bolted to the far end of link i",
+            "in row i the joint's own turn comes first, then the link behind it",
+        ),
         repeats=True,
-        items={"s": "standard", "c": "Craig's"},
-        accepts=lambda letters: letters == SIDES,
-        explain=_explain_sides,
+        items={"standard": "standard", "craig": "Craig's"},
+        accepts=lambda given: given == SIDES,
+        explain=explain_sides,
         praise="Far end for the standard convention, near end for Craig's; the rest follows.",
         hints=(
             (
@@ -420,9 +80,13 @@ EXERCISES = [
     Order(
         id="03.2",
         title="Craig's four moves in order",
-        items={"a": "Rz(θ)", "b": "Tz(d)", "c": "Tx(a)", "d": "Rx(α)"},
-        accepts=lambda letters: letters in CRAIG_ORDERS,
-        explain=_explain_order,
+        question=(
+            "Put the four moves into an order that gives Craig's link matrix; any right one"
+            " will do."
+        ),
+        items={"rz": "Rz(θ)", "tz": "Tz(d)", "tx": "Tx(a)", "rx": "Rx(α)"},
+        accepts=lambda order: order in CRAIG_ORDERS,
+        explain=explain_order,
         praise="Five of the 24 orders give Craig's matrix, and yours is one of them.",
         hints=(
             (
@@ -456,12 +120,16 @@ EXERCISES = [
     Prediction(
         id="03.P2",
         title="The same rows in Craig's matrix, at q = 0",
+        question=(
+            "At q = 0 the right pose is (0.75, −0.2, 0.1), tool along −y0. What does the wrong"
+            " program say?"
+        ),
         options={
-            "a": "everything differs",
-            "b": "the rotation is right, and one sign of the position differs",
-            "c": "nothing differs",
+            "everything": "everything differs",
+            "one-sign": "the rotation is right, and one sign of the position differs",
+            "nothing": "nothing differs",
         },
-        correct="b",
+        correct="one-sign",
         outcome=(
             "the rotation is right and the position is (0.75, -0.2, -0.1) where (0.75, -0.2, 0.1)"
             " belongs. Away from q = 0 nothing agrees any more."
@@ -469,30 +137,31 @@ EXERCISES = [
     ),
     Choice(
         id="03.4",
-        title="Why the same numbers are another arm",
-        correct="a",
+        title="The same numbers, another arm",
+        question="Why are the same rows another arm?",
+        correct="link-before",
         hints=(
             "Write the two link matrices side by side. Which moves come before the joint's turn?",
             "Row 1: does joint 1 tip over when α1 acts before its turn?",
         ),
         options={
-            "a": Option(
-                "in Craig's matrix a and α act before the joint turns, so they must be those of the"
+            "link-before": Option(
+                "in Craig's matrix a and α act before the joint turns: they must be those of the"
                 " link before",
                 "So each joint got the wrong link in front of it: "
                 "joint 1 was tipped by α1 = 90° and turned about a level axis.",
             ),
-            "b": Option(
+            "clockwise": Option(
                 "Craig counts angles clockwise",
                 "Both count by the right hand.",
                 "all-joints-left-handed",
             ),
-            "c": Option(
+            "base": Option(
                 "only the base frame is another: one constant base pose repairs it",
                 "No constant base and tool repair it: the joints' axes themselves stand wrong.",
                 "base-turned",
             ),
-            "d": Option(
+            "mistyped": Option(
                 "the order of moves does not matter, the rows must have been mistyped",
                 "The rows are letter by letter those of the maker. The order does matter.",
                 "order-taken-for-free",
@@ -502,12 +171,14 @@ EXERCISES = [
     Order(
         id="03.5",
         title="Published tables to classify",
+        question="Which convention is each of the six tables written in? Six letters.",
+        alphabet="sc",
         points=2,
         length=6,
         repeats=True,
-        items={"s": "standard", "c": "Craig's"},
-        accepts=lambda letters: letters == PUBLISHED,
-        explain=_explain_published,
+        items={"standard": "standard", "craig": "Craig's"},
+        accepts=lambda given: given == PUBLISHED,
+        explain=explain_published,
         praise="All six. A habit of tables, and a good first guess.",
         hints=(
             "What comes before joint 1, and what after the last joint? Mostly nothing.",
@@ -520,19 +191,20 @@ EXERCISES = [
     Order(
         id="03.6",
         title="Why two tables differ",
+        question="What is behind each pair? Five letters; one is left over.",
         points=2,
         length=5,
         repeats=True,
         items={
-            "a": "another convention, the same arm",
-            "b": "a hand is counted in",
-            "c": "a wrong digit",
-            "d": "another zero pose",
-            "e": "a joint counted the other way",
-            "f": "they describe different robots",
+            "convention": "another convention, the same arm",
+            "hand": "a hand is counted in",
+            "digit": "a wrong digit",
+            "zero-pose": "another zero pose",
+            "reversed-joint": "a joint counted the other way",
+            "other-robots": "different robots",
         },
-        accepts=lambda letters: letters == REASONS,
-        explain=_explain_reasons,
+        accepts=lambda given: given == REASONS,
+        explain=explain_reasons,
         praise="One of five was the convention. Ask what differs before you convert.",
         hints=(
             (
@@ -545,13 +217,13 @@ EXERCISES = [
             ),
         ),
     ),
-    DrawnTable(
+    Table(
         id="03.7",
         title="From standard to Craig",
         points=2,
-        draw=_draw_standard,
-        arm=_to_craig,
-        slips=_half_to_craig,
+        draw=draw_standard,
+        answer=to_craig,
+        mistakes=half_to_craig,
         words=SIGNS,
         praise="θ and d stayed, the pairs moved down, the last one is the tool's.",
         hints=(
@@ -565,13 +237,13 @@ EXERCISES = [
             ),
         ),
     ),
-    DrawnTable(
+    Table(
         id="03.8",
         title="From Craig to standard",
         points=2,
-        draw=_draw_craig,
-        arm=_to_standard,
-        slips=_half_to_standard,
+        draw=draw_craig,
+        answer=to_standard,
+        mistakes=half_to_standard,
         words=SIGNS,
         praise="The pairs moved up, and zeros stand in the last row.",
         hints=(
@@ -582,12 +254,12 @@ EXERCISES = [
             ),
         ),
     ),
-    DrawnTable(
+    Table(
         id="03.9",
-        title="The smallest fix: a table half converted",
-        draw=_draw_broken,
-        arm=_repaired,
-        slips=_badly_repaired,
+        title="A table half converted",
+        draw=draw_broken,
+        answer=repaired,
+        mistakes=badly_repaired,
         words=SIGNS,
         handed_out=lambda standard, converted: converted,
         praise="One column. A half-converted table looks as tidy as a right one.",
@@ -603,9 +275,9 @@ EXERCISES = [
         id="03.10",
         title="A table with no name on it",
         points=3,
-        draw=_draw_unseen,
-        answer=_unseen_point,
-        mistakes=_wrong_points,
+        draw=draw_unseen,
+        answer=unseen_point,
+        mistakes=wrong_points,
         entries=("x", "y", "z"),
         praise="One check pose settled what no looking at the rows could.",
         hints=(

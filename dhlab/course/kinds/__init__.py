@@ -2,23 +2,31 @@
 answer.
 """
 
-from .chosen import UNDECIDED, Choice, Option, Order, Prediction, PreTest
-from .computed import CASES, Function, Table, Value, as_arm
+from .chosen import Choice, OneOf, Order, Prediction, PreTest
 from .exercise import Exercise, Said, untouched
+from .functions import CASES, Function
+from .lettered import UNDECIDED, Lettered, Option
+from .tables import Table, as_arm, numbers
+from .values import Value, as_numbers, is_array_of
 
 __all__ = [
     "CASES",
+    "UNDECIDED",
     "Choice",
     "Exercise",
     "Function",
+    "Lettered",
+    "OneOf",
     "Option",
     "Order",
     "PreTest",
     "Prediction",
     "Said",
     "Table",
-    "UNDECIDED",
     "Value",
     "as_arm",
+    "as_numbers",
+    "is_array_of",
+    "numbers",
     "untouched",
 ]

@@ -1,183 +1,207 @@
 """Answers that are chosen: an option, an order, a guess."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-from ..verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
-from .exercise import Exercise, untouched
+from ..verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
+from .exercise import untouched
+from .lettered import UNDECIDED, Lettered, Option
 
-__all__ = ["Choice", "Order", "PreTest", "Prediction", "Option", "UNDECIDED"]
-
-UNDECIDED = "?"  # "I don't know yet", in every choice
-
-
-@dataclass(frozen=True)
-class Option:
-    """One option of a choice: its text, what is said to who chooses it, and the mistake it stands
-    for (None when it is right).
-    """
-
-    text: str
-    answer: str
-    mistake: str | None = None
+__all__ = ["Choice", "OneOf", "Order", "PreTest", "Prediction"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Choice(Exercise):
-    """One option to be chosen by its letter; "?" is "I don't know yet"."""
+class OneOf(Lettered):
+    """A question with one answer: ``options`` by id, of which ``correct`` is one."""
 
-    options: Mapping
+    options: Mapping[str, Option]
     correct: str
-    undecided: str = "Good to say so. Read the paragraph above once more, then choose."
 
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter == UNDECIDED:
-            return self.say(WRONG, self.undecided, next=f'hint("{self.id}") gives a first hint.')
-        if letter not in self.options:
+    def texts(self) -> Mapping[str, str]:
+        return {key: option.text for key, option in self.options.items()}
+
+    def compare(self, answer: object, variant: int) -> Verdict:
+        chosen = self.id_of(answer, variant)
+        if chosen is None:
+            letters = ", ".join(self.letters(variant).values())
             return self.wrong(
-                headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}',
+                headline=f'expected one of {letters} or "?", found {answer!r}',
                 next='Write the letter in quotes, such as "a".',
             )
-        option = self.options[letter]
-        if letter == self.correct:
-            return self.say(RIGHT, option.answer)
-        return self.say(
-            WRONG, option.answer, mistake=option.mistake
-        )  # the option's own words say why
+        return self.judged(chosen)
+
+    def judged(self, chosen: str) -> Verdict:
+        """The Verdict on an option, given by its id, or on "?"."""
+        raise NotImplementedError
 
 
 @dataclass(frozen=True, kw_only=True)
-class Order(Exercise):
-    """Items to be put in order or matched: the answer is a list of letters.
+class Choice(OneOf):
+    """One option to be chosen by its letter; "?" is "I don't know yet"."""
 
-    ``accepts(letters)`` says whether an order is right, since more than one may be;
-    ``explain(letters)`` gives (mistake, place) or None; ``repeats``: whether a letter may have
-    several places, as in a classification; otherwise ``explain`` is only asked about letters that
-    differ.
-    """
-
-    items: Mapping
-    accepts: Callable
-    explain: Callable = lambda letters: None
-    length: int = 0
-    repeats: bool = False
-
-    def compare(self, answer, variant):
-        if isinstance(answer, str):
-            answer = answer.replace(",", "").replace(" ", "")
-        letters = (
-            [str(letter).strip().lower() for letter in answer]
-            if np.iterable(answer)
-            else [str(answer)]
-        )
-        length = self.length or len(self.items)
-        strange = [letter for letter in letters if letter not in self.items]
-        if strange:
-            return self.wrong(
-                headline=f"expected letters from {', '.join(self.items)}, found {strange[0]!r}"
-            )
-        if len(letters) != length:
-            return self.wrong(
-                headline=f"expected {length} letters, found {len(letters)}",
-                next="Give one letter for each place.",
-            )
-        if self.accepts(letters):
-            return self.right()
-        twice = next((letter for letter in letters if letters.count(letter) > 1), None)
-        if twice and not self.repeats:
-            return self.wrong(
-                headline=f"{twice} stands there twice", next="No letter has two places here."
-            )
-        known = self.explain(letters)
-        return (
-            self.wrong(known[0], place=known[1])
-            if known
-            else self.wrong(headline="not in this order")
-        )
+    def judged(self, chosen: str) -> Verdict:
+        if chosen == UNDECIDED:
+            return self.say_undecided()
+        option = self.options[chosen]
+        if chosen == self.correct:
+            return self.say(RIGHT, option.answer, chosen=(chosen,))
+        # the option's own words say why
+        return self.say(WRONG, option.answer, mistake=option.mistake, chosen=(chosen,))
 
 
 @dataclass(frozen=True, kw_only=True)
-class PreTest(Exercise):
+class PreTest(OneOf):
     """A question of the pre-test, never marked: every answer is noted and sent to the lesson that
     treats it.
 
-    ``options`` as in :class:`Choice`; ``lesson`` is the number of the lesson. Whether the answer
-    was right is in the verdict's ``known``, which is kept for the end of the course and not shown.
+    ``lesson`` is the number of the lesson. Whether the answer was right is in the verdict's
+    ``known``, which is kept for the end of the course and not shown.
     """
 
     points: float = 0
-    options: Mapping
-    correct: str
     lesson: str
     hints: tuple = (
         'There is nothing to lose here: a guess is welcome, and so is "?".',
         "This is treated later on; the answer's verdict names the lesson.",
     )
 
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter not in self.options and letter != UNDECIDED:
-            return self.wrong(
-                headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}',
-                next='Write the letter in quotes, such as "a".',
-            )
-        if letter == UNDECIDED:
+    def judged(self, chosen: str) -> Verdict:
+        if chosen == UNDECIDED:
             return self.say(
                 RECORDED,
                 "you do not know yet, and that is what the course is for.",
                 next=f"Lesson {self.lesson} answers it.",
                 known=False,
+                chosen=(chosen,),
             )
-        option = self.options[letter]
+        option = self.options[chosen]
         return self.say(
             RECORDED,
             option.answer,
             next=f"Lesson {self.lesson} looks into it.",
             mistake=option.mistake,
-            known=letter == self.correct,
+            known=chosen == self.correct,
+            chosen=(chosen,),
         )
 
 
 @dataclass(frozen=True, kw_only=True)
-class Prediction(Exercise):
-    """A guess made before a cell reveals the answer; never marked. ``options`` are texts by letter,
+class Prediction(OneOf):
+    """A guess made before a cell reveals the answer; never marked. ``options`` are texts by id,
     ``outcome`` what is then seen.
     """
 
     points: float = 0
-    options: Mapping = field(default_factory=dict)
-    correct: str = ""
-    outcome: str = ""
+    options: Mapping[str, str]
+    outcome: str
 
-    def judge(self, answer, variant=0):
+    @property
+    def worth(self) -> str:
+        return "a guess, never marked"
+
+    def texts(self) -> Mapping[str, str]:
+        return self.options
+
+    def judge(self, answer: object, variant: int = 0) -> Verdict:
         if untouched(answer):  # the dots stand in the very cell that asks
             return self.say(NOT_ATTEMPTED, next="Replace the dots in this cell and run it again.")
         return super().judge(answer, variant)
 
-    def compare(self, answer, variant):
-        letter = answer.strip().lower() if isinstance(answer, str) else ""
-        if letter not in self.options and letter != UNDECIDED:
-            return self.wrong(
-                headline=f'expected one of {", ".join(self.options)} or "?", found {answer!r}',
-                next='Write the letter in quotes, such as "a".',
-            )
+    def judged(self, chosen: str) -> Verdict:
         guess = (
             "you would rather see first"
-            if letter == UNDECIDED
-            else f"you expect: {self.options[letter]}"
+            if chosen == UNDECIDED
+            else f"you expect: {self.options[chosen]}"
         )
-        return self.say(RECORDED, guess, next="Run the next cell and compare.")
+        return self.say(RECORDED, guess, next="Run the next cell and compare.", chosen=(chosen,))
 
-    def after(self, letter):
-        """What is said once the answer has been seen; ``letter`` is the guess or None."""
-        if letter in (None, UNDECIDED):
+    def after(self, guess: str | None) -> str:
+        """What is said once the answer has been seen; ``guess`` is the id that was chosen, "?" or
+        None.
+        """
+        if guess in (None, UNDECIDED):
             return f"What happens: {self.outcome}"
         verdict = (
             "That is what you expected."
-            if letter == self.correct
-            else f"You expected: {self.options[letter]}."
+            if guess == self.correct
+            else f"You expected: {self.options[guess]}."
         )
         return f"{verdict} What happens: {self.outcome}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Order(Lettered):
+    """Items to be put in order or matched: the answer is a list of letters.
+
+    ``items`` are texts by id. ``accepts(ids)`` says whether an order is right, since more than one
+    may be; ``explain(ids)`` gives (mistake, place) or None; ``repeats``: whether an item may have
+    several places, as in a classification; otherwise ``explain`` is only asked about items that
+    differ. ``places`` are the sentences, one for each place of the answer, that are listed under
+    the question; ``length`` is how many places there are, as many as items where it is left out.
+    """
+
+    items: Mapping[str, str]
+    accepts: Callable[[list[str]], bool]
+    explain: Callable[[list[str]], tuple | None] = lambda ids: None
+    places: tuple[str, ...] = ()
+    length: int = 0
+    repeats: bool = False
+
+    @property
+    def size(self) -> int:
+        """How many places the answer has."""
+        return self.length or len(self.places) or len(self.items)
+
+    def texts(self) -> Mapping[str, str]:
+        return self.items
+
+    def _asked(self):
+        places = [f"{k}. {place}" for k, place in enumerate(self.places, 1)]
+        return [self.question, "\n".join(places)] if places else [self.question]
+
+    def compare(self, answer: object, variant: int) -> Verdict:
+        words = _words(answer)
+        if UNDECIDED in words:
+            return self.say_undecided()
+        ids = [self.id_of(word, variant) for word in words]
+        if None in ids:
+            letters = ", ".join(self.letters(variant).values())
+            return self.wrong(
+                headline=f"expected letters from {letters}, found {words[ids.index(None)]!r}"
+            )
+        if len(ids) != self.size:
+            return self.wrong(
+                headline=f"expected {self.size} letters, found {len(ids)}",
+                next="Give one letter for each place.",
+            )
+        return self._judged(ids, variant)
+
+    def _judged(self, ids, variant):
+        """The Verdict on as many items as there are places."""
+        chosen = tuple(ids)
+        if self.accepts(ids):
+            return self.say(RIGHT, self.praise, chosen=chosen)
+        twice = next((key for key in ids if ids.count(key) > 1), None)
+        if twice and not self.repeats:
+            return self.wrong(
+                headline=f"{self.letters(variant)[twice]} stands there twice",
+                next="No letter has two places here.",
+                chosen=chosen,
+            )
+        mistake, place = self.explain(ids) or (None, "")
+        return self.wrong(
+            mistake,
+            headline="" if mistake or place else "not in this order",
+            place=place,
+            chosen=chosen,
+        )
+
+
+def _words(answer):
+    """The letters or ids of an answer: of a text its letters, of a list its entries."""
+    if isinstance(answer, str):
+        answer = answer.replace(",", "").replace(" ", "")
+    entries = answer if np.iterable(answer) else [answer]
+    return [str(entry).strip().lower() for entry in entries]

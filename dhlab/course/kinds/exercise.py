@@ -9,7 +9,7 @@ import numpy as np
 from ...doctor import catalogue
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
-__all__ = ["Exercise", "Said", "untouched"]
+__all__ = ["Exercise", "Said", "no_draw", "untouched"]
 
 
 @dataclass(frozen=True)
@@ -46,15 +46,33 @@ class Exercise:
     words: Mapping = field(default_factory=dict)
     mirrors: str = ""
 
-    def rng(self, variant):
+    @property
+    def worth(self) -> str:
+        """What a right answer earns, in words."""
+        if not self.points:
+            return "not marked"
+        return f"{self.points:g} point{'' if self.points == 1 else 's'}"
+
+    def shown(self, variant: int = 0) -> str:
+        """What a lesson shows above the cell in which the exercise is answered, as Markdown.
+
+        Examples
+        --------
+        >>> from dhlab.course.exercises import exercises
+        >>> exercises()["06.2"].shown()
+        '**06.2 Forward kinematics** · 3 points'
+        """
+        return f"**{self.id} {self.title}** · {self.worth}"
+
+    def rng(self, variant: int) -> np.random.Generator:
         """The generator of this exercise's numbers: the same for the same variant, everywhere."""
         return np.random.default_rng([zlib.crc32(self.id.encode()), variant])
 
-    def given(self, variant):
+    def given(self, variant: int) -> Mapping[str, object]:
         """The numbers of the task, by name; none for most kinds."""
         return {}
 
-    def judge(self, answer, variant=0):
+    def judge(self, answer: object, variant: int = 0) -> Verdict:
         """The Verdict on an answer; never raises because of the answer."""
         if untouched(answer):
             return self.say(
@@ -62,11 +80,11 @@ class Exercise:
             )
         return self.compare(answer, variant)
 
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         """The Verdict on an answer that was attempted."""
         raise NotImplementedError
 
-    def say(self, status, headline="", **words):
+    def say(self, status: str, headline: str = "", **words: object) -> Verdict:
         """A Verdict of this exercise."""
         return Verdict(
             self.id,
@@ -77,11 +95,18 @@ class Exercise:
             **words,
         )
 
-    def right(self):
+    def right(self) -> Verdict:
         """The Verdict on a right answer."""
         return self.say(RIGHT, self.praise)
 
-    def wrong(self, mistake_id=None, headline="", place="", next=""):
+    def wrong(
+        self,
+        mistake_id: str | None = None,
+        headline: str = "",
+        place: str | Said = "",
+        next: str = "",
+        chosen: tuple[str, ...] = (),
+    ) -> Verdict:
         """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the
         mistake is known.
         """
@@ -97,9 +122,10 @@ class Exercise:
                 why=said.why,
                 next=said.next or hint,
                 mistake=mistake_id,
+                chosen=chosen,
             )
         if mistake_id is None:
-            return self.say(WRONG, headline, place=place, next=next or hint)
+            return self.say(WRONG, headline, place=place, next=next or hint, chosen=chosen)
         mistake = catalogue()[mistake_id]
         return self.say(
             WRONG,
@@ -108,10 +134,17 @@ class Exercise:
             why=mistake.why,
             next=next or mistake.next,
             mistake=mistake_id,
+            chosen=chosen,
         )
 
 
-def untouched(answer):
+def no_draw(rng: np.random.Generator) -> dict[str, object]:
+    """The numbers of a task that is the same for everybody: none."""
+    return {}
+
+
+def untouched(answer: object) -> bool:
+    """Whether an answer is still what was handed out: nothing, or dots and nothing else."""
     if answer is None or answer is Ellipsis:
         return True
     return (

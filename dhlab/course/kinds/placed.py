@@ -2,14 +2,14 @@
 :mod:`dhlab.placing`, and any valid choice passes.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...placing.board import Placement
-from ..verdict import NOT_ATTEMPTED, RIGHT
+from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
@@ -102,15 +102,15 @@ class Frames(Exercise):
 
     draw: Callable
 
-    def given(self, variant):
+    def given(self, variant: int) -> Mapping[str, object]:
         return self.draw(self.rng(variant))
 
-    def judge(self, answer, variant=0):
+    def judge(self, answer: object, variant: int = 0) -> Verdict:
         given = self.given(variant)
         handed_out = "frames" in given and _same(answer, given["frames"])
         return super().judge(None if handed_out else answer, variant)
 
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         given = self.given(variant)
         rows = _rows(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):

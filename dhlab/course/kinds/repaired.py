@@ -9,7 +9,7 @@ import numpy as np
 
 from ...doctor import explain_rows
 from ...printing import number
-from ..verdict import RIGHT
+from ..verdict import RIGHT, Verdict
 from . import Said, Table, as_arm
 
 __all__ = ["Repair", "Impostor"]
@@ -20,34 +20,24 @@ SAME = 1e-6  # rad, m; and what a pose may differ by
 
 @dataclass(frozen=True, kw_only=True)
 class Repair(Table):
-    """A broken table to be repaired.
+    """A broken table to be repaired: the one that is handed out."""
 
-    ``draw(rng)`` gives the task by name; its ``rows`` (n, 4), degrees and metres, are the broken
-    table, which is no attempt as long as it is unchanged.
-    """
+    handed_out: Callable
 
-    draw: Callable
-
-    def given(self, variant):
-        return self.draw(self.rng(variant))
-
-    def judge(self, answer, variant=0):
-        return super().judge(
-            None if _unchanged(answer, self.given(variant)["rows"]) else answer, variant
-        )
-
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
         if verdict.status == RIGHT or verdict.mistake is not None:
             return verdict
-        return self._by_entries(answer, _in_radians(self.given(variant)["rows"])) or verdict
+        return self._by_entries(answer, variant) or verdict
 
-    def _by_entries(self, answer, broken):
+    def _by_entries(self, answer, variant):
         """What to say of an answer in which one entry was changed: the wrong entry, or the right
         one to a wrong number; None for others.
         """
+        right = self.right_arm(variant)
+        broken = _in_radians(self.handed_out(**self.given(variant)))
         try:
-            rows = as_arm(answer, self.answer).table.rows
+            rows = as_arm(answer, right).table.rows
         except ValueError:
             return None
         changed = (
@@ -57,7 +47,7 @@ class Repair(Table):
             return None
         ((i, k),) = changed
         place = f"row {i + 1}, {COLUMNS[k]}"
-        if abs(broken[i, k] - self.answer.table.rows[i, k]) < SAME:
+        if abs(broken[i, k] - right.table.rows[i, k]) < SAME:
             return self.wrong(
                 headline="this entry was right before you changed it",
                 place=place,
@@ -76,27 +66,20 @@ class Repair(Table):
 @dataclass(frozen=True, kw_only=True)
 class Impostor(Table):
     """A wrong table to be found that nobody can tell from the right one, ``answer``, at q = 0; the
-    right one unchanged is no attempt.
+    right one is what is handed out.
     """
 
-    def judge(self, answer, variant=0):
-        rows = self.answer.table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
-        return super().judge(None if _unchanged(answer, rows) else answer, variant)
+    handed_out: Callable
 
-    def compare(self, answer, variant):
-        try:
-            arm = as_arm(answer, self.answer)
-        except ValueError as error:
-            return self.wrong(headline=str(error))
-        if len(arm) != len(self.answer):
-            return self.wrong(
-                headline=f"expected {len(self.answer)} rows, found {len(arm)}",
-                next="One row per joint.",
-            )
+    def compare(self, answer: object, variant: int) -> Verdict:
+        right = self.right_arm(variant)
+        arm = self.arm_of(answer, right)
+        if isinstance(arm, Verdict):
+            return arm
         q = self.poses_at(variant)
-        seen, hidden = _apart(arm, self.answer, 0 * q[:1]), _apart(arm, self.answer, q)
+        seen, hidden = _apart(arm, right, 0 * q[:1]), _apart(arm, right, q)
         if max(seen) > SAME:
-            finding = explain_rows(arm, self.answer, q)
+            finding = explain_rows(arm, right, q)
             return self.wrong(
                 finding and finding.mistake,
                 place=Said(
@@ -116,15 +99,6 @@ class Impostor(Table):
             f"{self.praise} At q = 0 it cannot be told from the right table; at general q it is up"
             f" to {_size(hidden)} off.",
         )
-
-
-def _unchanged(answer, rows):
-    """Whether an answer is rows of plain numbers, and just these."""
-    try:
-        array = np.asarray(answer, dtype=float)
-    except (TypeError, ValueError):
-        return False
-    return array.shape == np.shape(rows) and np.allclose(array, rows, rtol=0, atol=1e-12)
 
 
 def _in_radians(rows):

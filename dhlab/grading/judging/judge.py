@@ -113,6 +113,7 @@ def _judged(exercise, line, variant, settings, worth):
         verdict.place,
         verdict.why,
         verdict.next,
+        chosen=verdict.chosen,
     )
     used = _used(line)
     if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED:

@@ -15,6 +15,7 @@ from ...formats.files import write_text
 from ..cage.cage import RISKS
 from ..intake.roster import Student
 from .alike import Pair
+from .chosen import chosen_answers
 from .items import items
 from .marks import ERROR, GRADED, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
 from .pages import duration, render, words
@@ -200,6 +201,7 @@ def _lessons(found, looked_at, names):
 
 def _exercise(item, looked_at, names):
     of = item.statuses.total()
+    marks = [mark for graded in looked_at for mark in graded.marks]
     unnamed = [
         _called(graded.student, names)
         for graded in looked_at
@@ -218,6 +220,9 @@ def _exercise(item, looked_at, names):
         "unnamed": unnamed[:MOST_NAMES],
         "more": max(0, len(unnamed) - MOST_NAMES),
         "section": section_of_exercise(item.exercise),
+        "answers": chosen_answers(
+            known, [mark for mark in marks if mark.exercise == item.exercise]
+        ),
         "bars": [_line(mistake, count, of) for mistake, count in item.mistakes.most_common()],
         "treated": section_of_mistake(first) if first else "",
         "question": question(known, first) if first else "",

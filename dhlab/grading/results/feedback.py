@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 from ...course.exercises import exercises
+from ...course.kinds import Lettered
 from ...doctor import catalogue
 from ...formats.files import write_text
 from ..intake.roster import Student
@@ -68,7 +69,7 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     """
     student = student or Student(graded.student)
     said = words(student.language)
-    cards = [_card(mark, said) for mark in graded.marks]
+    cards = [_card(mark, said, graded.variant) for mark in graded.marks]
     no_file = (
         sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN})
         if graded.status != MISSING
@@ -130,8 +131,13 @@ def headline(mark: Mark) -> str:
     )
 
 
-def _card(mark, said):
+def _card(mark, said, variant):
     known = exercises().get(mark.exercise)
+    answer = (
+        "{} ({})".format(*known.read_back(mark.chosen, variant))
+        if isinstance(known, Lettered) and mark.chosen
+        else ""
+    )
     mistake = catalogue().get(mark.mistake)
     place = "" if mark.place.startswith(A_CALL) else mark.place
     lines = [
@@ -144,6 +150,7 @@ def _card(mark, said):
         "headline": headline(mark),
         "title": known.title if known else "",
         "symbol": SYMBOLS[mark.status],
+        "answer": answer,
         "lines": lines,
         "lesson": mistake.lesson if mistake and mark.status != RIGHT else "",
     }

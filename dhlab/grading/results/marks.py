@@ -59,6 +59,8 @@ class Mark:
         that is known.
     late_days, penalty : float
         Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
+    chosen : tuple of str
+        Of an answer in letters: the ids of the options chosen, or "?".
 
     Examples
     --------
@@ -81,6 +83,7 @@ class Mark:
     handed_in: str = ""
     late_days: float = 0.0
     penalty: float = 0.0
+    chosen: tuple[str, ...] = ()
 
     @property
     def lesson(self) -> str:
@@ -101,7 +104,8 @@ class Mark:
     @classmethod
     def from_dict(cls, given: Mapping[str, Any]) -> Self:
         """The Mark of such a dict."""
-        return cls(**_known(cls, given))
+        known = _known(cls, given)
+        return cls(**known | {"chosen": tuple(known.get("chosen", ()))})
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 by whoever opens it.
 """
 
+import re
 import unicodedata
 from collections.abc import Mapping
 from functools import cache
@@ -50,7 +51,15 @@ def _environment():
     )
     environment.filters["number"] = lambda value: f"{round(value, 2):g}"
     environment.filters["percent"] = lambda value: f"{100 * value:.0f}"
+    environment.filters["code"] = _with_code
     return environment
+
+
+def _with_code(text):
+    """A text of the course as HTML: what stands in backticks is code."""
+    from markupsafe import Markup, escape
+
+    return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
 def _readable(value):

@@ -76,9 +76,10 @@ def question(exercise: str, mistake: str) -> str:
     own words, or what the mistake looks like.
     """
     if isinstance(exercise, Choice):
-        claims = [option.text for option in exercise.options.values() if option.mistake == mistake]
+        claims = [key for key, option in exercise.options.items() if option.mistake == mistake]
         if claims:
-            return f"Somebody says: “{claims[0]}”. What would convince them?"
+            letter, text = exercise.read_back((claims[0],))
+            return f"Somebody says {letter}: “{text}”. What would convince them?"
     return f"“{catalogue()[mistake].see}” What was done here, and which one test shows it?"
 
 

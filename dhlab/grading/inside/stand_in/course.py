@@ -24,7 +24,7 @@ class Said(str):
     them goes on.
     """
 
-    status, mistake, points, of, headline, place, why, next, known, html = (
+    status, mistake, points, of, headline, place, why, next, known, chosen, html = (
         "recorded",
         None,
         0,
@@ -34,6 +34,7 @@ class Said(str):
         "",
         "",
         None,
+        (),
         "",
     )
 

@@ -1,0 +1,94 @@
+"""A lesson's source with what the contract counts: cells, words, minutes, calls."""
+
+import ast
+import re
+from pathlib import Path
+
+from nbformat import NotebookNode
+
+from ..exercises import exercises
+from ..kinds import Prediction
+from .cellfaults import plain_python
+from .questions import question_of
+from .reading import read_source
+
+__all__ = ["Lesson", "library_calls", "words"]
+
+WORDS_A_MINUTE = 150  # slow, careful reading; prose for pleasure goes at about 240
+CODE_MINUTES = 0.4  # to read and run a cell that is no exercise
+
+
+class Lesson:
+    """A lesson's source with what the contract counts."""
+
+    def __init__(self, path: Path):
+        self.path, self.number = path, path.name[:2]
+        self.notebook = read_source(path)
+        # what is asked belongs to the minutes of the answer, and is not the lesson's prose
+        self.cells = [cell for cell in self.notebook.cells if not question_of(cell)]
+        self.questions = {
+            question_of(cell): cell.source for cell in self.notebook.cells if question_of(cell)
+        }
+        self.about = self.notebook.metadata["dhlab"]
+        self.exercises = {
+            key: e
+            for key, e in exercises().items()
+            if key.startswith(self.number) and not isinstance(e, Prediction)
+        }
+        self.markdown = [cell for cell in self.cells if cell.cell_type == "markdown"]
+        self.code = [cell for cell in self.cells if cell.cell_type == "code"]
+        self.prose = "\n".join(cell.source for cell in self.markdown)
+        self.calls = [
+            call
+            for cell in self.code
+            for call in re.findall(r'\b(check|predict|reveal)\("([^"]+)"', cell.source)
+        ]
+
+    def called(self, name: str) -> list[str]:
+        """The ids given to ``check``, ``predict`` or ``reveal``, in order."""
+        return [number for function, number in self.calls if function == name]
+
+    def tagged(self, tag: str) -> list[NotebookNode]:
+        """The cells that carry a tag."""
+        return [cell for cell in self.cells if tag in cell.metadata.get("tags", [])]
+
+    def minutes(self, cell: NotebookNode) -> float:
+        """How long a cell takes a learner."""
+        if cell.cell_type == "markdown":
+            return words(cell.source) / WORDS_A_MINUTE
+        return cell.metadata.get(
+            "minutes", 0.2 if cell.source.startswith("check(") else CODE_MINUTES
+        )
+
+    @property
+    def total(self) -> float:
+        """Minutes of the whole lesson."""
+        return sum(self.minutes(cell) for cell in self.cells)
+
+
+def words(text: str) -> int:
+    """Words of prose: links, markup, formulas and tables counted as a reader meets them."""
+    text = re.sub(r"\$\$.*?\$\$", " formula ", text, flags=re.DOTALL)
+    text = re.sub(r"\]\([^)]*\)", " ", text)
+    return len(re.findall(r"[^\W_][\w'’.-]*", text))
+
+
+def library_calls(source: str) -> set[str]:
+    """The dhlab calls of a cell: ``dh.load``, ``view.frames``, ``check`` …"""
+    calls = [
+        node.func
+        for node in ast.walk(ast.parse(plain_python(source)))
+        if isinstance(node, ast.Call)
+    ]
+    of_modules = {
+        f"{f.value.id}.{f.attr}"
+        for f in calls
+        if isinstance(f, ast.Attribute)
+        and isinstance(f.value, ast.Name)
+        and f.value.id in ("dh", "view", "transform")
+    }
+    return of_modules | {
+        f.id
+        for f in calls
+        if isinstance(f, ast.Name) and f.id in ("check", "given", "predict", "reveal", "progress")
+    }

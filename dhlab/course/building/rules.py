@@ -1,0 +1,281 @@
+"""The lines of the lesson contract: each takes a Lesson, and says whether it is kept and what was
+found.
+"""
+
+import re
+from collections.abc import Callable
+
+from ...doctor import catalogue
+from ...doctor.programs.explain import WRONG_VERSIONS
+from ...doctor.tables.rows import wrong_tables
+from ..kinds import CASES, UNDECIDED, Choice, Function, Lettered, Order, PreTest, Table
+from ..kinds.placed import MISTAKES, Frames
+from . import reading
+from .lesson import Lesson, library_calls, words
+from .notebooks import lesson_notebook
+
+__all__ = [
+    "checks",
+    "choices",
+    "close",
+    "code",
+    "debugging",
+    "feedback",
+    "misconceptions",
+    "opening",
+    "predictions",
+    "prose",
+    "strength",
+    "tag",
+    "teacher",
+    "terms",
+    "time",
+    "transfer",
+    "typing",
+    "worked",
+]
+
+WIDTH = 100  # characters of code that JupyterLab shows without scrolling beside its file list
+VERBS = frozenset(
+    """
+    read build compose tell write derive name explain find predict compute compare place
+    convert check choose repair put say run answer match classify recognise measure move solve
+    show decide calibrate test draw turn count judge
+    """.split()
+)
+
+
+def time(lesson: Lesson) -> tuple[bool, str]:
+    """Minutes are stated, near what is counted, and mostly spent on exercises."""
+    stated, total = lesson.about.get("minutes", 0), lesson.total
+    doing = sum(lesson.minutes(cell) for cell in lesson.code if "minutes" in cell.metadata)
+    return (
+        30 <= stated <= 50 and abs(stated - total) <= 0.2 * stated and doing >= 0.4 * total,
+        f"{stated} stated, {total:.0f} counted, exercises {doing / total:.0%}",
+    )
+
+
+def opening(lesson: Lesson) -> tuple[bool, str]:
+    """Two to four objectives that checks can verify, and what is to be known before."""
+    objectives = lesson.about.get("objectives", [])
+    good = [
+        o
+        for o in objectives
+        if o["text"].split()[0].lower() in VERBS
+        and o["checks"]
+        and set(o["checks"]) <= set(lesson.called("check"))
+    ]
+    shown = all(o["text"] in " ".join(lesson.prose.split()) for o in objectives)
+    return (
+        2 <= len(objectives) <= 4
+        and len(good) == len(objectives)
+        and shown
+        and "Prerequisites" in lesson.prose,
+        f"{len(good)} of {len(objectives)} objectives",
+    )
+
+
+def prose(lesson: Lesson) -> tuple[bool, str]:
+    """Not too many words in all, and few between two things to do."""
+    longest = run = 0
+    for cell in lesson.cells:
+        run = run + words(cell.source) if cell.cell_type == "markdown" else 0
+        longest = max(longest, run)
+    total = words(lesson.prose)
+    return 900 <= total <= 1600 and longest <= 120, f"{total} words, longest stretch {longest}"
+
+
+def terms(lesson: Lesson) -> tuple[bool, str]:
+    """Few new terms, each linked into the glossary."""
+    glossary = (reading.SOLUTIONS / "glossary.md").read_text(encoding="utf-8")
+    terms = lesson.about.get("terms", [])
+    missing = [
+        term
+        for term in terms
+        if f"## {term}\n" not in glossary
+        or f"(glossary.md#{term.replace(' ', '-')})" not in lesson.prose
+    ]
+    return 0 < len(terms) <= 7 and not missing, f"{len(terms)} terms" + (
+        f", without entry or link: {', '.join(missing)}" if missing else ""
+    )
+
+
+def checks(lesson: Lesson) -> tuple[bool, str]:
+    """A check soon, then one every few minutes, and each exercise checked."""
+    clock, times = 0, []
+    for cell in lesson.cells:
+        clock += lesson.minutes(cell)
+        if cell.cell_type == "code" and cell.source.startswith("check("):
+            times.append(clock)
+    gaps = [b - a for a, b in zip([0, *times], [*times, clock])]
+    complete = set(lesson.called("check")) == set(lesson.exercises)
+    return (
+        len(times) >= 3 and gaps[0] <= 8 and max(gaps[1:]) <= 12 and complete,
+        f"{len(times)} checks, first after {gaps[0]:.0f} min, widest gap {max(gaps[1:]):.0f} min",
+    )
+
+
+def predictions(lesson: Lesson) -> tuple[bool, str]:
+    """Two guesses, each made before it is answered."""
+    asked, shown = lesson.called("predict"), lesson.called("reveal")
+    return (
+        len(set(asked)) >= 2
+        and set(asked) == set(shown)
+        and all(
+            lesson.calls.index(("predict", p)) < lesson.calls.index(("reveal", p)) for p in asked
+        ),
+        f"{len(asked)} predictions",
+    )
+
+
+def misconceptions(lesson: Lesson) -> tuple[bool, str]:
+    """Two claims of the catalogue, each refuted."""
+    cells = lesson.tagged("misconception")
+    good = [
+        c
+        for c in cells
+        if c.metadata.get("mistake") in catalogue()
+        and all(word in c.source for word in ("**The claim.**", "**Against it.**", "**Why.**"))
+    ]
+    return len(good) >= 2 and len(good) == len(cells), ", ".join(
+        c.metadata.get("mistake", "?") for c in cells
+    )
+
+
+def choices(lesson: Lesson) -> tuple[bool, str]:
+    """Each wrong option is somebody's mistake, and "?" is always offered."""
+    asked = [e for e in lesson.exercises.values() if isinstance(e, (Choice, PreTest))]
+    bad = [
+        e.id
+        for e in asked
+        if not all(
+            option.answer and (option.mistake in catalogue()) == (key != e.correct)
+            for key, option in e.options.items()
+        )
+    ]
+    silent = [
+        e.id
+        for e in lesson.exercises.values()
+        if isinstance(e, Lettered) and f'`"{UNDECIDED}"`' not in lesson.questions.get(e.id, "")
+    ]
+    return not bad and not silent, f"{len(asked)} choices" + "".join(
+        f", {e} has an option without its mistake" for e in bad
+    ) + "".join(f', {e} does not offer "?"' for e in silent)
+
+
+def worked(lesson: Lesson) -> tuple[bool, str]:
+    """An example worked in full, then with gaps, then bare."""
+    order = [
+        tag
+        for cell in lesson.cells
+        for tag in cell.metadata.get("tags", [])
+        if tag in ("worked", "faded", "bare")
+    ]
+    return order == sorted(order, key=("worked", "faded", "bare").index) and set(order) == {
+        "worked",
+        "faded",
+        "bare",
+    }, ", ".join(order)
+
+
+def tag(*tags: str) -> Callable[[Lesson], tuple[bool, str]]:
+    """Something of each tag."""
+
+    def rule(lesson):
+        counts = {tag: len(lesson.tagged(tag)) for tag in tags}
+        return all(counts.values()), ", ".join(f"{n} {tag}" for tag, n in counts.items())
+
+    return rule
+
+
+def typing(lesson: Lesson) -> tuple[bool, str]:
+    """An exercise without typing."""
+    orders = [e.id for e in lesson.exercises.values() if isinstance(e, (Order, PreTest))]
+    return bool(orders), ", ".join(orders)
+
+
+def debugging(lesson: Lesson) -> tuple[bool, str]:
+    """From lesson 03 on, something to repair."""
+    cells = lesson.tagged("debug")
+    return len(cells) >= (int(lesson.number) >= 3), f"{len(cells)} cells"
+
+
+def feedback(lesson: Lesson) -> tuple[bool, str]:
+    """Two hints each."""
+    without = [e.id for e in lesson.exercises.values() if len(e.hints) != 2 or not all(e.hints)]
+    return not without, "two hints each" if not without else f"no two hints: {', '.join(without)}"
+
+
+def strength(lesson: Lesson) -> tuple[bool, str]:
+    """Many inputs, and many mistakes known."""
+    known = {
+        e.id: len({m for m, _, _ in WRONG_VERSIONS[e.family]})
+        for e in lesson.exercises.values()
+        if isinstance(e, Function)
+    }
+    known |= {
+        e.id: len({m for m, _, _ in wrong_tables(e.right_arm().table)})
+        for e in lesson.exercises.values()
+        if isinstance(e, Table)
+    }
+    known |= {e.id: len(MISTAKES) for e in lesson.exercises.values() if isinstance(e, Frames)}
+    return CASES >= 20 and all(
+        n >= 10 for n in known.values()
+    ), f"{CASES} inputs; mistakes known: " + ", ".join(f"{key} {n}" for key, n in known.items())
+
+
+def code(lesson: Lesson) -> tuple[bool, str]:
+    """Short cells, no plotting, at most one new call of the library in each."""
+    known, faults = set(), []
+    for lines in [
+        cell.source.splitlines()
+        for cell in lesson_notebook(lesson.notebook).cells
+        if cell.cell_type == "code"
+    ]:
+        faults += [f"{lines[0]!r} begins {len(lines)} lines"] if len(lines) > 15 else []
+        faults += [
+            f"{line[:30]!r} has {len(line)} characters" for line in lines if len(line) > WIDTH
+        ]
+    for cell in lesson.code:
+        if re.search(r"matplotlib|plt\.|\.plot\(|plotly", cell.source):
+            faults.append(f"{cell.id} plots")
+        new = library_calls(cell.source) - known
+        if len(new) > 1:
+            faults.append(f"{cell.id} has new calls {', '.join(sorted(new))}")
+        known |= new
+    return (
+        not faults,
+        "; ".join(faults) or f"{len(known)} library names in {len(lesson.code)} cells",
+    )
+
+
+def transfer(lesson: Lesson) -> tuple[bool, str]:
+    """The last exercise is on something new."""
+    marked = lesson.tagged("transfer")
+    last = [c for c in lesson.code if "exercise" in c.metadata][-1:]
+    return bool(marked) and marked[-1:] == last, (
+        "the last exercise" if marked[-1:] == last else "not the last exercise"
+    )
+
+
+def close(lesson: Lesson) -> tuple[bool, str]:
+    """Key points, and where to go next."""
+    missing = [h for h in ("## Key points", "## Where next") if h not in lesson.prose]
+    return not missing, (
+        "key points, where next" if not missing else f"missing: {', '.join(missing)}"
+    )
+
+
+def teacher(lesson: Lesson) -> tuple[bool, str]:
+    """A sheet for teachers, with its parts and three mistakes to expect."""
+    path = reading.SOLUTIONS / "teacher" / lesson.path.name
+    if not path.exists():
+        return False, "none"
+    text = path.read_text(encoding="utf-8")
+    named = set(re.findall(r"`([a-z0-9-]+)`", text)) & catalogue().keys()
+    parts = [
+        h for h in ("## Minutes", "## Wrong answers to expect", "## To discuss") if h not in text
+    ]
+    return not parts and len(named) >= 3, f"{len(named)} mistakes named" + (
+        f", missing {', '.join(parts)}" if parts else ""
+    )

@@ -1,0 +1,408 @@
+"""What lesson 02 draws, what is right, and what the wrong answers are told:
+rows read off links, poses that no row makes, rows as somebody prints them.
+"""
+
+import numpy as np
+
+from ...arm import Arm
+from ...robots import load
+from ...table import DHTable
+from ...transform import rot_y, trans
+from ..kinds import Said, as_numbers, is_array_of
+
+__all__ = [
+    "ENTRIES",
+    "MEASURED",
+    "array_in_row",
+    "draw_first",
+    "draw_poses",
+    "draw_printed",
+    "draw_second",
+    "draw_tube",
+    "explain_axes",
+    "makeable",
+    "miscopied",
+    "misjudged",
+    "misread",
+    "printed_arm",
+    "read_off",
+    "tube",
+    "wrong_tubes",
+]
+
+ENTRIES = ("θ", "d", "a", "α")
+UP, FORWARD = 0.2845, 0.0535  # the xArm6's upper arm, metres; UFACTORY's kinematic parameters
+
+
+def link(theta, d, a, alpha):
+    """The pose that one standard row makes; degrees and metres."""
+    return Arm(DHTable.standard([[theta, d, a, alpha]], angle="deg")).forward([0.0])
+
+
+def degrees(y, x):
+    """The angle of the point (x, y), in degrees."""
+    return float(np.rad2deg(np.arctan2(y, x)))
+
+
+def read_off(T_01):
+    """θ, d, a, α of a pose that one row makes; degrees and metres."""
+    x, p = T_01[:3, 0], T_01[:3, 3]
+    return [degrees(x[1], x[0]), p[2], x @ p, degrees(T_01[2, 1], T_01[2, 2])]
+
+
+def _lengths(rng):
+    """Two different lengths, metres."""
+    d, a = rng.choice(np.arange(10, 46, 5), 2, replace=False) / 100
+    return float(d), float(a)
+
+
+def draw_first(rng):
+    d, a = _lengths(rng)
+    return {
+        "T_01": link(float(rng.choice([20, 30, 35, 40])), d, a, float(rng.choice([50, 55, 60, 70])))
+    }
+
+
+def draw_second(rng):
+    d, a = _lengths(rng)
+    return {
+        "T_01": link(
+            float(rng.choice([110, 125, 140, 155])), d, -a, -float(rng.choice([20, 35, 50, 65]))
+        )
+    }
+
+
+FALSE_TURN = Said(
+    "α has the wrong sign",
+    why=(
+        "α goes from z0 to z1, counted about x1 as the fingers of the right hand curl. np.arccos"
+        " forgets the sign."
+    ),
+    next="sin α has a sign too: in which entry of row 3 does it stand?",
+)
+
+
+def misread(T_01):
+    """What comes out when one of the four is taken otherwise."""
+    theta, d, a, alpha = read_off(T_01)
+    x, z, p = T_01[:3, 0], T_01[:3, 2], T_01[:3, 3]
+    yield "angle-unit", "θ and α, in radians", [np.deg2rad(theta), d, a, np.deg2rad(alpha)]
+    yield "angle-unit", "θ, in radians", [np.deg2rad(theta), d, a, alpha]
+    yield "angle-unit", "α, in radians", [theta, d, a, np.deg2rad(alpha)]
+    yield "a-d-exchanged", "", [theta, a, d, alpha]
+    yield "theta-alpha-exchanged", "", [alpha, d, a, theta]
+    yield (
+        "length-along-the-part",
+        "a: this is the distance of the two origins",
+        [theta, d, np.linalg.norm(p), alpha],
+    )
+    yield (
+        "measured-in-other-frame",
+        "a: this is the step along x0, not along x1",
+        [theta, d, p[0], alpha],
+    )
+    yield (
+        "measured-in-other-frame",
+        "α: this is the angle about x0, not about x1",
+        [theta, d, a, degrees(-z[1], z[2])],
+    )
+    yield (
+        "rotation-transposed",
+        Said(
+            "θ was read off the first row",
+            next="x1 is the first column: its first two numbers, from top to bottom.",
+        ),
+        [degrees(T_01[0, 1], T_01[0, 0]), d, a, alpha],
+    )
+    yield (
+        "atan-for-atan2",
+        "θ: the two arguments have changed places",
+        [degrees(x[0], x[1]), d, a, alpha],
+    )
+    yield (
+        "atan-for-atan2",
+        "α: the two arguments have changed places",
+        [theta, d, a, degrees(T_01[2, 2], T_01[2, 1])],
+    )
+    if theta > 90:
+        yield "atan-for-atan2", "θ: the quotient forgets both signs", [theta - 180, d, a, alpha]
+    yield "alpha-sign", FALSE_TURN, [theta, d, a, -alpha]
+    if a < 0:
+        yield "lengths-made-positive", "a", [theta, d, -a, alpha]
+        yield (
+            "lengths-made-positive",
+            "a: x1 was turned round to make it positive, but x1 is given",
+            [theta - 180, d, -a, -alpha],
+        )
+        yield "lengths-made-positive", "a and α", [theta, d, -a, -alpha]
+
+
+def array_in_row(answer, T_01=None, q2=None):
+    """A row of which an entry is an array."""
+    entries = (
+        [as_numbers(entry) for entry in answer]
+        if isinstance(answer, (list, tuple)) and len(answer) == len(ENTRIES)
+        else []
+    )
+    arrays = [k for k, entry in enumerate(entries) if entry.ndim and entry.size]
+    if not arrays or len(arrays) == len(ENTRIES):
+        return None
+    name, entry = ENTRIES[arrays[0]], entries[arrays[0]]
+    if T_01 is not None and is_array_of(entry, T_01[:3, 0] * T_01[:3, 3]):
+        return "elementwise-product", Said(
+            f"{name} is an array of three numbers: * in place of @",
+            next="@ multiplies entry by entry and adds up: that is one number.",
+        )
+    return None, Said(
+        f"{name} is an array, where one number belongs",
+        next="Print it: which @ or which index is missing?",
+    )
+
+
+def draw_poses(rng):
+    """Four poses in the order of the seed: two that a row makes, one shifted along y1, one with a
+    leaning x1.
+    """
+    (d1, a1), (d2, a2) = _lengths(rng), _lengths(rng)
+    row = link(float(rng.choice([25, 40, 65])), d1, a1, float(rng.choice([30, 55, 70])))
+    back = link(-float(rng.choice([20, 50, 75])), -d2, -a2, float(rng.choice([35, 60, 80])))
+    aside = link(30.0, d2, a1, 40.0) @ trans([0, 0.08, 0])
+    leaning = link(50.0, d1, a2, 35.0) @ rot_y(np.deg2rad(25))
+    poses = [row, back, aside, leaning]
+    return {f"T_{letter}": poses[k] for letter, k in zip("abcd", rng.permutation(4))}
+
+
+def leftovers(T):
+    """What no row can make: how far x leans towards the old z, and how far its line passes by it
+    (m).
+    """
+    return T[2, 0], np.cross([0, 0, 1], T[:3, 0]) @ T[:3, 3]
+
+
+def makeable(**poses):
+    return [float(max(map(abs, leftovers(T))) < 1e-9) for T in poses.values()]
+
+
+def misjudged(**poses):
+    """All fifteen wrong answers, each with its first reason."""
+    right, names = np.array(makeable(**poses)), list(poses)
+    yield (
+        "four-numbers-for-any-pose",
+        Said(
+            "1 and 0 look exchanged",
+            next="1 is for a pose that one row makes, and whose leftovers are both 0.",
+        ),
+        1 - right,
+    )
+    for code in range(16):
+        given = np.array([code >> k & 1 for k in range(4)], dtype=float)
+        if (given == right).all() or (given == 1 - right).all():
+            continue
+        k = int(np.argmax(given != right))
+        yield *_reason(names[k], poses[names[k]], given[k]), given
+
+
+def _reason(name, T, given):
+    """Why the answer for one pose is wrong, as (mistake, place)."""
+    look = f'Print leftovers(poses["{name}"])'
+    if given:
+        lean, _ = leftovers(T)
+        if abs(lean) > 1e-9:
+            return "x-not-across-z", Said(
+                f"{name} cannot be made by one row: its x1 leans towards z0",
+                next=f"{look}: both numbers must be 0.",
+            )
+        return "origin-off-common-normal", Said(
+            f"{name} cannot be made by one row: its x1 passes z0 by",
+            next=f"{look}: both numbers must be 0.",
+        )
+    if read_off(T)[2] < 0:
+        return "minus-taken-for-error", Said(
+            f"{name} can be made by one row",
+            next=f"{look}. A minus sign in the pose is no objection.",
+        )
+    return "measured-in-other-frame", Said(
+        f"{name} can be made by one row", next=f"{look}: is anything left over?"
+    )
+
+
+def draw_printed(rng):
+    """A UR arm's table as its maker prints it: θ (rad), a (m), d (m), α (rad)."""
+    name = str(rng.choice(["ur3e", "ur10e", "ur5_cb", "ur10_cb"]))
+    return {"arm": name, "rows": load(name).table.rows[:, [0, 2, 1, 3]].tolist()}
+
+
+def _in_our_order(rows):
+    return [[np.rad2deg(theta), d, a, np.rad2deg(alpha)] for theta, a, d, alpha in rows]
+
+
+def printed_arm(arm, rows):
+    return Arm(DHTable.standard(_in_our_order(rows), angle="deg"))
+
+
+def miscopied(arm, rows):
+    right = np.array(_in_our_order(rows))
+    yield (
+        "columns-misread",
+        Said(
+            "these are the rows as printed: θ, a, d, α, the angles in radians",
+            next="Two columns change places, and the angles are wanted in degrees.",
+        ),
+        rows,
+    )
+    yield (
+        "a-d-exchanged",
+        Said("the columns stand as printed: θ, a, d, α", next="Which two change places?"),
+        right[:, [0, 2, 1, 3]],
+    )
+    yield "angle-unit", "α, in radians", np.column_stack([right[:, :3], np.deg2rad(right[:, 3])])
+    yield "angle-unit", "θ and α", np.rad2deg(right) * [1, 0, 0, 1] + right * [0, 1, 1, 0]
+    for order in ([0, 3, 2, 1], [3, 1, 2, 0]):
+        yield (
+            "columns-misread",
+            Said(
+                "the columns stand in another order than θ, d, a, α",
+                next="Print one row beside the maker's: where did each number go?",
+            ),
+            right[:, order],
+        )
+    yield (
+        "lengths-made-positive",
+        Said(
+            "the minus signs are gone",
+            why="d and a are coordinates along an arrow; α has its direction too.",
+            next="Copy every number with its sign.",
+        ),
+        np.abs(right),
+    )
+    yield (
+        "lengths-made-positive",
+        Said(
+            "the minus signs of d and a are gone",
+            why="d and a are coordinates along an arrow: against it they are negative.",
+            next="Copy every number with its sign.",
+        ),
+        np.column_stack([right[:, 0], np.abs(right[:, 1:3]), right[:, 3]]),
+    )
+
+
+def draw_tube(rng):
+    return {"q2": float(rng.integers(12, 60) * rng.choice([-1, 1]))}
+
+
+def tube(q2):
+    return [q2 + degrees(UP, FORWARD), 0.0, float(np.hypot(UP, FORWARD)), 0.0]
+
+
+SKETCH = (
+    "Take the sketch at q2 = 0: at which angle to x0 does the straight line from axis 2 to axis"
+    " 3 go?"
+)
+
+
+def wrong_tubes(q2):
+    offset, a = degrees(UP, FORWARD), float(np.hypot(UP, FORWARD))
+    yield (
+        "length-along-the-part",
+        "a: this is the way along the tube",
+        [q2 + offset, 0, UP + FORWARD, 0],
+    )
+    yield "length-along-the-part", "a: this is one piece of the tube", [q2 + offset, 0, UP, 0]
+    yield "length-along-the-part", "a: this is one piece of the tube", [q2 + offset, 0, FORWARD, 0]
+    yield "length-along-the-part", "θ and a follow the first piece of the tube", [q2 + 90, 0, UP, 0]
+    yield (
+        "a-d-exchanged",
+        "the step of 53.5 mm does not run along the joint's axis",
+        [q2 + 90, FORWARD, UP, 0],
+    )
+    yield (
+        "a-d-exchanged",
+        "the step of 53.5 mm does not run along the joint's axis",
+        [q2 + offset, FORWARD, UP, 0],
+    )
+    yield "a-d-exchanged", "", [q2 + offset, a, 0, 0]
+    yield (
+        "offset-missing",
+        Said("θ is q2 alone, but x1 leans by a constant angle, whatever q2 is", next=SKETCH),
+        [q2, 0, a, 0],
+    )
+    yield (
+        "joint-values-unused",
+        Said(
+            "θ is right at q2 = 0 only",
+            next="q2 turns the whole tube: it is added to the angle at q2 = 0.",
+        ),
+        [offset, 0, a, 0],
+    )
+    yield (
+        "offset-sign",
+        Said(
+            "the angle of x1 at q2 = 0 has the wrong sign in θ",
+            next="Both are counted from x0 towards y0: is the tube above x0 or below it?",
+        ),
+        [q2 - offset, 0, a, 0],
+    )
+    yield (
+        "offset-subtracted",
+        Said(
+            "q2 has the wrong sign in θ",
+            next="Turn the tube by a small positive q2: does the angle from x0 grow?",
+        ),
+        [offset - q2, 0, a, 0],
+    )
+    yield "atan-for-atan2", "θ: the two arguments have changed places", [q2 + 90 - offset, 0, a, 0]
+    yield "angle-unit", "θ", [np.deg2rad(q2 + offset), 0, a, 0]
+    yield "angle-unit", "θ: radians were added to degrees", [q2 + np.deg2rad(offset), 0, a, 0]
+    yield "length-unit", "a", [q2 + offset, 0, 1000 * a, 0]
+    yield (
+        "alpha-sign",
+        "α: the two axes are parallel and point the same way",
+        [q2 + offset, 0, a, 180],
+    )
+    yield (
+        "measured-in-other-frame",
+        "α: the tube is bent, the two axes are not",
+        [q2 + offset, 0, a, offset],
+    )
+
+
+MEASURED = ["about-old-z", "along-old-z", "along-new-x", "about-new-x"]  # θ, d, a, α
+ANGLES = ("about-old-z", "about-new-x", "about-new-z")
+LEFT_OVER = {"about-new-z": "θ", "along-old-x": "a"}  # with the number that each imitates
+
+
+def explain_axes(order):
+    given = dict(zip(ENTRIES, order))
+    imitated = [name for way, name in LEFT_OVER.items() if given[name] == way]
+    if imitated:
+        return "measured-in-other-frame", Said(
+            "the right kind of number, on the wrong plate",
+            place=", ".join(imitated),
+            next="θ and d share one arrow, a and α another. Which plate's?",
+        )
+    exchanged = [
+        name
+        for name, way, wanted in zip(ENTRIES, order, MEASURED)
+        if (way in ANGLES) != (wanted in ANGLES)
+    ]
+    if exchanged:
+        return "columns-misread", Said(
+            "an angle stands for a length, or a length for an angle",
+            place=", ".join(exchanged),
+            next="Greek letters are angles, Latin ones are lengths.",
+        )
+    theta, d, a, alpha = MEASURED
+    if order == [alpha, d, a, theta]:
+        return "theta-alpha-exchanged", Said(
+            "θ and α have changed places", next="Which of the two turns about old z?"
+        )
+    if order == [theta, a, d, alpha]:
+        return "a-d-exchanged", Said(
+            "d and a have changed places", next="Which of the two goes along old z?"
+        )
+    places = ", ".join(name for name, way, wanted in zip(ENTRIES, order, MEASURED) if way != wanted)
+    return "columns-misread", Said(
+        "the right kinds of numbers, along or about the wrong arrows",
+        place=places,
+        next="Read the four lines below the picture once more.",
+    )

@@ -1,0 +1,226 @@
+"""What lesson 04 draws, what is right, and what the wrong answers are told:
+axes to place frames on, frames to read a table from.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...table import DHTable
+from ..kinds import Said, Table
+from ..verdict import RIGHT, WRONG
+
+__all__ = [
+    "OF_Z",
+    "READ",
+    "ReadTable",
+    "draw_colleagues",
+    "draw_shoulder",
+    "draw_skew",
+    "draw_sliding",
+    "explain_lines",
+]
+
+# the frames of 04.5 as a table; the lesson gives them as arrows and points
+READ = [[0, 0.3, 0, 90], [90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]
+
+
+def _pose(x, y, z, p):
+    return [[float(v) for v in row] for row in zip(x, y, z, p)] + [[0.0, 0.0, 0.0, 1.0]]
+
+
+def _tenths(rng, low, high):
+    return int(rng.integers(low, high + 1)) / 10
+
+
+def draw_skew(rng):
+    """Two skew axes; the housing of joint 2 is not where the common normal arrives. Frame 2 is the
+    tool's.
+    """
+    a, h, side, sense = (
+        _tenths(rng, 1, 3),
+        _tenths(rng, 3, 6),
+        _tenths(rng, 1, 2) * int(rng.choice([-1, 1])),
+        int(rng.choice([-1, 1])),
+    )
+    return {
+        "axes": [([0, 0, 0], [0, 0, 1]), ([a, side, h], [0, sense, 0])],
+        "end": _pose([1, 0, 0], [0, 0, -1], [0, 1, 0], [a + 0.3, 0, h]),
+    }
+
+
+def draw_shoulder(rng):
+    """Axis 2 meets axis 1, axis 3 is parallel to axis 2, the tool points away from the elbow."""
+    h, upper, fore, side = (
+        _tenths(rng, 3, 5),
+        _tenths(rng, 3, 5),
+        _tenths(rng, 2, 4),
+        _tenths(rng, 1, 2),
+    )
+    sense = int(rng.choice([-1, 1]))
+    axes = [
+        ([0, 0, 0], [0, 0, 1]),
+        ([0, side, h], [0, sense, 0]),
+        ([upper, side, h], [0, sense, 0]),
+    ]
+    return {
+        "axes": axes,
+        "end": _pose([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(upper + fore, 6), 0, h]),
+    }
+
+
+def draw_colleagues(rng):
+    """Somebody's frames: a z and an x turned round and an origin slid, all of which is allowed, and
+    one origin on the wrong axis.
+    """
+    a, h, upper, fore = (
+        _tenths(rng, 1, 3),
+        _tenths(rng, 3, 5),
+        _tenths(rng, 3, 5),
+        _tenths(rng, 2, 4),
+    )
+    far, tip = round(a + upper, 6), round(a + upper + fore, 6)
+    axes = [([0, 0, 0], [0, 0, 1]), ([a, 0, h], [0, 1, 0]), ([far, 0, h], [0, 1, 0])]
+    frames = [
+        [[0, 0, 1], [0, 0, 0], [1, 0, 0]],
+        [[0, 1, 0], [0, 0, h], [1, 0, 0]],
+        [[0, -1, 0], [far, 0.1, h], [-1, 0, 0]],
+        [[0, 1, 0], [tip, 0.1, h], [1, 0, 0]],
+    ]
+    return {
+        "axes": axes,
+        "end": _pose([1, 0, 0], [0, 0, -1], [0, 1, 0], [tip, 0.1, h]),
+        "frames": frames,
+    }
+
+
+def draw_sliding(rng):
+    """Shoulder, a joint that slides, a roll on the same line, and the tool: the first joints of the
+    Stanford arm.
+    """
+    h, side, reach, tool = (
+        _tenths(rng, 3, 5),
+        _tenths(rng, 1, 2),
+        _tenths(rng, 4, 6),
+        _tenths(rng, 1, 2),
+    )
+    axes = [
+        ([0, 0, 0], [0, 0, 1]),
+        ([0, side / 2, h], [0, 1, 0]),
+        ([0.1, side, h], [1, 0, 0], "P"),
+        ([reach, side, h], [1, 0, 0]),
+    ]
+    return {
+        "axes": axes,
+        "end": _pose([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(reach + tool, 6), side, h]),
+    }
+
+
+OF_Z = ["axis-1", "axis-2", "axis-3"]  # 04.1: the lines of z0, z1, z2
+
+
+def explain_lines(lines):
+    wrong = ", ".join(
+        f"z{i}" for i, (line, wanted) in enumerate(zip(lines, OF_Z)) if line != wanted
+    )
+    if lines[1:] == OF_Z[:2]:
+        return "frame-at-other-end", f"{wrong}: every z is one joint late"
+    if set(lines) & {"upper-arm", "base-to-tool"}:
+        return "z-across-joint-axis", wrong
+    return "frame-at-other-end", wrong
+
+
+ABOUT = (
+    "Thumb along z{0}: do the fingers turn x{0} into x{1}, and by how much?",
+    "Go along z{0} from o{0}: how far, with or against the arrow, until you are level with x{1}?",
+    "Go along x{1}: how far from z{0} to o{1}, with or against the arrow?",
+    "Thumb along x{1}: do the fingers turn z{0} into z{1}, and by how much?",
+)
+NAMES, KINDS = ("θ", "d", "a", "α"), ("offset", "length", "length", "alpha")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadTable(Table):
+    """A table to be read off frames that are drawn; says which single numbers were misread, and
+    when a right table is that of other frames.
+
+    ``read`` holds the rows of the frames that are drawn, degrees and metres.
+    """
+
+    read: tuple = ()
+
+    def compare(self, answer, variant):
+        verdict = super().compare(answer, variant)
+        rows = _numbers(answer, np.shape(self.read))
+        if rows is None or verdict.status not in (RIGHT, WRONG):
+            return verdict
+        off = np.abs(rows - self.read) > 1e-6
+        off[:, [0, 3]] = np.abs((rows - self.read + 180) % 360 - 180)[:, [0, 3]] > 1e-3
+        named = [f"{NAMES[k]}{i + 1}" for i, k in np.argwhere(off)]
+        if verdict.status == RIGHT:
+            return (
+                self.say(
+                    RIGHT,
+                    f"the same arm, yet these frames have another {', '.join(named)}."
+                    f" {self.praise}",
+                )
+                if named
+                else verdict
+            )
+        columns = np.flatnonzero(off.any(axis=0))
+        if (
+            len(columns) == 1
+        ):  # more columns than one: a slip of another kind, of which the doctor knows more
+            return self._misread(rows, off, int(columns[0]), named)
+        if verdict.mistake is None:
+            i, k = np.argwhere(off)[0]
+            return self.wrong(
+                headline=f"these frames have another {', '.join(named)}",
+                next=f"One number at a time. For {named[0]}: {ABOUT[k].format(i, i + 1)}",
+            )
+        return verdict
+
+    def _misread(self, rows, off, k, named):
+        given, right = rows[off], np.array(self.read, dtype=float)[off]
+        one, i = len(named) == 1, int(np.argwhere(off)[0][0])
+        sign = bool(np.allclose(given, -right))
+        slip = (
+            "sign"
+            if sign
+            else (
+                "missing"
+                if k == 0 and not given.any()
+                else (
+                    "unit" if KINDS[k] == "length" and np.allclose(given, 1000 * right) else "value"
+                )
+            )
+        )
+        are, have = ("is", "has") if one else ("are", "have")
+        said = {
+            "sign": f"{have} the wrong sign",
+            "missing": f"{are} not 0: look at the x arrows",
+            "unit": f"{are} in millimetres, and metres are asked",
+            "value": f"{have} another value",
+        }
+        return self.wrong(
+            f"{KINDS[k]}-{slip}",
+            place=Said(f"{' and '.join(named)} {said[slip]}", next=ABOUT[k].format(i, i + 1)),
+        )
+
+
+def _numbers(answer, shape):
+    """An answer's rows in degrees and metres, or None when they are not written in this shape or
+    convention.
+    """
+    table = getattr(answer, "table", answer)
+    if isinstance(table, DHTable):
+        return (
+            np.column_stack([np.rad2deg(table.theta), table.d, table.a, np.rad2deg(table.alpha)])
+            if table.convention == "standard" and len(table) == shape[0]
+            else None
+        )
+    try:
+        rows = np.array(table, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    return rows if rows.shape == shape and np.isfinite(rows).all() else None

@@ -1,0 +1,287 @@
+"""What lesson 05 draws, what is right, and what the wrong answers are told:
+orders of the moves, the closed form, a row that slides.
+"""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from ...doctor.programs.slipsearch import wrong_entries
+from ...doctor.programs.wrong.links import WRONG_LINKS, standard
+from ..kinds import Function, Said
+
+__all__ = [
+    "OF_THE_MATRIX",
+    "RIGHT_ORDERS",
+    "ClosedForm",
+    "draw_angle",
+    "draw_column",
+    "draw_slide",
+    "explain_order",
+    "from_a_blog",
+    "row_in_radians",
+    "slide",
+    "wrong_origins",
+    "wrong_slides",
+]
+
+RIGHT_ORDERS = (
+    ["rz", "tz", "tx", "rx"],
+    ["tz", "rz", "tx", "rx"],
+    ["rz", "tz", "rx", "tx"],
+    ["tz", "rz", "rx", "tx"],
+    ["rz", "tx", "tz", "rx"],
+)
+
+
+def draw_angle(rng):
+    return (float(rng.uniform(0.2, 3.0) * rng.choice([-1, 1])),)
+
+
+def from_a_blog(theta, d, a, alpha):
+    """The broken program of 05.7: one sign of the z arrow."""
+    T = standard(theta, d, a, alpha)
+    T[1, 2] *= -1
+    return T
+
+
+def draw_column(rng):
+    return {
+        "theta": float(rng.choice([20, 30, 40, 50, 60])),
+        "d": float(rng.integers(1, 6) / 10),
+        "a": float(rng.integers(1, 6) / 10),
+        "alpha": float(rng.choice([25, 35, 45, 55, 65])),
+    }
+
+
+def row_in_radians(theta, d, a, alpha):
+    return standard(np.deg2rad(theta), d, a, np.deg2rad(alpha))
+
+
+def wrong_origins(theta, d, a, alpha):
+    T = row_in_radians(theta, d, a, alpha)
+    t, al = np.deg2rad(theta), np.deg2rad(alpha)
+    yield "shift-not-turned-by-theta", "", [a, 0, d]
+    yield "rotation-block-misread", "this is the x arrow, without its length", T[:3, 0]
+    yield "rotation-block-misread", "this is the z arrow", T[:3, 2]
+    yield "degrees-in-sin-cos", "", [a * np.cos(theta), a * np.sin(theta), d]
+    yield (
+        "a-d-exchanged",
+        Said(
+            "a and d have changed places",
+            next="a is walked along the new x arrow, d along the old z.",
+        ),
+        [d * np.cos(t), d * np.sin(t), a],
+    )
+    yield (
+        "sin-cos-exchanged",
+        Said(
+            "sine and cosine of θ have changed places",
+            next="Set θ = 0: the origin must lie along x.",
+        ),
+        [a * np.sin(t), a * np.cos(t), d],
+    )
+    yield (
+        "theta-alpha-exchanged",
+        Said(
+            "α stands where θ belongs", next="Which of the two turns comes before the step along x?"
+        ),
+        [a * np.cos(al), a * np.sin(al), d],
+    )
+    yield (
+        "standard-rows-in-craig-matrix",
+        Said(
+            "the x moves come before the z moves",
+            next="Turn and lift along z first, then step along the turned x arrow.",
+        ),
+        [a, -d * np.sin(al), d * np.cos(al)],
+    )
+    yield (
+        "pose-inverted",
+        Said(
+            "this is the old origin, seen from the new frame",
+            next="Asked is the new origin, seen from the old frame.",
+        ),
+        np.linalg.inv(T)[:3, 3],
+    )
+    yield (
+        "pi-rounded",
+        Said(
+            "rounded too early", next="Give four digits or more, or let numpy compute the numbers."
+        ),
+        np.round(T[:3, 3], 2),
+    )
+
+
+def draw_slide(rng):
+    return {"q3": float(rng.choice([0.4, 0.5, 0.6, 0.7, 0.8]))}
+
+
+def slide(q3):
+    """The sliding row of 05.9: theta = -90°, d = q3, a = 0.05, alpha = 90°."""
+    return standard(-np.pi / 2, q3, 0.05, np.pi / 2)
+
+
+def wrong_slides(q3):
+    half = np.pi / 2
+    row = (-half, q3, 0.05, half)
+    yield (
+        "offset-missing",
+        Said("θ is −90° here, not 0", next="θ is a constant of this row: −90° at every q3."),
+        standard(0, q3, 0.05, half),
+    )
+    yield (
+        "offset-sign",
+        Said("θ is −90° here, not +90°", next="Compare the sign with the row in the text."),
+        standard(half, q3, 0.05, half),
+    )
+    yield (
+        "alpha-sign",
+        Said("α is +90° here, not −90°", next="Compare the sign with the row in the text."),
+        standard(-half, q3, 0.05, -half),
+    )
+    yield (
+        "theta-alpha-exchanged",
+        Said(
+            "θ and α have changed places, or both their signs",
+            next="θ = −90° comes first, α = 90° last.",
+        ),
+        standard(half, q3, 0.05, -half),
+    )
+    yield (
+        "joint-values-unused",
+        Said("q3 is left out", next="Put q3 in place of d; θ stays −90°."),
+        standard(-half, 0, 0.05, half),
+    )
+    for theta in (-half + q3, q3):
+        yield "prismatic-variable-in-theta", "", standard(theta, 0, 0.05, half)
+    for theta, alpha in product((half, 1.57, 1.571, 1.5708), repeat=2):
+        if (theta, alpha) != (half, half):
+            yield (
+                "pi-rounded",
+                Said(
+                    "rounded on the way", next="Write np.pi / 2, or let np.deg2rad make it of 90."
+                ),
+                standard(-theta, q3, 0.05, alpha),
+            )
+    for mistake, place, version in WRONG_LINKS:
+        yield mistake, place, version(*row)
+
+
+def explain_order(order):
+    if set(order[:2]) == {"tx", "rx"}:
+        return "standard-rows-in-craig-matrix", Said(
+            "the x moves come before the z moves",
+            next="Which pair did the picture's link make first?",
+        )
+    if order.index("tx") < order.index("rz"):
+        return "shift-not-turned-by-theta", Said(
+            "Tx(a) stands before Rz(θ)",
+            next="Set θ = 90°: the origin must move to y.",
+            why="A step along x that is made first does not swing with θ.",
+        )
+    if order.index("rx") < order.index("tz"):
+        return "alpha-before-d", Said(
+            "Rx(α) stands before Tz(d)",
+            next="Set α = 90°: d must still go along the old z.",
+            why="After Rx(α) the z axis is a new one.",
+        )
+    return "order-taken-for-free", Said(
+        "Rx(α) stands before Rz(θ)",
+        next="Set α = 90°: θ must still turn about the old z.",
+        why="After Rx(α) the z axis is a new one.",
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClosedForm(Function):
+    """A link matrix typed entry by entry: what is wrong is said of its entries and columns."""
+
+    def refine(self, mistake, answers, cases):
+        if mistake not in ("matrix-entry-mistyped", "not-rigid"):
+            return None
+        answers = np.array(answers, dtype=float)
+        said = (
+            _wrong_columns(answers[:, :3, :3])
+            if mistake == "not-rigid"
+            else _wrong_entries(wrong_entries(answers, cases))
+        )
+        return said and (mistake, said)
+
+
+NEXT = {
+    2: "Turn y by θ, then tip it towards z by α.",
+    3: "Take z = x × y: z is at right angles to both.",
+}  # by column
+
+
+def _wrong_entries(slips):
+    """Which entries, the typed ones of a closed form; None when they are not known one by one."""
+    if not slips:
+        return None
+    columns = {int(slip.place.split("column ")[1][0]) for slip in slips}
+    given = any("row 3" in slip.place for slip in slips) or columns & {1, 4}
+    column = min(columns)
+    turned = (
+        len(slips) == 2
+        and len(columns) == 1
+        and not given
+        and all("its sign is turned" in slip.place for slip in slips)
+    )
+    headline = (
+        f"column {column} points the wrong way"
+        if turned
+        else "one entry is wrong"
+        if len(slips) == 1
+        else f"{len(slips)} entries are wrong"
+    )
+    return Said(
+        headline,
+        next="Compare with the entries that the text gives." if given else NEXT[column],
+        place="; ".join(slip.place for slip in slips),
+    )
+
+
+def _wrong_columns(R):
+    """The first column, or pair of columns, that no frame's arrows can be."""
+    for k in range(3):
+        if np.abs(np.linalg.norm(R[:, :, k], axis=1) - 1).max() > 1e-6:
+            return Said(
+                f"column {k + 1} does not have length 1",
+                next=NEXT.get(k + 1, "Compare with the entries that the text gives."),
+                why="An arrow that is turned keeps its length.",
+            )
+        for j in range(k):
+            if np.abs((R[:, :, j] * R[:, :, k]).sum(axis=1)).max() > 1e-6:
+                return Said(
+                    f"columns {j + 1} and {k + 1} are not at right angles",
+                    next=NEXT[k + 1],
+                    why="The arrows of a frame stand at right angles, whatever the angles are.",
+                )
+    return None
+
+
+TURNED_BACK = Said(
+    "α turns the other way", next="Set θ = 0, α = 90°: column 2 must be z, (0, 0, 1)."
+)
+X_FIRST = Said(
+    "the x moves come before the z moves",
+    next="Make both z moves first: each next move joins on the right.",
+    place="Rx and Tx stand before Rz and Tz",
+)
+LEFT_HANDED = Said(
+    "one arrow points the wrong way",
+    next="Turn y by θ, then tip it by α; take z = x × y.",
+    why="x, y and z must form a right hand.",
+)
+SIN_COS = Said(
+    "a sine or a cosine is not where it belongs",
+    next="Set this angle to 90°: its turn must be a quarter turn.",
+)
+OF_THE_MATRIX = {
+    "alpha-sign": TURNED_BACK,
+    "standard-rows-in-craig-matrix": X_FIRST,
+    "mirror": LEFT_HANDED,
+    "sin-cos-exchanged": SIN_COS,
+}

@@ -1,0 +1,215 @@
+"""What lesson 07 draws, what is right, and what the wrong answers are told:
+symptoms, broken tables, measured poses.
+"""
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ...arm import Arm
+from ...doctor.programs.wrong.links import standard
+from ...doctor.programs.wrong.products import product
+from ...robots import load
+from ...table import DHTable
+from ..kinds import Said
+from .answers06 import ARTICLE
+
+__all__ = [
+    "CAUSES",
+    "OF_SYMPTOMS",
+    "PUMA",
+    "article",
+    "draw_length",
+    "draw_offsets",
+    "draw_pasted",
+    "explain_match",
+    "offsets_of",
+    "story",
+    "two_sources",
+    "wrong_offsets",
+]
+
+COARSE, FINE, TURN = (
+    5e-4,
+    3e-4,
+    2e-3,
+)  # noise: half a millimetre, a third of one, a tenth of a degree
+PUMA = [
+    [0, 0.67183, 0, 90],
+    [0, 0, 0.4318, 0],
+    [0, 0.15005, 0.0203, -90],
+    [0, 0.4318, 0, 90],
+    [0, 0, 0, -90],
+    [0, 0, 0, 0],
+]
+CAUSES = {
+    "base-height": ("the base's height is missing", "base-height-missing-or-twice"),
+    "degrees": ("degrees passed to sin and cos", "degrees-in-sin-cos"),
+    "tool": ("the tool is left out", "tool-missing"),
+    "limit": ("a joint limit is exceeded", "limits-in-forward"),
+    "length": ("one length (a) has the wrong value", "length-value"),
+    "zero-offset": ("a zero offset is left out", "offset-missing"),
+    "reversed-joint": ("a joint counts the other way", "joint-reversed"),
+}
+OF_SYMPTOMS = ["degrees", "length", "reversed-joint", "base-height", "tool", "zero-offset"]
+TRACES = {
+    "base-height": "seen from the base, every pose would be shifted by one and the same vector",
+    "degrees": "a small turn of a joint would become a leap, since 1 would be taken for 57°",
+    "tool": "seen from the last frame, every pose would be shifted by one and the same vector",
+    "limit": "no trace at all; forward kinematics has a pose for any q",
+    "length": (
+        "the rotation would be right, and the residual would lie along one arrow of the arm at"
+        " every pose"
+    ),
+    "zero-offset": "every pose would be right once a joint is turned by a constant",
+    "reversed-joint": "at q = 0 all is well, and one joint turns the wrong way from there",
+}
+
+
+def article():
+    return Arm(DHTable.standard(ARTICLE, angle="deg"))
+
+
+def _general(rng, m, arm):
+    """Configurations (m, n) in whole degrees, none near 0 or 90°, the arm above the floor; as
+    radians.
+    """
+    q = np.deg2rad(
+        rng.integers(15, 76, (60 * m, len(arm))) * rng.choice([-1, 1], (60 * m, len(arm)))
+    )
+    return q[(arm.frames(q)[:, 1:, 2, 3] > 0.05).all(axis=1)][:m]
+
+
+def _points(rng, arm, q, noise):
+    return arm.forward(q)[:, :3, 3] + rng.normal(0, noise, (len(q), 3))
+
+
+def _poses(rng, arm, q, noise, turn):
+    T = arm.forward(q)
+    T[:, :3, 3] += rng.normal(0, noise, (len(q), 3))
+    T[:, :3, :3] = T[:, :3, :3] @ Rotation.from_rotvec(rng.normal(0, turn, (len(q), 3))).as_matrix()
+    return T
+
+
+def explain_match(causes):
+    """The first wrong cause, and what it would have looked like."""
+    k, given = next(
+        (k, given) for k, (given, right) in enumerate(zip(causes, OF_SYMPTOMS), 1) if given != right
+    )
+    cause, mistake = CAUSES[given]
+    return mistake, Said(
+        f"symptom {k} has another cause",
+        why=f"“{cause}” would look like this: {TRACES[given]}. Does symptom {k} say that?",
+    )
+
+
+def two_sources(rows, q):
+    """The broken program of 07.2: alpha is converted a second time."""
+    return product(
+        rows, q, link=lambda theta, d, a, alpha: standard(theta, d, a, np.deg2rad(alpha))
+    )
+
+
+def draw_length(rng):
+    rows = np.array(ARTICLE, dtype=float)
+    i, k = [(0, 1), (2, 2), (5, 1)][rng.integers(3)]
+    rows[i, k] = round(rows[i, k] + rng.choice([-1, 1]) * rng.integers(3, 7) / 100, 2)
+    q = _general(rng, 8, article())
+    return {"rows": rows, "q": q, "points": _points(rng, article(), q, FINE)}
+
+
+def story(rng):
+    """The arm that missed the cup; the same for every learner."""
+    rng, real = np.random.default_rng(3), article()
+    rows = np.array(ARTICLE, dtype=float)
+    rows[3, 3] = -90
+    log = _general(rng, 8, real)
+    sweeps = np.tile(np.deg2rad([30, 60, -80, -30, 40, 20]), (6 * 13, 1))
+    for i in range(6):
+        sweeps[13 * i : 13 * (i + 1), i] = np.deg2rad(np.linspace(-60, 60, 13))
+    return {
+        "rows": rows,
+        "q": log,
+        "poses": _poses(rng, real, log, COARSE, TURN),
+        "sweeps": sweeps,
+        "points": _points(rng, real, sweeps, COARSE),
+    }
+
+
+def draw_offsets(rng):
+    """Offsets of joints 2 and 3, half degrees; the caller sees only what was measured."""
+    offsets = np.zeros(6)
+    offsets[1:3] = np.deg2rad(
+        rng.permutation([2.5, 3.0, 3.5, 4.5, 5.0, 5.5, 6.0])[:2] * rng.choice([-1, 1], 2)
+    )
+    q = _general(rng, 20, article())
+    return {"q": q, "points": _points(rng, article(), q + offsets, COARSE)}
+
+
+def offsets_of(q, points):
+    """Offsets of joints 2 and 3 in degrees: the half degrees that fit best, all others being 0."""
+    from ...measure import calibrate_offsets
+
+    return (
+        np.round(2 * np.rad2deg(calibrate_offsets(article(), q, points, noise=COARSE).offsets[1:3]))
+        / 2
+    )
+
+
+def wrong_offsets(q, points):
+    from ...measure import calibrate_offsets
+
+    right, measured = (
+        offsets_of(q, points),
+        np.rad2deg(calibrate_offsets(article(), q, points, base="fixed").offsets),
+    )
+    yield "offset-sign", "model minus measurement, where measurement minus model was asked", -right
+    yield "offset-on-wrong-joint", "joints 2 and 3 have changed places", right[::-1]
+    yield (
+        "offset-missing",
+        Said(
+            "neither offset is 0",
+            next="Look into found.offsets: one number per joint, joint 1 first.",
+        ),
+        np.zeros(2),
+    )
+    yield "offset-counted-twice", "", 2 * right
+    yield (
+        "converted-to-radians-twice",
+        Said(
+            "these are radians; degrees were asked", next="np.rad2deg turns the one into the other."
+        ),
+        np.deg2rad(right),
+    )
+    yield "offset-missing", Said("joint 3 has an offset too"), [right[0], 0]
+    yield "offset-missing", Said("joint 2 has an offset too"), [0, right[1]]
+    for names, found in (
+        ("1 and 2", measured[:2]),
+        ("1 and 2", [0, right[0]]),
+        ("3 and 4", measured[2:4]),
+        ("3 and 4", [right[1], 0]),
+    ):
+        yield (
+            "joint-index-off-by-one",
+            Said(
+                f"these are joints {names}: offsets[0] belongs to joint 1",
+                next="Count from 0: at which places do joints 2 and 3 stand?",
+            ),
+            found,
+        )
+    yield "offset-sign", "joint 2", right * [-1, 1]
+    yield "offset-sign", "joint 3", right * [1, -1]
+
+
+def draw_pasted(rng):
+    """A Puma 560 as pasted from a paper, with one entry wrong, and ten measured poses."""
+    rows = np.array(PUMA, dtype=float)
+    i, k = [(0, 3), (2, 3), (3, 3), (4, 3), (2, 2), (2, 1)][rng.integers(6)]
+    rows[i, k] *= -1
+    lines = [
+        f"{n:>3}   q{n}   {1000 * d:8.2f}   {1000 * a:7.2f}   {alpha:5.0f}"
+        for n, (_, d, a, alpha) in enumerate(rows, 1)
+    ]
+    text = "\n".join(["  i   theta   d (mm)    a (mm)   alpha (deg)", *lines])
+    real = load("puma560")
+    q = _general(rng, 10, real)
+    return {"table": text, "rows": rows, "q": q, "poses": _poses(rng, real, q, FINE, TURN)}

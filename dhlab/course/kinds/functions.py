@@ -1,0 +1,159 @@
+"""``Function``: a program to be written, compared with the right one on seeded inputs."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...doctor import explain_function
+from ...doctor.programs.calling import Called, CallFault, call_all, is_stub
+from ..verdict import NOT_ATTEMPTED, Verdict
+from .exercise import Exercise, Said
+
+__all__ = ["CASES", "Function"]
+
+CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
+
+
+@dataclass(frozen=True, kw_only=True)
+class Function(Exercise):
+    """A function to be written, compared with the right one on seeded inputs.
+
+    ``draw(rng)`` gives the arguments of one call, general ones; ``special`` are calls that come
+    after them, where an if may hide (zeros, right angles); ``answer(*case)`` the right result;
+    ``family`` names the wrong versions that the doctor compares with; ``handed_out`` is the broken
+    program of a "smallest fix", which is no attempt as long as it is unchanged; ``read(answer)`` is
+    the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``:
+    it may call dhlab's own kinematics, which otherwise earns nothing when it is graded.
+    """
+
+    answer: Callable
+    draw: Callable
+    names: tuple
+    family: str
+    special: tuple = ()
+    handed_out: Callable | None = None
+    shape: tuple = (4, 4)
+    read: Callable = np.asarray
+    library: bool = False
+    tolerance: float = 1e-9
+
+    def cases(self, variant: int) -> list[tuple]:
+        """The arguments of every call."""
+        rng = self.rng(variant)
+        return [*(self.draw(rng) for _ in range(CASES)), *self.special]
+
+    def judge(self, answer: object, variant: int = 0) -> Verdict:
+        if is_stub(answer):
+            answer = None
+        try:
+            return super().judge(answer, variant)
+        except NotImplementedError:
+            return super().judge(None, variant)
+
+    def compare(self, answer: object, variant: int) -> Verdict:
+        if not callable(answer) and not isinstance(answer, Called):
+            return self.wrong(
+                headline=f"expected the function itself, found {type(answer).__name__}",
+                next="Hand in its name without brackets.",
+            )
+        cases = self.cases(variant)
+        try:
+            answers = [
+                self.read(given) for given in call_all(answer, cases, self.shape, self.names)
+            ]
+        except CallFault as fault:
+            return self.wrong(
+                fault.mistake, headline=fault.headline, place=fault.place, next=fault.next
+            )
+        if self.handed_out and all(
+            np.allclose(a, self.handed_out(*case)) for a, case in zip(answers, cases)
+        ):
+            return self.say(
+                NOT_ATTEMPTED,
+                "the program answers as it did when it was handed out",
+                next="If you have changed something, it makes no difference: look elsewhere.",
+            )
+        return self._compared(answers, cases)
+
+    def _compared(self, answers, cases):
+        """The Verdict on what the calls gave."""
+        expected = [self.answer(*case) for case in cases]
+        off = [
+            not np.allclose(a, e, rtol=self.tolerance, atol=self.tolerance)
+            for a, e in zip(answers, expected)
+        ]
+        if not any(off):
+            return self.right()
+        if not any(off[:CASES]):
+            return self.wrong(
+                headline=(
+                    "right at general numbers, wrong where an angle is 0, 90° or 180°, or a length"
+                    " is 0"
+                ),
+                place=self._call(cases[off.index(True)]),
+                next=(
+                    "Look for a special case in the program: an if, a division, or a rounding of"
+                    " small numbers to 0."
+                ),
+            )
+        return self._explained(answers[:CASES], expected[:CASES], cases[:CASES], sum(off[:CASES]))
+
+    def _explained(self, answers, expected, cases, off):
+        """The Verdict on a program that is wrong at general numbers, in ``off`` of the calls."""
+        finding = explain_function(answers, expected, cases, self.family)
+        known = self.refine(finding and finding.mistake, answers, cases)
+        if known:
+            return self.wrong(known[0], place=known[1])
+        if finding:
+            return self.wrong(
+                finding.mistake, place="; ".join(filter(None, (finding.place, finding.detail)))
+            )
+        if all(np.array_equal(a, answers[0]) for a in answers):
+            return self.wrong(
+                headline="the answer is the same whatever goes in",
+                next="Does the function use its arguments, and return what the loop made?",
+            )
+        return self.wrong(
+            headline="the answers differ from the right ones",
+            place=f"{off} of {len(cases)} calls; {self._parts(answers, expected)}",
+        )
+
+    def refine(
+        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> tuple[str | None, str | Said] | None:
+        """(mistake, place or Said) where the exercise knows more of wrong answers than the doctor,
+        who found ``mistake`` or None; else None.
+        """
+        return None
+
+    def _call(self, case):
+        """The arguments of a call, where they are few enough to be read."""
+        return (
+            "with " + ", ".join(f"{name} = {value:.4g}" for name, value in zip(self.names, case))
+            if all(np.ndim(value) == 0 for value in case)
+            else ""
+        )
+
+    def _parts(self, answers, expected):
+        """Which block of the pose is wrong."""
+        difference = np.abs(np.array(answers) - np.array(expected)).max(axis=0)
+        if len(self.shape) == 2 and self.shape != (4, 4):
+            return "wrong in column " + ", ".join(
+                str(j + 1) for j in np.flatnonzero(difference.max(axis=0) > 1e-9)
+            )
+        if self.shape != (4, 4):
+            return (
+                f"numbers {', '.join(str(k + 1) for k in np.flatnonzero(difference > 1e-9))} differ"
+                if len(self.shape) == 1
+                else ""
+            )
+        R, p = difference[:3, :3].max() > 1e-9, difference[:3, 3].max() > 1e-9
+        return (
+            "rotation and position"
+            if R and p
+            else "only the rotation"
+            if R
+            else "only the position"
+        )
