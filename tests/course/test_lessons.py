@@ -99,7 +99,16 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
         source.read_text(encoding="utf-8").replace("Keep those numbers.", "Keep these numbers."),
         encoding="utf-8",
     )
-    assert build.stale() == ["lessons/01-frames.ipynb", "solutions/01-frames.ipynb"]
+    sheet = tmp_path / "solutions" / "teacher" / "01-frames.md"
+    sheet.write_text(
+        sheet.read_text(encoding="utf-8").replace("Name three reasons", "Name four reasons"),
+        encoding="utf-8",
+    )
+    assert build.stale() == [
+        "lessons/01-frames.ipynb",
+        "solutions/01-frames.ipynb",
+        "dhlab/course/discussion.yaml",
+    ]
 
 
 def test_the_contract_is_kept():

@@ -17,6 +17,7 @@ import nbformat
 
 from ...formats.files import write_text
 from . import contract, reading
+from .discussion import discussion
 from .faults import refuse_sources
 from .notebooks import lesson_notebook, ran, solution_notebook, without_outputs
 from .reading import read_source, sources
@@ -62,6 +63,7 @@ def build(only: Sequence[str] = ()) -> None:
     write_text(
         reading.LESSONS / "glossary.md", glossary.read_text(encoding="utf-8"), overwrite=True
     )
+    write_text(reading.DISCUSSION, discussion(), overwrite=True)
 
 
 def stale(only: Sequence[str] = ()) -> list[str]:
@@ -83,6 +85,11 @@ def stale(only: Sequence[str] = ()) -> list[str]:
     glossary = reading.SOLUTIONS / "glossary.md", reading.LESSONS / "glossary.md"
     if not glossary[1].exists() or glossary[0].read_bytes() != glossary[1].read_bytes():
         differing.append("lessons/glossary.md")
+    if (
+        not reading.DISCUSSION.exists()
+        or reading.DISCUSSION.read_text(encoding="utf-8") != discussion()
+    ):
+        differing.append("dhlab/course/discussion.yaml")
     return differing
 
 

@@ -12,10 +12,11 @@ from nbformat import NotebookNode
 from ..exercises import exercises
 from .questions import with_questions
 
-__all__ = ["LESSONS", "ROOT", "SOLUTIONS", "lines_of", "read_source", "sources"]
+__all__ = ["DISCUSSION", "LESSONS", "ROOT", "SOLUTIONS", "lines_of", "read_source", "sources"]
 
 ROOT = Path(__file__).parents[3]
 SOLUTIONS, LESSONS = ROOT / "solutions", ROOT / "lessons"
+DISCUSSION = Path(__file__).parents[1] / "discussion.yaml"
 KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},

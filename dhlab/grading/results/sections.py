@@ -1,5 +1,5 @@
-"""Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons
-and the teacher's sheets.
+"""Where the course treats an exercise or a mistake, and what to ask a class: read from the lessons,
+the exercises and what the teacher's sheets ask.
 """
 
 import json
@@ -10,10 +10,11 @@ from pathlib import Path
 from ...course.kinds import Choice
 from ...course.workspace import handed_out
 from ...doctor import catalogue
+from ...formats import plainyaml
 
-__all__ = ["section_of_exercise", "section_of_mistake", "question", "sheet_question"]
+__all__ = ["question", "section_of_exercise", "section_of_mistake", "sheet_question"]
 
-PACKAGE = Path(__file__).parents[2]
+DISCUSSION = Path(__file__).parents[2] / "course" / "discussion.yaml"
 CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
 
 
@@ -91,12 +92,9 @@ def sheet_question(lesson: str) -> str:
     >>> sheet_question("05")[:35]
     'A program passes a test at θ = 0 an'
     """
-    for folder in (PACKAGE / "teacher", PACKAGE.parent / "solutions" / "teacher"):
-        for path in sorted(folder.glob(f"{lesson}-*.md")):
-            found = re.search(
-                r"^## To discuss\n+(.*?)(?=^## |\Z)",
-                path.read_text(encoding="utf-8"),
-                re.MULTILINE | re.DOTALL,
-            )
-            return found[1].strip() if found else ""
-    return ""
+    return _discussion().get(lesson, "")
+
+
+@cache
+def _discussion():
+    return plainyaml.read(DISCUSSION, "the questions to discuss").plain()
