@@ -1,8 +1,10 @@
 """From the pre-test to the post-test: what the learner could answer then, and what now."""
 
+from collections.abc import Mapping
 from html import escape
 
 from ..printing import grid_text
+from .kinds import Exercise
 from .verdict import NOT_ATTEMPTED, RIGHT
 
 __all__ = ["Growth"]
@@ -22,7 +24,12 @@ class Growth:
     best : dict of str to (status, points)
     """
 
-    def __init__(self, exercises, known, best):
+    def __init__(
+        self,
+        exercises: Mapping[str, Exercise],
+        known: Mapping[str, bool],
+        best: Mapping[str, tuple[str, float]],
+    ) -> None:
         self._rows = {
             key: {
                 "title": e.title,
@@ -33,7 +40,7 @@ class Growth:
             if e.mirrors
         }
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, dict]:
         """{id: {title, then (True, False, or None when it was not asked), now}}."""
         return self._rows
 
@@ -50,7 +57,7 @@ class Growth:
             return f"{now}; the pre-test is not in this course folder"
         return f"then {sum(bool(row['then']) for row in rows)} of {len(rows)}, {now}"
 
-    def __str__(self):
+    def __str__(self) -> str:
         return grid_text(HEADINGS, self._cells()) + "\n " + self._sum()
 
     __repr__ = __str__
@@ -66,4 +73,7 @@ class Growth:
             + "</tr>"
             for cells in self._cells()
         )
-        return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+        return (
+            f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table>"
+        )

@@ -14,6 +14,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
@@ -36,7 +37,7 @@ STORED = {
 STORED_FROM, STORED_TO = (0, 40, -60, 20, 30, 0), (30, 60, -80, -30, 40, 0)
 
 
-def other_solvers(arm, T_goal, q):
+def other_solvers(arm: Arm, T_goal: ArrayLike, q: ArrayLike) -> str:
     """What three libraries answer when they are asked for the joint values that reach a pose.
 
     Parameters
@@ -64,7 +65,8 @@ def other_solvers(arm, T_goal, q):
     --------
     >>> import dhlab as dh
     >>> arm = dh.load("article-6r")
-    >>> other_solvers(arm, arm.forward(np.deg2rad(STORED_TO)), np.deg2rad(STORED_FROM)).splitlines()[1][:37]
+    >>> T_goal = arm.forward(np.deg2rad(STORED_TO))
+    >>> other_solvers(arm, T_goal, np.deg2rad(STORED_FROM)).splitlines()[1][:37]
     ' Robotics Toolbox  30 60 -80 -30 40 0'
     """
     if arm.table.prismatic.any():

@@ -6,12 +6,17 @@ removed.
 """
 
 import json
+from collections.abc import Mapping
 from datetime import datetime, timezone
 from html import escape
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..printing import grid_text
-from .verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
+from .verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
+
+if TYPE_CHECKING:
+    from .kinds import Exercise
 
 __all__ = ["Log", "Progress", "course_folder", "MARKER"]
 
@@ -19,7 +24,7 @@ MARKER = ".dhlab"
 RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RECORDED: 2, RIGHT: 2}
 
 
-def course_folder():
+def course_folder() -> Path | None:
     """The folder of the course that this notebook lives in, or None: the nearest one upwards that
     holds ``.dhlab``.
     """
@@ -30,10 +35,10 @@ def course_folder():
 class Log:
     """What has been checked: in this session, and on disk when there is a course folder."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.session = []
 
-    def add(self, verdict):
+    def add(self, verdict: Verdict) -> None:
         """Note a verdict; a folder that cannot be written to costs the learner nothing but the
         note.
         """
@@ -55,12 +60,12 @@ class Log:
         except OSError:
             pass
 
-    def entries(self):
+    def entries(self) -> list[dict]:
         """Every entry, oldest first: the file's, then this session's that are not in it."""
         folder = course_folder()
         return [*(_read(folder / MARKER / "progress.jsonl") if folder else []), *self.session]
 
-    def best(self):
+    def best(self) -> dict[str, tuple[str, float]]:
         """The best status of each exercise: {id: (status, points)}."""
         best = {}
         for entry in self.entries():
@@ -69,7 +74,7 @@ class Log:
                 best[key] = (status, entry["points"])
         return best
 
-    def known_at_first(self):
+    def known_at_first(self) -> dict[str, bool]:
         """Of each question of the pre-test, whether its first answer was right: {id: bool}."""
         first = {}
         for entry in self.entries():
@@ -99,7 +104,9 @@ def _read(path):
 class Progress:
     """Every exercise and how it stands; shown as a table."""
 
-    def __init__(self, exercises, best):
+    def __init__(
+        self, exercises: "Mapping[str, Exercise]", best: Mapping[str, tuple[str, float]]
+    ) -> None:
         self._rows = {
             key: {
                 "title": exercise.title,
@@ -110,7 +117,7 @@ class Progress:
             for key, exercise in exercises.items()
         }
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, dict]:
         """{id: {title, status, points, of}}."""
         return self._rows
 
@@ -130,7 +137,7 @@ class Progress:
             f" {sum(r['of'] for r in self._rows.values()):g} points"
         )
 
-    def __str__(self):
+    def __str__(self) -> str:
         return (
             grid_text(["No.", "exercise", "status", "points"], list(self._cells()))
             + "\n "
@@ -150,4 +157,7 @@ class Progress:
             f'<th scope="col" style="text-align:left">{name}</th>'
             for name in ("No.", "exercise", "status", "points")
         )
-        return f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+        return (
+            f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table>"
+        )

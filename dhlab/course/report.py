@@ -15,22 +15,42 @@ from ..printing import arm_html
 __all__ = ["report", "Report"]
 
 STYLE = """
-.dhlab-report { font: 15px/1.4 system-ui, sans-serif; color: #1b1f24; background: #fff; max-width: 72em; margin: 0 auto; padding: 1em 1.2em }
-.dhlab-report .sides { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24em), 1fr)); gap: 0 2em; align-items: start }
+.dhlab-report {
+  font: 15px/1.4 system-ui, sans-serif; color: #1b1f24; background: #fff;
+  max-width: 72em; margin: 0 auto; padding: 1em 1.2em;
+}
+.dhlab-report .sides {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24em), 1fr));
+  gap: 0 2em; align-items: start;
+}
 .dhlab-report :is(h1, h3) { font-size: 1.5em; margin: 0 0 .2em }
-.dhlab-report :is(h2, h4) { font-size: 1.1em; margin: .8em 0 .3em; border-bottom: 1px solid #d0d7de }
-.dhlab-report table { border-collapse: collapse; font-variant-numeric: tabular-nums; background: #fff }
+.dhlab-report :is(h2, h4) {
+  font-size: 1.1em; margin: .8em 0 .3em; border-bottom: 1px solid #d0d7de;
+}
+.dhlab-report table {
+  border-collapse: collapse; font-variant-numeric: tabular-nums; background: #fff;
+}
 .dhlab-report caption { text-align: left; color: #57606a; padding: .2em 0 }
-.dhlab-report :is(th, td) { text-align: right; padding: .1em .7em; border-bottom: 1px solid #eaeef2 }
-.dhlab-report p { margin: .3em 0 } .dhlab-report figure { margin: .4em 0; overflow-x: auto } .dhlab-report img { max-width: 100%; height: auto }
-.dhlab-report dl { margin: .3em 0 } .dhlab-report dt { font-weight: 600 } .dhlab-report dd { margin: 0 0 .3em 1.2em }
+.dhlab-report :is(th, td) {
+  text-align: right; padding: .1em .7em; border-bottom: 1px solid #eaeef2;
+}
+.dhlab-report p { margin: .3em 0 }
+.dhlab-report figure { margin: .4em 0; overflow-x: auto }
+.dhlab-report img { max-width: 100%; height: auto }
+.dhlab-report dl { margin: .3em 0 }
+.dhlab-report dt { font-weight: 600 }
+.dhlab-report dd { margin: 0 0 .3em 1.2em }
 .dhlab-report .verdict { border-left: 4px solid #0b62c4; padding: .2em .8em; font-weight: 600 }
-@media print { .dhlab-report { font-size: 10px; padding: 0 } .dhlab-report .sides { grid-template-columns: 2fr 3fr } .dhlab-report summary { display: none } }
+@media print {
+  .dhlab-report { font-size: 10px; padding: 0 }
+  .dhlab-report .sides { grid-template-columns: 2fr 3fr }
+  .dhlab-report summary { display: none }
+}
 """
 NEAR = np.deg2rad(2)  # of 0 or a right angle: such a joint value tests little
 
 
-def report(arm, diagnosis):
+def report(arm: Arm, diagnosis: Diagnosis) -> "Report":
     """One page about an arm: table, picture, the check against data, what the doctor says.
 
     Parameters
@@ -86,19 +106,20 @@ class Report:
         The whole page, the same for the same arm and data; every text of the user's is escaped.
     """
 
-    def __init__(self, arm, diagnosis):
+    def __init__(self, arm: Arm, diagnosis: Diagnosis) -> None:
         self._arm, self._diagnosis = arm, diagnosis
         self._name = arm.name or "An arm without a name"
 
     @property
-    def html(self):
+    def html(self) -> str:
         return (
             f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<meta'
             f' name="viewport" content="width=device-width">\n'
-            f"<title>{escape(self._name)}</title>\n</head>\n<body>\n{self._article('h1', 'h2')}\n</body>\n</html>\n"
+            f"<title>{escape(self._name)}</title>\n</head>\n<body>\n{self._article('h1', 'h2')}\n"
+            "</body>\n</html>\n"
         )
 
-    def save(self, file, overwrite=False):
+    def save(self, file: str | Path, overwrite: bool = False) -> None:
         """Write the page: the whole file or nothing.
 
         Parameters
@@ -121,7 +142,7 @@ class Report:
             )
         files.write_text(path, self.html, overwrite=overwrite)
 
-    def __str__(self):
+    def __str__(self) -> str:
         return f"{self._name}: {self._diagnosis.headline}\n{self._evidence()}"
 
     __repr__ = __str__

@@ -72,8 +72,8 @@ def hint(exercise_id: str, level: int = 1) -> "Note":
 
     Examples
     --------
-    >>> print(hint("05.3"))
-    Hint 1 of 2: Two of the moves belong to z, two to x. Which pair does a standard row make first? (hint("05.3", 2) says more)
+    >>> print(hint("05.3", 2))
+    Hint 2 of 2: Tx(a) must come after Rz(θ), and Rx(α) after both z moves.
     """
     hints = _exercise(exercise_id).hints
     if level not in range(1, len(hints) + 1):

@@ -62,7 +62,7 @@ def _urdf():
 URDF = _urdf()
 
 
-def urdf_file():
+def urdf_file() -> str:
     """The path of a new file that holds the URDF; simulators read files.
 
     Examples

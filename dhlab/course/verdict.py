@@ -41,8 +41,8 @@ class Verdict:
 
     Examples
     --------
-    >>> print(Verdict("05.2", WRONG, "alpha has the wrong sign", place="row 2", next="Thumb along x."))
-    ✗ 05.2  Not yet: alpha has the wrong sign
+    >>> print(Verdict("06.6", WRONG, "alpha has the wrong sign", "row 2", next="Thumb along x."))
+    ✗ 06.6  Not yet: alpha has the wrong sign
       Where: row 2
       Next:  Thumb along x.
     """

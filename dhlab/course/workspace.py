@@ -25,7 +25,7 @@ SETTINGS = {
 }  # the explorer is still there when the notebook is opened again
 
 
-def handed_out():
+def handed_out() -> Path:
     """The folder of the lessons: inside an installed package, beside it in a checkout.
 
     Raises
@@ -41,7 +41,7 @@ def handed_out():
     )
 
 
-def prepare(folder):
+def prepare(folder: str | Path) -> list[str]:
     """Copy the lessons into the learner's folder; what is there stays, a newer lesson arrives
     beside the old one.
 
@@ -128,7 +128,7 @@ def _fingerprint(text):
     return sha256(text.encode()).hexdigest()
 
 
-def write_settings(folder):
+def write_settings(folder: str | Path) -> None:
     """JupyterLab's settings for the course: no news, no questions about updates, nothing asked of
     the outside; what stood on the page stays in the notebook.
     """
@@ -137,7 +137,7 @@ def write_settings(folder):
     write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
 
 
-def lab_command(folder, *, port=None, browser=True):
+def lab_command(folder: str | Path, *, port: int | None = None, browser: bool = True) -> list[str]:
     """The command that starts JupyterLab on a prepared folder."""
     command = [
         sys.executable,
@@ -152,7 +152,7 @@ def lab_command(folder, *, port=None, browser=True):
     return command
 
 
-def open_lab(folder, *, port=None, browser=True):
+def open_lab(folder: str | Path, *, port: int | None = None, browser: bool = True) -> int:
     """Prepare the folder and run JupyterLab on it until it is closed; returns its exit status."""
     if find_spec("jupyterlab") is None:
         raise ValueError(

@@ -6,11 +6,13 @@ from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 
+from ..kinds import Exercise
+
 __all__ = ["exercises"]
 
 
 @cache
-def exercises():
+def exercises() -> dict[str, Exercise]:
     """All exercises and predictions by id, in the order of the course.
 
     Returns
