@@ -119,7 +119,7 @@ def test_a_wheel_holds_all_it_needs(tmp_path):
         check=True,
         capture_output=True,
     )
-    names = zipfile.ZipFile(next(tmp_path.glob("dhlab-*.whl"))).namelist()
+    names = zipfile.ZipFile(next(tmp_path.glob("*.whl"))).namelist()
     for wanted in (
         "dhlab/robots/ur5e.yaml",
         "dhlab/robots/files/ur5e.urdf",
@@ -127,6 +127,7 @@ def test_a_wheel_holds_all_it_needs(tmp_path):
         "dhlab/doctor/catalogue.yaml",
         "dhlab/lessons/01-frames.ipynb",
         "dhlab/lessons/glossary.md",
+        "dhlab/course/discussion.yaml",
         "dhlab/course/exercises/lesson05.py",
     ):
         assert wanted in names, wanted
