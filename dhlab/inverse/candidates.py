@@ -20,6 +20,7 @@ from .search import SHARP, arm_length, search
 
 __all__ = ["Candidates", "by_closed_form", "by_search", "form_for", "needs_preparation"]
 
+NOTHING = 1e-9  # rad, m
 MEMBERS = 8  # of families that a search ran into: more are hardly of another one
 SAMPLES = 8  # of the solutions of an arm with joints to spare, when none is held
 
@@ -67,6 +68,9 @@ def needs_preparation(arm: Arm) -> bool:
 
 
 def _any_form(arm, hold):
+    coupled = arm.coupling is not None
+    if coupled and any((arm.coupling[joint] != np.eye(len(arm))[joint]).any() for joint in hold):
+        return None  # what the controller holds is no joint's own angle
     at = np.zeros(len(arm))
     at[list(hold)] = list(hold.values())
     v = variables(arm, at)
@@ -109,12 +113,11 @@ def _sorted_out(question, q, hold, method, complete, found=None):
     """Verified, one of each, one of each family, in order, and kept to the limits."""
     arm, T, tolerance = question.arm, question.T, question.tolerance
     free = free_joints(arm, hold)
-    q, families = _families(question, _verified(question, q, free), free)
+    q = _turned(question, _verified(question, q, free), hold)
+    q, families = _families(question, q, free)
     q, members = merged(arm, q, T, tolerance)
     families = [families[same[0]] for same in members]
-    q = nearest_by_turns(arm, q, question.reference)
-    if arm.limits:
-        q = inside_by_turns(arm, q)
+    q = _turned(question, q, hold)
     order = np.argsort(np.abs(q - question.reference).max(axis=1), kind="stable")
     if free.sum() > 6:
         order = order[:SAMPLES]
@@ -128,6 +131,18 @@ def _sorted_out(question, q, hold, method, complete, found=None):
         complete,
         None if found is None else found.nearest,
     )
+
+
+def _turned(question, q, hold):
+    """Whole turns taken off or added: near the reference, and within the limits where that can be;
+    what is held stays (of coupled joints, another one's turn may move it).
+    """
+    turned = nearest_by_turns(question.arm, q, question.reference)
+    if question.arm.limits:
+        turned = inside_by_turns(question.arm, turned)
+    held = list(hold)
+    moved = np.abs(turned[:, held] - q[:, held]).max(axis=1, initial=0.0) > NOTHING
+    return np.where(moved[:, None], q, turned)
 
 
 def _families(question, q, free):

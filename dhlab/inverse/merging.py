@@ -30,7 +30,7 @@ def merged(
     Returns
     -------
     q : array (j, n)
-        Joints brought to within half a turn of 0; the first met comes first.
+        The first one met of each, in the order in which they were met.
     members : list of (j) arrays
         Indices into ``q``.
 
@@ -46,7 +46,7 @@ def merged(
     >>> merged(arm, [q, q + 2 * np.pi, q + 1e-9], arm.forward(q), 1e-9)[1]
     [array([0, 1, 2])]
     """
-    q = nearest_by_turns(arm, np.reshape(q, (-1, len(arm))), np.zeros(len(arm)))
+    q = np.reshape(q, (-1, len(arm)))
     if _clearly_apart(arm, q):
         return q, [np.array([k]) for k in range(len(q))]
     kept, members, left = [], [], np.arange(len(q))

@@ -304,3 +304,32 @@ def test_closed_form_is_refused_where_there_is_none():
     arm = dh.load("cobra600")
     with pytest.raises(ValueError, match="no closed form"):
         arm.solve(arm.forward([0, 0.1, 0.1, 0]) @ rot_x(0.0), method="closed form")
+
+
+FANUC = np.eye(6)
+FANUC[2, 1] = -1  # joint 3 is counted against the floor: motor 2 turns it back
+
+
+@pytest.mark.parametrize("method", [None, "search"])
+def test_coupled_joints_on_the_way_back(method):
+    arm = dh.load("kr6_r700")
+    coupled = dh.Arm(arm.table, tool=arm.tool, sign=arm.sign, limits=arm.limits, coupling=FANUC)
+    q = np.deg2rad([20, -60, 40, 10, 50, -30])
+    T = arm.base @ exponential_pose(arm.table, FANUC @ (arm.sign * q)) @ arm.tool
+    answer = coupled.solve(T, method=method)
+    assert among(coupled, q, answer)
+    assert len(answer) == len(arm.solve(T, method=method))
+    assert all(np.abs(coupled.forward(row) - T).max() < 1e-9 for row in answer)
+    assert among(coupled, q, coupled.solve(T, method=method, limits=True))
+
+
+def test_a_coupled_joint_can_be_held_too():
+    arm = dh.load("iiwa14")
+    C = np.eye(7)
+    C[2, 1] = 0.5
+    coupled = dh.Arm(arm.table, tool=arm.tool, coupling=C)
+    q = np.array([0.1, 0.2, 0.3, -1.4, 0.5, 0.6, 0.7])
+    for joint in (3, 1):
+        answer = coupled.solve(coupled.forward(q), redundancy={joint: q[joint - 1]})
+        assert among(coupled, q, answer)
+        assert np.allclose(answer.q[:, joint - 1], q[joint - 1])

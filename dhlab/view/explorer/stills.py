@@ -25,7 +25,7 @@ from .placing import Placing
 __all__ = ["arm", "branches", "conventions", "link", "measured", "two", "place"]
 
 SECOND = "#916008"
-OTHERS = "#a9b0b8"
+OTHERS = "#c9ced4"
 
 
 def arm(arm: Arm, q: NDArray[np.float64]) -> Picture:
@@ -39,13 +39,13 @@ def branches(arm: Arm, qs: NDArray[np.float64]) -> Picture:
     chains, ends = arm.frames(qs), arm.forward(qs)
     for k in reversed(range(last)):
         path = dh_path(arm.table.convention, chains[k])
-        _add_line(scene, path, ends[k], LINK if k == 0 else OTHERS, "1" if k == 0 else "")
+        _add_line(scene, path, ends[k], SECOND if k == 0 else OTHERS, "1" if k == 0 else "")
     add_triads(scene, ends[:1], ["1"], 0.12 * spread(scene.points()), titles=[""], subscripts=False)
     camera = orbit()
     add_floor(scene, camera, floor_height(scene.points()))
     first = words.configuration(arm.table.joints, qs[0])
     return Picture(
-        compose([View(scene, camera)], f"{arm.name or 'Arm'}: {last} ways to one pose"),
+        compose([View(scene, camera)], f"{arm.name or 'Arm'}: {last} ways to one pose, one in gold"),
         f"An arm in {last} configurations, drawn over each other as lines, with its end at"
         f" {words.place(ends[0, :3, 3])} in the first of them, q = {first}.",
         ("solution", *(f"q{i + 1}" for i in range(len(arm)))),

@@ -1,6 +1,6 @@
 // Mode "branches": every configuration that brings the end to one pose; the chosen one in full, the others faint.
 
-import { drawBody, drawTriads, legend, named } from "../bodies.js";
+import { drawBody, drawTriads, named } from "../bodies.js";
 import { stepper, toggle } from "../controls.js";
 import { Table, h, write } from "../dom.js";
 import { amount, place } from "../format.js";
@@ -23,7 +23,7 @@ export function branchesMode(host, redraw) {
     redraw();
   })];
   mode.readout = endReadout();
-  mode.controls = [steps.element, words, legend(["plain", "chosen"], ["ghost", "the others"])];
+  mode.controls = [steps.element, words, h("p", { class: "hint" }, "The solution shown is solid, the others are faint.")];
   mode.below = [h("div", { class: "pair" }, table.element, dh.element)];
   mode.frames = frameTable.element;
   changed();
