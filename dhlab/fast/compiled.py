@@ -103,8 +103,9 @@ class Compiled:
         starts = range(0, len(q), PART)
         parts = [(q[start : start + PART], out[start : start + PART]) for start in starts]
         if len(parts) == 1 or cores() == 1:
-            return all([self._part(*part) for part in parts])
-        return all(list(threads().map(lambda part: self._part(*part), parts)))
+            return all(self._part(*part) for part in parts)
+        good = list(threads().map(lambda part: self._part(*part), parts))
+        return all(good)
 
     def _part(self, q, out):
         """A part of a batch, doubles in one stretch of memory both in and out."""

@@ -1,13 +1,16 @@
 """Whether ``q`` and ``out`` are what they should be, at next to no cost when they are."""
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 __all__ = ["as_numbers", "require_finite", "result_for"]
 
 UNIT = "radians, metres for a prismatic joint"
 
 
-def as_numbers(q, n, name):
+def as_numbers(q: Any, n: int, name: str) -> NDArray:
     """``q`` as an array (..., n) of real numbers, or a sentence; ``name`` is the arm's."""
     try:
         array = np.asarray(q)
@@ -27,14 +30,14 @@ def as_numbers(q, n, name):
     return array
 
 
-def require_finite(q):
+def require_finite(q: NDArray) -> None:
     """A sentence that names the joint where ``q`` (..., n) is NaN or infinite."""
     if not np.isfinite(q).all():
         joint = np.argwhere(~np.isfinite(q))[0][-1] + 1
         raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({UNIT})")
 
 
-def result_for(q, shape, out):
+def result_for(q: NDArray, shape: tuple[int, ...], out: Any) -> NDArray:
     """An array (..., *shape) to write the results of ``q`` (..., n) to: ``out``, or a new one, of
     single precision when ``q`` is.
     """

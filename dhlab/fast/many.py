@@ -20,8 +20,12 @@ Where rows are stored, 0.0 is added instead of copying them: that costs the same
 prints badly, becomes 0.0.
 """
 
-import numpy as np
+from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from .chain import Chain, Step
 from .inputs import require_finite
 from .walk import along_the_joints, frame_by_frame, to_the_end
 
@@ -31,7 +35,7 @@ CACHE = 1 << 21  # bytes; half of a usual L2 cache
 LINE = 8  # doubles in a line of the cache
 
 
-def forward(chain, q, out):
+def forward(chain: Chain, q: NDArray, out: NDArray) -> bool:
     """End poses of ``q`` (m, n) into ``out`` (m, 4, 4)."""
     block = _poses(chain, q, 1)[0]
     for part, result, rows in _chunks(q, out, block):
@@ -41,7 +45,7 @@ def forward(chain, q, out):
     return True
 
 
-def frames(chain, q, out):
+def frames(chain: Chain, q: NDArray, out: NDArray) -> bool:
     """Every frame of ``q`` (m, n) into ``out`` (m, n + 1, 4, 4)."""
     block = _poses(chain, q, len(chain) + 1)
     for part, result, rows in _chunks(q, out, block):
@@ -52,7 +56,7 @@ def frames(chain, q, out):
     return True
 
 
-def jacobian(chain, q, out):
+def jacobian(chain: Chain, q: NDArray, out: NDArray) -> bool:
     """Jacobians of ``q`` (m, n) into ``out`` (m, 6, n): column i is z × (end - p) over z, or z over
     0 where the joint slides.
     """
@@ -81,7 +85,7 @@ class Frames:
     (of one number for all, as long as they are the same). The moves are those of ``walk.py``.
     """
 
-    def __init__(self, chain, q, joined):
+    def __init__(self, chain: Chain, q: NDArray, joined: bool) -> None:
         x, y, self.z, self._p = chain.base[:3].T[..., None]
         self.w = x + 1j * y
         self.lengths, half = _variables(chain, q)
@@ -92,7 +96,7 @@ class Frames:
         self.chain, self.turns, self.laid = chain, False, None
 
     @property
-    def p(self):
+    def p(self) -> NDArray:
         """The origin. What was laid out in the plane is added first: x·cos + y·sin is the real part
         of w·exp(-i·angle).
         """
@@ -101,18 +105,18 @@ class Frames:
             self.laid = None
         return self._p
 
-    def enter(self, i):
+    def enter(self, i: int) -> None:
         self.i, d = i, self.lengths[i]
         self.turns = self.turns or not self.chain.slides[i] or self.chain.theta[i] != 0
         if np.ndim(d) or d:
             self._p = self._p + self.z * d
 
-    def lay(self, a):
+    def lay(self, a: float) -> None:
         if a:
             step = self.phases[self.i] * a
             self.laid = step if self.laid is None else self.laid + step
 
-    def turn(self, a):
+    def turn(self, a: float) -> None:
         if self.laid is not None and a:
             self.lay(a)
             a = 0.0
@@ -122,11 +126,11 @@ class Frames:
         self.turns, self._p = False, p
         self.go(a)
 
-    def go(self, a):
+    def go(self, a: float) -> None:
         if a:
             self._p = self._p + self.w.real * a
 
-    def tilt(self, step):
+    def tilt(self, step: Step) -> None:
         y, z = self.w.imag, self.z
         if step.parallel:
             return
@@ -137,15 +141,16 @@ class Frames:
             self.z = z * step.c - y * step.s
             self.w.imag = y * step.c + z * step.s
 
-    def point(self, xyz):
+    def point(self, xyz: Any) -> NDArray:
+        """A point of the frame."""
         return _sum(zip((1.0, *xyz), (self.p, self.w.real, self.w.imag, self.z)))
 
-    def hold(self, rows):
+    def hold(self, rows: NDArray) -> None:
         """This frame into ``rows`` (4, 4, m)."""
         for k, column in enumerate((self.w.real, self.w.imag, self.z, self.p)):
             np.add(column, 0.0, out=rows[:3, k])
 
-    def behind(self, pose, rows):
+    def behind(self, pose: NDArray, rows: NDArray) -> None:
         """This frame moved by a constant pose into ``rows`` (4, 4, m)."""
         axes, columns = (self.w.real, self.w.imag, self.z), pose[:3].T.tolist()
         for k in range(3):
@@ -179,7 +184,7 @@ def _variables(chain, q):
     return lengths, rows
 
 
-def phases(half):
+def phases(half: NDArray) -> NDArray[np.complex128]:
     """exp(2i·half) of an array of half angles.
 
     Near 180° t is huge, r nearly 0, and t·r = 2 / t as exact as anywhere.

@@ -7,7 +7,10 @@ order, so that both give the same bits.
 """
 
 import math
+from collections.abc import Iterable, Sequence
+from typing import Any
 
+from .chain import Chain, Step
 from .walk import along_the_joints, frame_by_frame, to_the_end
 
 __all__ = ["Floats", "Frame", "forward", "frames", "jacobian"]
@@ -28,12 +31,12 @@ class Floats:
         return value
 
 
-def forward(chain, q, numbers=Floats):
+def forward(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
     """The end pose of ``q`` (n numbers): 16 numbers."""
     return to_the_end(chain, Frame(chain, q, numbers)).behind(chain.end.tolist())
 
 
-def frames(chain, q, numbers=Floats):
+def frames(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
     """Every frame: (n + 1)·16 numbers."""
     frame, found = Frame(chain, q, numbers), []
     for _ in frame_by_frame(chain, frame):
@@ -41,7 +44,7 @@ def frames(chain, q, numbers=Floats):
     return found
 
 
-def jacobian(chain, q, numbers=Floats):
+def jacobian(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
     """The Jacobian at the end point, 6·n numbers: column i is z × (end - p) over z, or z over 0
     where the joint slides; by the chain rule they are added up per unit of what is counted.
     """
@@ -63,7 +66,7 @@ class Frame:
     ``walk.py``.
     """
 
-    def __init__(self, chain, q, numbers):
+    def __init__(self, chain: Chain, q: Sequence, numbers: Any) -> None:
         self.x, self.y, self.z, self._p = zip(*chain.base[:3].tolist())
         self.numbers = numbers
         rates = chain.rates.tolist()
@@ -76,27 +79,28 @@ class Frame:
         self.variables = [
             (theta, m + d) if slides else (m + theta, d) for m, theta, d, slides in zeros
         ]
-        self.angle, self.laid = 0.0, None
+        self.angle: Any = 0.0
+        self.laid: list | None = None
 
     @property
-    def p(self):
+    def p(self) -> tuple:
         """The origin; what was laid out in the plane of x and y is added first."""
         if self.laid is not None:
             self._p = self._shifted(self._kept(self.laid), (self.x, self.y))
             self.laid = None
         return self._p
 
-    def enter(self, i):
+    def enter(self, i: int) -> None:
         theta, d = self.variables[i]
         self.angle = self.numbers.keep(self.angle + theta)
         self._p = self._shifted((d,), (self.z,))
 
-    def lay(self, a):
+    def lay(self, a: float) -> None:
         if a:
             step = [a * part for part in self._direction()]
             self.laid = step if self.laid is None else [i + j for i, j in zip(self.laid, step)]
 
-    def turn(self, a):
+    def turn(self, a: float) -> None:
         if self.laid is not None:
             self.lay(a)
             a = 0.0
@@ -107,29 +111,29 @@ class Frame:
         self.angle = 0.0
         self.go(a)
 
-    def go(self, a):
+    def go(self, a: float) -> None:
         self._p = self._shifted((a,), (self.x,))
 
-    def tilt(self, step):
+    def tilt(self, step: Step) -> None:
         pairs = list(zip(self.y, self.z))
         self.y = self._kept(j * step.c + k * step.s for j, k in pairs)
         self.z = self._kept(k * step.c - j * step.s for j, k in pairs)
 
-    def point(self, xyz):
+    def point(self, xyz: Sequence[float]) -> tuple:
         """A point of this frame in the world."""
         self._p = self.p
         return self._shifted(xyz, (self.x, self.y, self.z))
 
-    def rows(self):
+    def rows(self) -> list:
         """This frame as 16 numbers."""
         rows = zip(self.x, self.y, self.z, self.p)
         return [number for row in rows for number in row] + LAST_ROW
 
-    def behind(self, pose):
+    def behind(self, pose: Sequence[Sequence[float]]) -> list:
         """This frame moved by a constant pose, as 16 numbers."""
         axes = list(zip(self.x, self.y, self.z))
-        columns = [[weighed(column[:3], axis) for axis in axes] for column in zip(*pose)]
-        columns[3] = self.point([row[3] for row in pose])
+        turned = [[weighed(column[:3], axis) for axis in axes] for column in list(zip(*pose))[:3]]
+        columns = *turned, self.point([row[3] for row in pose])
         return [number for row in zip(*columns) for number in row] + LAST_ROW
 
     def _direction(self):
@@ -145,7 +149,7 @@ class Frame:
         return tuple(self.numbers.keep(value) for value in values)
 
 
-def weighed(weights, terms):
+def weighed(weights: Iterable[float], terms: Iterable) -> Any:
     """The sum of weight · term."""
     total = 0.0
     for weight, term in zip(weights, terms):

@@ -11,16 +11,20 @@ neither loops nor zeros, and no call but cos and sin. For the first joints of an
 """
 
 import math
+from collections.abc import Callable
 from struct import Struct
+from typing import Any
 
 import numpy as np
+
+from .chain import Chain
 
 __all__ = ["straight"]
 
 SUM, PRODUCT, ATOM = range(3)  # what an expression is, and so how tightly it holds together
 
 
-def straight(kinematics, chain, shape):
+def straight(kinematics: Callable, chain: Chain, shape: tuple[int, ...]) -> Callable:
     """The straight-line form of ``one.forward``, ``one.frames`` or ``one.jacobian`` for one chain.
 
     Parameters
@@ -47,7 +51,7 @@ def straight(kinematics, chain, shape):
     ]
     source = "def kinematics(q):\n    " + "\n    ".join(lines)
     pack = Struct(f"{math.prod(shape)}d").pack_into
-    scope = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
+    scope: dict[str, Any] = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
     exec(source, scope)  # it holds numbers and the names above only
     return scope["kinematics"]
 

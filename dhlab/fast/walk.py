@@ -19,10 +19,28 @@ The moves of a frame:
 ============  ==================================================================================
 """
 
+from collections.abc import Iterator
+from typing import Protocol, TypeVar
+
+from .chain import Chain, Step
+
 __all__ = ["along_the_joints", "frame_by_frame", "to_the_end"]
 
 
-def along_the_joints(chain, frame):
+class Frame(Protocol):
+    """What is carried along."""
+
+    def enter(self, i: int) -> None: ...
+    def lay(self, a: float) -> None: ...
+    def turn(self, a: float) -> None: ...
+    def go(self, a: float) -> None: ...
+    def tilt(self, step: Step) -> None: ...
+
+
+AnyFrame = TypeVar("AnyFrame", bound=Frame)
+
+
+def along_the_joints(chain: Chain, frame: Frame) -> Iterator[int]:
     """Carry the frame through all joints: a generator that stops at each, when z is the joint's
     axis and p a point of it. Behind the last joint only ``chain.end`` is missing.
     """
@@ -41,14 +59,14 @@ def along_the_joints(chain, frame):
             frame.tilt(step)
 
 
-def to_the_end(chain, frame):
+def to_the_end(chain: Chain, frame: AnyFrame) -> AnyFrame:
     """Carry the frame through all joints; returns it."""
     for _ in along_the_joints(chain, frame):
         pass
     return frame
 
 
-def frame_by_frame(chain, frame):
+def frame_by_frame(chain: Chain, frame: Frame) -> Iterator[int]:
     """A generator that stops at every frame of the table, frame 0 first; here every joint is turned
     by itself, since its frame is asked for.
     """
