@@ -30,6 +30,7 @@ PAGES = [
     "doctor",
     "explorer",
     "generate",
+    "inverse",
     "teaching",
     "add-an-exercise",
     "conventions",
