@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import checked_coupling, checked_limits, checked_signs
+from . import kinematics
+from .checks import checked_coupling, checked_limits, checked_ranges, checked_signs
 from .fast.inputs import as_numbers, require_finite
 from .fast.paths import Kinematics
 from .fast.plain import Plain
@@ -348,6 +349,64 @@ class Arm:
         array([ 0. ,  0. , -0.5,  0. ,  0. ,  0. ])
         """
         return self._kinematics.plain.joint_values(self._checked(q))
+
+    def workspace(self, n: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
+        """Where the end can be: its positions at joint values drawn at random, each evenly from its
+        limits; ``view.workspace`` draws them.
+
+        Parameters
+        ----------
+        n : int
+            How many.
+        seed : int
+            The same seed draws the same joint values.
+
+        Returns
+        -------
+        array (n, 3)
+            Metres, in the frame that :meth:`forward` uses. A turning joint without limits is drawn
+            from a whole turn, -180° to 180°.
+
+        Raises
+        ------
+        ValueError
+            A number that is none, or a sliding joint without limits.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> points = dh.load("ur5e").workspace(20_000)
+        >>> points.shape, float(np.linalg.norm(points - [0, 0, 0.1625], axis=1).max().round(2))
+        ((20000, 3), 0.97)
+        """
+        low, high = checked_ranges(self.limits, self.table.joints, n, "workspace")
+        q = np.random.default_rng(seed).uniform(low, high, (n, len(self)))
+        return self.forward(q)[:, :3, 3].copy()
+
+    def manipulability(self, q: ArrayLike) -> NDArray[np.float64]:
+        """How far the end is from a singular pose, where it is 0: the square root of det(J Jᵀ).
+
+        Parameters
+        ----------
+        q : array (..., n)
+            Radians or metres.
+
+        Returns
+        -------
+        array (...)
+            See :func:`dhlab.kinematics.manipulability`. It mixes metres and radians, so compare it
+            within one arm only.
+
+        Examples
+        --------
+        >>> import dhlab as dh
+        >>> arm = dh.load("ur5e")
+        >>> float(arm.manipulability([0, -1.5, 1.5, 0, 1.5, 0]).round(4))
+        0.07
+        >>> bool(arm.manipulability([0, -1.5, 0, 0, 1.5, 0]) < 1e-12)  # the elbow is stretched
+        True
+        """
+        return kinematics.manipulability(self.jacobian(q))
 
     def within_limits(self, q: ArrayLike) -> NDArray[np.bool_]:
         """Which joints are inside their stated limits: booleans of the shape of ``q``; a joint

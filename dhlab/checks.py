@@ -16,6 +16,7 @@ __all__ = [
     "checked_signs",
     "checked_coupling",
     "checked_limits",
+    "checked_ranges",
 ]
 
 COLUMNS = ("theta", "d", "a", "alpha")
@@ -157,3 +158,24 @@ def _pair(pair, i):
             f" found {pair!r}; None for a joint without limits"
         )
     return low, high
+
+
+def checked_ranges(
+    limits: Sequence[tuple[float, float] | None] | None, joints: str, count: int, where: str
+) -> NDArray[np.float64]:
+    """Lowest and highest value of every joint (2, n), a whole turn where none are stated; a
+    sentence where a joint slides without limits, or ``count`` is no number of samples.
+    """
+    if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
+        raise ValueError(
+            f"{where}: n: expected how many samples, a whole number from 1, found {count!r}"
+        )
+    pairs = list(limits or [None] * len(joints))
+    for i, (pair, letter) in enumerate(zip(pairs, joints), 1):
+        if pair is None and letter == "P":
+            raise ValueError(
+                f"{where}: joint {i} slides and states no limits, so how far it goes is not known;"
+                " give the arm limits"
+            )
+        pairs[i - 1] = pair or (-np.pi, np.pi)
+    return np.array(pairs, dtype=float).T

@@ -8,7 +8,7 @@ These functions take plain arrays that have been checked before (by ``Arm``); th
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["link_matrices", "frames", "jacobian"]
+__all__ = ["link_matrices", "frames", "jacobian", "manipulability"]
 
 
 def link_matrices(
@@ -118,3 +118,28 @@ def jacobian(
     J[..., :3, :] = np.swapaxes(np.where(slides, z, np.cross(z, lever)), -1, -2)
     J[..., 3:, :] = np.swapaxes(np.where(slides, 0.0, z), -1, -2)
     return J
+
+
+def manipulability(J: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far an end is from a pose in which it cannot move some way (Yoshikawa, Manipulability of
+    Robotic Mechanisms, Int. J. Robotics Research 4(2), 1985).
+
+    Parameters
+    ----------
+    J : array (..., 6, n)
+        Jacobians.
+
+    Returns
+    -------
+    array (...)
+        The square root of det(J Jᵀ), which is the product of the singular values of J, the volume
+        that unit joint speeds span; of an arm with fewer than six joints, of its n singular values.
+
+    Examples
+    --------
+    >>> J = np.zeros((6, 2))
+    >>> J[:2] = [[0, -1], [2, 1]]  # a planar arm, stretched half way
+    >>> manipulability(J).round(6)
+    np.float64(2.0)
+    """
+    return np.linalg.svd(J, compute_uv=False).prod(axis=-1)

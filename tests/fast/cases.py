@@ -56,3 +56,12 @@ def judged_jacobian(arm, q):
         v = (after[:3, 3] - before[:3, 3]) / (2 * h)
         columns.append([*v, spin[2, 1], spin[0, 2], spin[1, 0]])
     return np.array(columns).T
+
+
+def fanuc():
+    """Where motor 2 carries the linkage of joint 3 along: theta3 = q3 - q2."""
+    coupling = np.eye(6)
+    coupling[2, 1] = -1
+    arm = dh.load("article-6r")
+    limits = [(-2.0, 2.0)] * 6
+    return dh.Arm(arm.table, coupling=coupling, limits=limits, name="parallelogram")

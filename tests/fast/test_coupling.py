@@ -4,7 +4,7 @@ import pickle
 
 import numpy as np
 import pytest
-from cases import arms, judged_pose
+from cases import arms, fanuc, judged_pose
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -15,15 +15,6 @@ from dhlab.grading.inside.wire import decode, encode
 
 coupled_arms = arms(largest=6, coupled=st.just(True))
 seeds = st.integers(0, 2**32 - 1)
-
-
-def fanuc():
-    """Where motor 2 carries the linkage of joint 3 along: theta3 = q3 - q2."""
-    coupling = np.eye(6)
-    coupling[2, 1] = -1
-    arm = dh.load("article-6r")
-    limits = [(-2.0, 2.0)] * 6
-    return dh.Arm(arm.table, coupling=coupling, limits=limits, name="parallelogram")
 
 
 def test_joint_angles_are_coupling_times_what_is_counted():

@@ -13,7 +13,7 @@ __all__ = ["Numbers", "arm_data", "pose_data"]
 
 def arm_data(arm: Arm) -> dict[str, Any]:
     """An arm as JSON: radians and metres, matrices row by row."""
-    return {
+    data = {
         "name": arm.name,
         "convention": arm.table.convention,
         "joints": arm.table.joints,
@@ -21,9 +21,11 @@ def arm_data(arm: Arm) -> dict[str, Any]:
         "base": pose_data(arm.base),
         "tool": pose_data(arm.tool),
         "sign": arm.sign.tolist(),
-        "coupling": None if arm.coupling is None else arm.coupling.tolist(),
         "limits": None if arm.limits is None else [pair and list(pair) for pair in arm.limits],
     }
+    if arm.coupling is not None:  # a page says nothing of what is not there
+        data["coupling"] = arm.coupling.tolist()
+    return data
 
 
 def pose_data(T: ArrayLike) -> list[float]:
