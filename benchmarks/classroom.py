@@ -142,9 +142,8 @@ def _programs(exercise):
     """
     if exercise.family == "rot_x":
         return [ROT_X], list(WRONG_ROT_X.items())
-    texts = [
-        text for kind, text in RIGHT if kind == exercise.family and "float32" not in text
-    ]  # the checks ask for more digits than these have
+    # the checks ask for more digits than these have
+    texts = [text for kind, text in RIGHT if kind == exercise.family and "float32" not in text]
     return (
         (
             texts,
@@ -371,9 +370,10 @@ def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1):
     """
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    # the same class every time
     (folder / "teacher.key").write_text(
         hashlib.sha256(f"class {seed}".encode()).hexdigest() + "\n", encoding="utf-8"
-    )  # the same class every time
+    )
     key, _ = key_of(folder / "teacher.key", folder / "handed-out")
     everybody = roster(size)
     due = (datetime.now(UTC) - timedelta(days=1.2)).isoformat(timespec="seconds")

@@ -48,10 +48,8 @@ def drawn_faults(arm, rng):
     )
 
 
-ALIKE = {
-    "offset-value": "offset-missing",
-    "alpha-value": "alpha-sign",
-}  # the same entry and the same repair: whether the number has a reason decides the word
+# the same entry and the same repair: whether the number has a reason decides the word
+ALIKE = {"offset-value": "offset-missing", "alpha-value": "alpha-sign"}
 
 
 def measure(arm, rng, m, noise, positions=False, free=False):

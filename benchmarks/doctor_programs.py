@@ -83,9 +83,8 @@ def count(name, programs, times):
 
 
 def main():
-    functions.diagnose_function(
-        lambda theta, d, a, alpha: np.eye(4), "dh_transform"
-    )  # what is computed once is computed now
+    # what is computed once is computed now
+    functions.diagnose_function(lambda theta, d, a, alpha: np.eye(4), "dh_transform")
     times = []
     count("corpus", WRONG, times)
     count("unseen", UNSEEN, times)

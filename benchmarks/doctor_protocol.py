@@ -1,7 +1,7 @@
 """The tape-measure protocol: the end points at the eight poses it chooses, 4 mm noise, one mistake
 at a time, as a Markdown table.
 
-    python benchmarks/doctor_protocol.py                                   # every arm (about half an hour)
+    python benchmarks/doctor_protocol.py    # every arm (about half an hour)
     python benchmarks/doctor_protocol.py --arms ur5e,panda --every 5
 
 The poses are chosen with the wrong table, as its owner would. A mistake is visible when it moves

@@ -1,8 +1,10 @@
 """Grading against nbgrader and otter-grader: the same 20 submissions of lesson 05 in one run;
 seconds each, peak memory, the marks that come out.
 
-    python benchmarks/grading.py                 # ours, nbgrader, otter (which is installed into a temporary environment)
-    python benchmarks/grading.py --many 1000     # ours alone, on that many submissions with two jobs
+    python benchmarks/grading.py                # ours, nbgrader, otter
+    python benchmarks/grading.py --many 1000    # ours alone, on so many submissions with two jobs
+
+Otter is installed into a temporary environment.
 
 "Each" is the time of 20 less the time of 1 (the best of three), divided by 19: what one more
 submission costs once everything runs; "whole" is all 20. Memory is the largest sum of what the
@@ -108,10 +110,8 @@ def _children(process):
 def timed(grader, many, one):
     """(seconds each, seconds in all, MB, marks) of a grader on many submissions and on one."""
     watched, singles = Watched(), []
-    for _ in range(
-        3
-        # the first is slow for reasons of its own: files not yet in memory, modules not yet compiled
-    ):
+    for _ in range(3):
+        # the first is slow for reasons of its own: files not in memory, modules not compiled yet
         begun = time.perf_counter()
         grader(one, Watched())
         singles.append(time.perf_counter() - begun)

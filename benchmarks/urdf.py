@@ -26,15 +26,9 @@ FOLDERS = {
     "rtb-data 2.0.0": PACKAGES / "rtbdata/xacro",
     "pybullet 3.2.7": PACKAGES / "pybullet_data",
 }
-NO_ROBOTS = (
-    "random_urdfs",
-    "objects",
-    "lego",
-    "domino",
-    "jenga",
-    "table",
-    "testdata",
-)  # of pybullet_data
+# of pybullet_data
+NO_ROBOTS = ("random_urdfs", "objects", "lego", "domino", "jenga", "table", "testdata")
+# by PyBullet too
 ARMS = {
     "franka_panda/panda.urdf": "panda_link8",
     "kuka_iiwa/model.urdf": None,
@@ -46,7 +40,7 @@ ARMS = {
     "kr6r700sixx.xacro": "tool0",
     "kinova_description/robots/kinova.urdf": None,
     "abb_irb140_description/urdf/irb140.urdf": None,
-}  # by PyBullet too
+}
 
 
 def files(work):

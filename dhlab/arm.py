@@ -235,7 +235,7 @@ class Arm:
         redundancy: Any = None,
         tolerance: float = 1e-9,
         method: str | None = None,
-    ) -> Solutions | Any:  # a list of them for many poses, which no annotation can tell
+    ) -> Solutions | Any:
         """The configurations that bring the end to a pose: the way back from :meth:`forward`.
 
         Parameters

@@ -23,9 +23,8 @@ def pose_error(T, U):
     """Largest distance (m) and angle (rad) between two batches of poses."""
     D = inverse(T) @ U
     R = D[..., :3, :3]
-    chord = np.linalg.norm(R - np.eye(3), axis=(-2, -1)) / np.sqrt(
-        8
-    )  # sin(angle / 2), exact for small angles
+    # sin(angle / 2), exact for small angles
+    chord = np.linalg.norm(R - np.eye(3), axis=(-2, -1)) / np.sqrt(8)
     return (
         np.linalg.norm(T[..., :3, 3] - U[..., :3, 3], axis=-1).max(),
         2 * np.arcsin(np.clip(chord, 0, 1)).max(),
@@ -281,10 +280,8 @@ def sampled_difference(a, b, rng, base="fixed", tool="fixed", count=12):
     """
     q = rng.uniform(-2, 2, (count, len(a)))
     T, U = a.forward(q), b.forward(q)
-    if (base, tool) == (
-        "free",
-        "free",
-    ):  # T_b = X T_a Y: what conjugation by X cannot change of T(q) T(q')^-1
+    if (base, tool) == ("free", "free"):
+        # T_b = X T_a Y: what conjugation by X cannot change of T(q) T(q')^-1
         V, W = T @ inverse(T[0]), U @ inverse(U[0])
         V, W = (np.concatenate([m, m[1:] @ inverse(m[:-1])]) for m in (V, W))
         return np.abs(_invariants(V) - _invariants(W)).max()

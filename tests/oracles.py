@@ -144,11 +144,8 @@ def fit_base_and_tool(model, judged):
         rows.append(H[:3, :3] - np.eye(3))
         right.append(B[:3, :3] @ G[:3, 3] - H[:3, 3])
     B[:3, 3] = np.linalg.lstsq(np.vstack(rows), np.hstack(right), rcond=1e-9)[0]
-    for _ in range(
-        50
-        # average over all poses, in turns, so that no single pose carries the noise of the published
-        # numbers
-    ):
+    for _ in range(50):
+        # average over all poses, in turns, so that no pose carries the noise of published numbers
         E = _mean(np.linalg.inv(B @ model) @ judged)
         B = _mean(judged @ np.linalg.inv(model @ E))
     return B, E

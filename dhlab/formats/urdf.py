@@ -155,9 +155,9 @@ def to_urdf(arm: Arm, path: str | Path | None = None, *, overwrite: bool = False
         )
     if arm.coupling is not None:
         raise ValueError(
-            "to_urdf: expected an arm whose joints move one by one, found coupled joints, which URDF"
-            " cannot express (its mimic follows one joint, and has no variable of its own); write"
-            " the arm without its coupling and move it by arm.joint_values(q)"
+            "to_urdf: expected an arm whose joints move one by one, found coupled joints, which"
+            " URDF cannot express (its mimic follows one joint, and has no variable of its own);"
+            " write the arm without its coupling and move it by arm.joint_values(q)"
         )
     robot = ElementTree.Element(
         "robot", name=" ".join(re.sub(r"[^\w\s!-~]", " ", arm.name).split()) or "arm"

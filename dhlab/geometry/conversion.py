@@ -106,7 +106,8 @@ def require_uncoupled(arm: Arm, where: str) -> None:
     >>> require_uncoupled(Arm(table, coupling=np.eye(6) + np.eye(6, k=1)), "diagnose")
     Traceback (most recent call last):
     ...
-    ValueError: diagnose: expected an arm whose joints move one by one, found coupled joints; give the arm without its coupling and sign, and arm.joint_values(q) in place of q
+    ValueError: diagnose: expected an arm whose joints move one by one, found coupled joints; give
+    the arm without its coupling and sign, and arm.joint_values(q) in place of q
     """
     if arm.coupling is not None:
         raise ValueError(

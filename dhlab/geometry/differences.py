@@ -45,9 +45,9 @@ class Equivalence:
     ``differences`` are the free choices (:class:`dhlab.geometry.freechoices.FreeChoice`) that
     separate two equivalent tables. Otherwise ``joint`` is the first joint (1-based) whose axis
     truly differs, None when only the end or the number of joints does; ``angle`` (rad) and
-    ``distance`` (m) say by how much; ``reason`` is "count", "type", "coupling", "sense", "axis" or "end".
-    ``zeros`` says which joint zeros and counting directions would make table a the arm of table b,
-    where that is all that separates them (:class:`dhlab.geometry.zeros.Rezeroed`).
+    ``distance`` (m) say by how much; ``reason`` is "count", "type", "coupling", "sense", "axis" or
+    "end". ``zeros`` says which joint zeros and counting directions would make table a the arm of
+    table b, where that is all that separates them (:class:`dhlab.geometry.zeros.Rezeroed`).
     """
 
     equal: bool

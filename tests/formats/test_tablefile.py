@@ -196,8 +196,10 @@ def test_bad_yaml_is_one_plain_sentence(tmp_path, case):
 
 
 CSV = (
-    "# convention:"
-    " craig\ntheta_deg,d_mm,a_mm,alpha_deg,type,sign\n90,100,0,0,revolute,-1\n0,5,1e2,-90,prismatic,1\n"
+    "# convention: craig\n"
+    "theta_deg,d_mm,a_mm,alpha_deg,type,sign\n"
+    "90,100,0,0,revolute,-1\n"
+    "0,5,1e2,-90,prismatic,1\n"
 )
 
 

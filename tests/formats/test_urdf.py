@@ -250,10 +250,8 @@ TURN = (
 
 
 def robot(*joints, links=LINKS):
-    return (
-        "<robot"
-        f' name="r">{links}{"".join(TURN.format(*joint, *[""] * (5 - len(joint))) for joint in joints)}</robot>'
-    )
+    written = "".join(TURN.format(*joint, *[""] * (5 - len(joint))) for joint in joints)
+    return f'<robot name="r">{links}{written}</robot>'
 
 
 CHAIN = [("a", "l0", "l1", "revolute"), ("b", "l1", "l2", "fixed"), ("c", "l2", "l3", "prismatic")]
@@ -294,9 +292,8 @@ def test_defaults_limits_and_parts_of_a_chain(file):
         '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent'
         ' link="a"/><child link="b"/></joint></robot>'
     )
-    assert np.allclose(
-        read_urdf(file(plain)).jacobian([0.0])[3:, 0], [1, 0, 0]
-    )  # the axis of URDF's default
+    # the axis of URDF's default
+    assert np.allclose(read_urdf(file(plain)).jacobian([0.0])[3:, 0], [1, 0, 0])
 
 
 def test_what_is_off_the_chain_does_not_matter(file):

@@ -290,9 +290,8 @@ def test_words_of_true_differences():
         and "counts the other way" in str(reversed_3)
     )
     lifted = equivalent(arm, shifted(arm, [0, 0, 0.3]))
-    assert lifted.joint == 2 and "With base free they are the same arm" in str(
-        lifted
-    )  # axis 1 is vertical: lifting it leaves it in place
+    # axis 1 is vertical: lifting it leaves it in place
+    assert lifted.joint == 2 and "With base free they are the same arm" in str(lifted)
     zero = equivalent(arm, with_zeros(arm, [1] * 6, [0, 0.2, 0, 0, 0, 0]))
     assert "joint 2's zero moved by 11.4592°" in str(zero) and zero.zeros.offset[
         1

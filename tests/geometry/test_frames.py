@@ -224,9 +224,8 @@ def test_nearly_parallel_axes_of_a_calibrated_ur5():
         snapped = assign_frames(axes, end=end, parallel=0.004)
     q = np.random.default_rng(2).uniform(-3, 3, (200, 6))
     assert np.abs(snapped.table.d).max() < 0.3
-    assert (
-        1e-3 < pose_error(exponentials(axes, end, q), snapped.forward(q))[0] < 5.5e-3
-    )  # the warning says up to 5.5 mm
+    # the warning says up to 5.5 mm
+    assert 1e-3 < pose_error(exponentials(axes, end, q), snapped.forward(q))[0] < 5.5e-3
 
 
 def test_axes_too_nearly_parallel_for_an_exact_table():

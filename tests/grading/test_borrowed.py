@@ -101,13 +101,11 @@ def test_few_values_are_no_evidence_in_a_large_class():
     for key in range(4):
         of = course(key, 200, ("02",))
         known = right(of.variants["s150"], ("02",))
-        assert (
-            named(of, "s003", {"02.6": known["02.6"]}) is None
-        )  # six values: everybody shares them
+        # six values: everybody shares them
+        assert named(of, "s003", {"02.6": known["02.6"]}) is None
     assert named(course(1, 200), "s003", {}) is None
-    assert (
-        named(Course(LESSONS, Settings(), {"s003": 5, "s004": 5}), "s003", right(9)) is None
-    )  # the same numbers for all
+    # the same numbers for all
+    assert named(Course(LESSONS, Settings(), {"s003": 5, "s004": 5}), "s003", right(9)) is None
 
 
 def test_a_tie_names_nobody():

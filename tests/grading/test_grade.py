@@ -301,10 +301,8 @@ def test_the_teachers_settings(folder, tmp_path):
     )
     by = {graded.student: graded for graded in grade(folder, tmp_path / "out", settings=late)[0]}
     marks = {s: {m.exercise: m for m in g.marks} for s, g in by.items()}
-    assert (marks["bo"]["05.6"].points, marks["bo"]["05.6"].of) == (
-        2,
-        4,
-    )  # half of it, for a mistake that is recognised
+    # half of it, for a mistake that is recognised
+    assert (marks["bo"]["05.6"].points, marks["bo"]["05.6"].of) == (2, 4)
     assert (marks["eve"]["05.6"].status, marks["eve"]["05.6"].points) == ("not allowed", 1)
     assert (by["bo"].late_days, by["bo"].penalty, by["bo"].points, by["bo"].total) == (
         1.25,

@@ -25,12 +25,9 @@ from dhlab.grading.results import publish
 from dhlab.grading.settings import Limits, Settings
 
 LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
-HARMLESS = [
-    *corpus.TIME[:1],
-    *corpus.LIBRARY,
-    *corpus.PATCHES[:5],
-    *corpus.NOTEBOOKS[:8],
-]  # for the level that protects nobody
+# for the level that protects nobody
+HARMLESS = [*corpus.TIME[:1], *corpus.LIBRARY, *corpus.PATCHES[:5], *corpus.NOTEBOOKS[:8]]
+# what depends on the level
 ATTACKS = [
     *corpus.TIME[-4:],
     *corpus.PROCESSES,
@@ -38,7 +35,7 @@ ATTACKS = [
     *corpus.CHANNEL,
     *corpus.READING,
     *corpus.LEFT_BEHIND,
-]  # what depends on the level
+]
 AS_A_USER = "DHLAB_CORPUS_AS_A_USER"
 LEVELS = {
     "bubblewrap": ATTACKS if AS_A_USER in os.environ else corpus.CASES,

@@ -103,7 +103,8 @@ def test_a_second_lesson_and_latecomers_leave_the_marks_there_are(tmp_path):
     assert points(third["s1021"], "05") > 0 and points(third["bo"], "06") == points(
         second["bo"], "06"
     )
-    date = f"{datetime.fromtimestamp((tmp_path / 'w5' / 'ada' / '05.ipynb').stat().st_mtime, ZONE):%Y-%m-%d}"
+    handed_in = (tmp_path / "w5" / "ada" / "05.ipynb").stat().st_mtime
+    date = f"{datetime.fromtimestamp(handed_in, ZONE):%Y-%m-%d}"
     assert (
         points(third["ada"], "05") == first["ada"].points
         and f"lesson 05: no file this time; the marks of {date} stand" in third["ada"].notes

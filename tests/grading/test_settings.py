@@ -27,9 +27,8 @@ def read(tmp_path, text):
 
 def test_everything(tmp_path):
     course = read(tmp_path, WHOLE)
-    assert course.lessons["05"].due == datetime(
-        2026, 11, 20, 22, 59, tzinfo=UTC
-    )  # Vienna is an hour ahead in winter
+    # Vienna is an hour ahead in winter
+    assert course.lessons["05"].due == datetime(2026, 11, 20, 22, 59, tzinfo=UTC)
     assert course.lessons["06"].due == datetime(2026, 11, 27, 23, 59, tzinfo=UTC)
     assert (
         course.points(exercises()["06.2"]),

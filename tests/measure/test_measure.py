@@ -70,9 +70,8 @@ def test_joint_2_of_the_article_against_the_facts(changes, radius, axis, shift, 
         "phase": (phase, deg),
     }
     for name, (value, scale) in expected.items():
-        if value is not None and not (
-            axis == 180 and name == "height"
-        ):  # which way up the height counts is not said there
+        if value is not None and not (axis == 180 and name == "height"):
+            # which way up the height counts is not said there
             assert abs(found[name][0]) * scale == pytest.approx(
                 abs(value), abs=1.2 if name == "height" else 0.6
             ), name
@@ -139,10 +138,11 @@ def test_joint_6_draws_no_circle_and_an_arc_proves_nothing():
             "proves nothing about a table" in str(report)
             and "proves nothing" in report._repr_html_()
         )
+    # no model, noise not told
     assert (
         "no circle"
         in fit_circles(q, points + 1e-4 * rng.normal(size=points.shape)).circles[1].words
-    )  # no model, noise not told
+    )
 
 
 def test_every_table_draws_a_circle_but_a_coupled_joint_does_not():

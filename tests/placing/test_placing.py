@@ -496,9 +496,8 @@ def test_what_no_longer_fits_is_put_away():
         and task.set_x(6, task.choices(6).x)
     )
     assert task.finished
-    assert task.set_origin(
-        5, [0.9, 0.2, 0.4]
-    )  # the line of the sliding joint moves, so the last frame's place is no longer right
+    # the line of the sliding joint moves, so the last frame's place is no longer right
+    assert task.set_origin(5, [0.9, 0.2, 0.4])
     assert (
         task.missing == ("o6", "x6") and 6 not in task.frames and "o6" not in " ".join(task.steps)
     )

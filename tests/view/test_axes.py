@@ -63,9 +63,8 @@ def test_the_normal_is_the_shortest_way(picture):
     assert picture.points["normal:1"] == pytest.approx(
         np.array([p + found.x[0] * w, q + found.x[1] * z]), abs=1e-6
     )
-    assert (
-        "normal:3" not in picture.points and "normal:4" not in picture.points
-    )  # beside the sliding joint there is none
+    # beside the sliding joint there is none
+    assert "normal:3" not in picture.points and "normal:4" not in picture.points
     assert "normal:1" not in view.axes(AXES, END, normals=False).points
 
 
