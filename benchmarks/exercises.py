@@ -141,7 +141,7 @@ def main():
             ),
             None,
         )
-        if kind is None or kind is Table and (exercise.given(0) or exercise.handed_out):
+        if kind is None or (kind is Table and (exercise.given(0) or exercise.handed_out)):
             continue  # these are judged in tests/course, each in its own way
         count = np.zeros(5, dtype=int)
         for variant in VARIANTS:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from html import escape
+from typing import Any
 
 from ..printing import grid_text
 from .kinds import Exercise
@@ -30,7 +31,7 @@ class Growth:
         known: Mapping[str, bool],
         best: Mapping[str, tuple[str, float]],
     ) -> None:
-        self._rows = {
+        self._rows: dict[str, dict[str, Any]] = {
             key: {
                 "title": e.title,
                 "then": known.get(e.mirrors),
@@ -40,7 +41,7 @@ class Growth:
             if e.mirrors
         }
 
-    def to_dict(self) -> dict[str, dict]:
+    def to_dict(self) -> dict[str, dict[str, Any]]:
         """{id: {title, then (True, False, or None when it was not asked), now}}."""
         return self._rows
 

@@ -11,7 +11,9 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -140,7 +142,7 @@ def _described(arm):
     return {"convention": arm.table.convention, "rows": arm.table.rows.tolist(), **arrays}
 
 
-def solve_all(task):
+def solve_all(task: Mapping[str, Any]) -> dict[str, Any]:
     """The answers of the libraries that can be loaded here, by name; radians. ``task`` is what
     :func:`other_solvers` hands over.
     """

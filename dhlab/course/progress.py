@@ -7,10 +7,10 @@ removed.
 
 import json
 from collections.abc import Mapping
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..printing import grid_text
 from .verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
@@ -36,14 +36,14 @@ class Log:
     """What has been checked: in this session, and on disk when there is a course folder."""
 
     def __init__(self) -> None:
-        self.session = []
+        self.session: list[dict[str, Any]] = []
 
     def add(self, verdict: Verdict) -> None:
         """Note a verdict; a folder that cannot be written to costs the learner nothing but the
         note.
         """
         entry = {
-            "time": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            "time": datetime.now(UTC).isoformat(timespec="seconds"),
             "exercise": verdict.exercise,
             "status": verdict.status,
             "mistake": verdict.mistake,
@@ -60,23 +60,24 @@ class Log:
         except OSError:
             pass
 
-    def entries(self) -> list[dict]:
+    def entries(self) -> list[dict[str, Any]]:
         """Every entry, oldest first: the file's, then this session's that are not in it."""
         folder = course_folder()
         return [*(_read(folder / MARKER / "progress.jsonl") if folder else []), *self.session]
 
     def best(self) -> dict[str, tuple[str, float]]:
         """The best status of each exercise: {id: (status, points)}."""
-        best = {}
+        best: dict[str, tuple[str, float]] = {}
         for entry in self.entries():
             status, key = entry["status"], entry["exercise"]
-            if RANK.get(status, -1) >= RANK.get(best.get(key, (None,))[0], -1) and status in RANK:
+            before = RANK.get(best[key][0], -1) if key in best else -1
+            if status in RANK and RANK[status] >= before:
                 best[key] = (status, entry["points"])
         return best
 
     def known_at_first(self) -> dict[str, bool]:
         """Of each question of the pre-test, whether its first answer was right: {id: bool}."""
-        first = {}
+        first: dict[str, bool] = {}
         for entry in self.entries():
             if isinstance(entry.get("known"), bool):
                 first.setdefault(entry["exercise"], entry["known"])
@@ -107,7 +108,7 @@ class Progress:
     def __init__(
         self, exercises: "Mapping[str, Exercise]", best: Mapping[str, tuple[str, float]]
     ) -> None:
-        self._rows = {
+        self._rows: dict[str, dict[str, Any]] = {
             key: {
                 "title": exercise.title,
                 "status": best.get(key, (NOT_ATTEMPTED, 0))[0],
@@ -117,7 +118,7 @@ class Progress:
             for key, exercise in exercises.items()
         }
 
-    def to_dict(self) -> dict[str, dict]:
+    def to_dict(self) -> dict[str, dict[str, Any]]:
         """{id: {title, status, points, of}}."""
         return self._rows
 

@@ -4,6 +4,7 @@ says.
 
 from html import escape
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -108,6 +109,7 @@ class Report:
 
     def __init__(self, arm: Arm, diagnosis: Diagnosis) -> None:
         self._arm, self._diagnosis = arm, diagnosis
+        self._compared: Any = diagnosis.compared
         self._name = arm.name or "An arm without a name"
 
     @property
@@ -178,7 +180,7 @@ class Report:
 
     def _evidence(self):
         """What was compared, and how much that proves."""
-        _, q, measured = self._diagnosis.compared
+        _, q, measured = self._compared
         slides = self._arm.table.prismatic
         general = int((np.abs(np.sin(2 * q)) > np.sin(2 * NEAR))[:, ~slides].all(axis=1).sum())
         what = (
@@ -207,7 +209,7 @@ class Report:
         """The arm where it is stretched furthest, of the poses at hand."""
         from ..view import arm as picture_of  # matplotlib takes long to load
 
-        q = self._diagnosis.compared[1]
+        q = self._compared[1]
         reach = np.ptp(self._arm.frames(q)[..., :3, 3], axis=1).max(axis=-1)
         return picture_of(self._arm, q[np.argmax(reach)], side=False)
 

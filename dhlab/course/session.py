@@ -5,6 +5,7 @@
 from collections.abc import Mapping
 from difflib import get_close_matches
 from html import escape
+from typing import Any
 
 from .exercises import exercises
 from .growth import Growth
@@ -15,7 +16,7 @@ from .verdict import Verdict
 __all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant", "then_and_now"]
 
 _log = Log()
-_guesses = {}
+_guesses: dict[str, Any] = {}
 _variant = 0
 
 
@@ -36,7 +37,7 @@ def set_variant(variant: int) -> None:
     _variant = variant
 
 
-def check(exercise_id: str, answer: object) -> Verdict:
+def check(exercise_id: str, answer: Any) -> Verdict:
     """Judge an answer and say what is right or wrong with it.
 
     Parameters
@@ -82,7 +83,7 @@ def hint(exercise_id: str, level: int = 1) -> "Note":
     return Note(f"Hint {level} of {len(hints)}: {hints[level - 1]}{more}")
 
 
-def given(exercise_id: str) -> Mapping[str, object]:
+def given(exercise_id: str) -> Mapping[str, Any]:
     """The numbers of a task, by name, as the learner's variant has them.
 
     Examples
@@ -93,7 +94,7 @@ def given(exercise_id: str) -> Mapping[str, object]:
     return _exercise(exercise_id).given(_variant)
 
 
-def predict(prediction_id: str, guess: object) -> Verdict:
+def predict(prediction_id: str, guess: Any) -> Verdict:
     """Note a guess before the next cell shows what happens. Never marked.
 
     Examples

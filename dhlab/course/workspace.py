@@ -144,7 +144,7 @@ def lab_command(folder: str | Path, *, port: int | None = None, browser: bool = 
         "-m",
         "jupyterlab",
         f"--ServerApp.root_dir={folder}",
-        f"--LabApp.app_settings_dir={folder / MARKER / 'lab'}",
+        f"--LabApp.app_settings_dir={Path(folder) / MARKER / 'lab'}",
     ]
     command += [f"--ServerApp.port={port}"] if port else []
     command += [] if browser else ["--no-browser"]

@@ -201,7 +201,8 @@ def misspelt(exercise):
         (
             "05.2",
             lambda e: replace(e, correct="z"),
-            "expected correct= one of none, about-one-axis, turns-with-shifts, both-turns, found 'z'",
+            "expected correct= one of none, about-one-axis, turns-with-shifts, both-turns,"
+            " found 'z'",
         ),
         (
             "05.P1",

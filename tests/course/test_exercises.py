@@ -26,7 +26,6 @@ VARIANTS = range(6)
 def test_an_untouched_stub_is_not_attempted(key):
     def stub(*args):
         """What is asked."""
-        ...
 
     untouched = [..., None, (..., ...), [...] * 4]
     if isinstance(SCORED[key], Function):
@@ -88,7 +87,7 @@ def test_known_wrong_values_fail_and_are_named(key, variant):
     given = exercise.given(variant)
     right = np.asarray(exercise.answer(**given), dtype=float)
     seen = named = 0
-    for mistake, _, value in exercise.mistakes(**given):
+    for _mistake, _, value in exercise.mistakes(**given):
         if np.allclose(value, right, rtol=2 * exercise.tolerance, atol=2 * exercise.tolerance):
             continue
         verdict = exercise.judge(value, variant)
@@ -223,7 +222,7 @@ def test_three_right_ways_pass(key):
             assert verdict.status == "right" and verdict.points == verdict.of, (key, verdict)
 
 
-def _state(rows, q, T=np.eye(4)):
+def _state(rows, q, T=np.eye(4)):  # noqa: B008  (the mistake that is meant)
     for row, x in zip(rows, q):
         T[:] = T @ closed(row[0] + x, *row[1:])
     return T
@@ -350,7 +349,7 @@ def test_no_hint_holds_the_answer():
         if isinstance(exercise, Choice):
             assert exercise.options[exercise.correct].text not in " ".join(exercise.hints)
         if isinstance(exercise, Function):
-            assert not any("return" in h or "@" in h and "=" in h for h in exercise.hints), (
+            assert not any("return" in h or ("@" in h and "=" in h) for h in exercise.hints), (
                 exercise.id
             )
 

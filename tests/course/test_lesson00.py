@@ -49,7 +49,7 @@ def test_the_warm_up_takes_right_answers_and_names_wrong_ones(variant):
     assert sum(v.mistake is not None for v in verdicts) >= 7
 
 
-@pytest.mark.parametrize("variant", (0, 1, 5))
+@pytest.mark.parametrize("variant", [0, 1, 5])
 def test_what_the_text_invites_to_try_is_answered_in_its_words(variant):
     exercise = exercises()["00.1"]
     R, v = exercise.given(variant).values()

@@ -138,7 +138,7 @@ def test_composing():
             assert said("01.4", version).mistake == mistake
 
 
-@pytest.mark.parametrize("variant", (0, 1, 2))
+@pytest.mark.parametrize("variant", [0, 1, 2])
 def test_building_with_degrees(variant):
     verdict = said(
         "01.2", from_xyz_rpy(list(EXERCISES["01.2"].given(variant).values()), [0, 0, 90]), variant

@@ -130,7 +130,7 @@ def test_whole_turns_make_no_difference(key, variant):
     row = np.array(exercise.answer(**exercise.given(variant)))
     for turns in ([360, 0, 0, 0], [-360, 0, 0, 0], [0, 0, 0, 360], [720, 0, 0, -720]):
         assert exercise.judge((row + turns).tolist(), variant).status == "right"
-        for mistake, _, value in exercise.mistakes(**exercise.given(variant)):
+        for _mistake, _, value in exercise.mistakes(**exercise.given(variant)):
             assert (
                 exercise.judge(np.add(value, turns), variant).mistake
                 == exercise.judge(value, variant).mistake

@@ -73,7 +73,7 @@ def outputs(name, text):
 
 
 def test_the_camera_is_found_from_the_tool_and_not_from_the_flange():
-    rows = [line for line in outputs("01-frames", "from flange").splitlines()]
+    rows = list(outputs("01-frames", "from flange").splitlines())
     places = np.array(
         [
             [float(v) for part in row.split("[")[1:] for v in part.split("]")[0].split()]
@@ -103,7 +103,7 @@ def test_matching_names_the_parts_and_where_to_look():
     )
     for letters in permutations("abcde"):
         verdict = judge(list(letters))
-        assert verdict.status == "right" or verdict.next and "digit" not in str(verdict)
+        assert verdict.status == "right" or (verdict.next and "digit" not in str(verdict))
 
 
 def test_06_9_names_the_arm_and_the_numbers_to_read():

@@ -2,6 +2,7 @@
 other libraries.
 """
 
+from functools import partial
 from itertools import permutations
 
 import numpy as np
@@ -143,7 +144,7 @@ def test_values_by_another_way_pass():
         )
         given, arm = LESSON["08.9"].given(variant), dh.load("stanford")
         q = np.where(arm.table.prismatic, given["q"], np.deg2rad(given["q"]))
-        J = by_differences(lambda x: elementary_pose(arm.table, x), q)
+        J = by_differences(partial(elementary_pose, arm.table), q)
         speeds = np.linalg.lstsq(J, [*given["v"], *given["omega"]], rcond=None)[0]
         assert all(
             LESSON["08.9"].judge(answer, variant).status == "right"

@@ -56,11 +56,9 @@ def test_the_urdf_files_are_their_sources_digit_for_digit(name, chain):
         assert numbers(origin.get("xyz")) == [float(v) for v in wanted["xyz"]] and numbers(
             origin.get("rpy")
         ) == [float(v) for v in wanted["rpy"]]
-        assert (
-            axis is None
-            and wanted["type"] == "fixed"
-            or numbers(axis.get("xyz")) == [float(v) for v in wanted["axis"]]
-        )
+        assert (axis is None and wanted["type"] == "fixed") or numbers(axis.get("xyz")) == [
+            float(v) for v in wanted["axis"]
+        ]
     source = json.loads((CHAINS / f"{chain}.json").read_text())
     about = (FOLDER / "README.md").read_text(encoding="utf-8")
     assert (

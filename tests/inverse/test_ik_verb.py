@@ -61,7 +61,7 @@ def test_nothing_to_prepare_is_said():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    "arguments, words",
     [
         (["ur5e"], "expected --pose"),
         (["ur5e", *POSE[:2]], "expected the units"),
@@ -81,6 +81,9 @@ def test_mistakes_are_one_sentence(arguments, words):
 
 
 def test_import_dhlab_stays_light():
-    heavy = "import sys, dhlab; dhlab.load('ur5e'); print([m for m in ('ssik', 'dhlab.inverse') if m in sys.modules])"
+    heavy = (
+        "import sys, dhlab; dhlab.load('ur5e');"
+        " print([m for m in ('ssik', 'dhlab.inverse') if m in sys.modules])"
+    )
     done = subprocess.run([sys.executable, "-c", heavy], capture_output=True, text=True)
     assert done.stdout.strip() == "[]"

@@ -56,7 +56,9 @@ def _markers(cell):
         for at, line in lines
         if not MARKER.fullmatch(line)
     ]
-    return misspelt or _alone([(at, MARKER.fullmatch(line)[1]) for at, line in lines])
+    return misspelt or _alone(
+        [(at, found[1]) for at, line in lines if (found := MARKER.fullmatch(line))]
+    )
 
 
 def _like_a_marker(line):
@@ -160,7 +162,7 @@ def plain_python(source: str) -> str:
 
 def _by_hand(cell):
     """Options that are written into the cell, and would be another text than the exercise's."""
-    exercise = exercises().get(asked_in(cell))
+    exercise = exercises().get(asked_in(cell) or "")
     if not isinstance(exercise, Lettered):
         return
     letters = {*exercise.letters().values(), UNDECIDED}

@@ -64,7 +64,7 @@ def _broken_exercises():
     try:
         exercises()
     except Exception as error:
-        places = [(error.filename, error.lineno)] if isinstance(error, SyntaxError) else []
+        places = [(error.filename or "", error.lineno)] if isinstance(error, SyntaxError) else []
         places += [
             (frame.filename, frame.lineno)
             for frame in reversed(traceback.extract_tb(error.__traceback__))

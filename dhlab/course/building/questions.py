@@ -54,7 +54,8 @@ def question_cell(exercise: Exercise, variant: int = 0) -> NotebookNode:
 def with_questions(cells: list[NotebookNode]) -> Iterator[NotebookNode]:
     """The cells of a lesson, with a question's cell above each that is to be answered."""
     for cell in cells:
-        exercise = exercises().get(asked_in(cell)) if cell.cell_type == "code" else None
+        asked = asked_in(cell) if cell.cell_type == "code" else None
+        exercise = exercises().get(asked) if asked else None
         if exercise is not None:
             yield question_cell(exercise)
         yield cell

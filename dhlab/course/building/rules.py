@@ -102,7 +102,7 @@ def terms(lesson: Lesson) -> tuple[bool, str]:
 
 def checks(lesson: Lesson) -> tuple[bool, str]:
     """A check soon, then one every few minutes, and each exercise checked."""
-    clock, times = 0, []
+    clock, times = 0.0, []
     for cell in lesson.cells:
         clock += lesson.minutes(cell)
         if cell.cell_type == "code" and cell.source.startswith("check("):
@@ -226,7 +226,8 @@ def strength(lesson: Lesson) -> tuple[bool, str]:
 
 def code(lesson: Lesson) -> tuple[bool, str]:
     """Short cells, no plotting, at most one new call of the library in each."""
-    known, faults = set(), []
+    known: set[str] = set()
+    faults = []
     for lines in [
         cell.source.splitlines()
         for cell in lesson_notebook(lesson.notebook).cells

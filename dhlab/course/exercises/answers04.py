@@ -2,6 +2,7 @@
 axes to place frames on, frames to read a table from.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -147,7 +148,7 @@ class ReadTable(Table):
     ``read`` holds the rows of the frames that are drawn, degrees and metres.
     """
 
-    read: tuple = ()
+    read: Sequence[Sequence[float]] = ()
 
     def compare(self, answer, variant):
         verdict = super().compare(answer, variant)

@@ -25,7 +25,7 @@ __all__ = [
     "zero_pose",
 ]
 
-ARTICLE = [
+ARTICLE: list[list[float]] = [
     [0, 0.1, 0, 90],
     [0, 0, 0.4, 0],
     [0, 0, 0.35, 0],
@@ -33,7 +33,7 @@ ARTICLE = [
     [0, 0, 0, -90],
     [0, 0.1, 0, 0],
 ]
-UPRIGHT = [
+UPRIGHT: list[list[float]] = [
     [0, 0.1, 0, 90],
     [90, 0, 0.4, 0],
     [-90, 0, 0.35, 0],
@@ -191,7 +191,7 @@ def wrong_offsets():
 
 
 def _offset_mistake(offset_2, offset_3):
-    if offset_2 == 0 and offset_3 in (0, 270) or (offset_2, offset_3) == (90, 0):
+    if (offset_2 == 0 and offset_3 in (0, 270)) or (offset_2, offset_3) == (90, 0):
         return "offset-missing"
     if (offset_2, offset_3) in ((90, 90), (270, 270), (270, 90)):
         return "offset-sign"

@@ -33,7 +33,7 @@ COARSE, FINE, TURN = (
     3e-4,
     2e-3,
 )  # noise: half a millimetre, a third of one, a tenth of a degree
-PUMA = [
+PUMA: list[list[float]] = [
     [0, 0.67183, 0, 90],
     [0, 0, 0.4318, 0],
     [0, 0.15005, 0.0203, -90],

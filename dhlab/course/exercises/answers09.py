@@ -3,6 +3,7 @@ axes of three arms, half a conversion, the post-test.
 """
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -47,7 +48,7 @@ ALONG = np.array(
     [np.cos(np.deg2rad(5)), 0, np.sin(np.deg2rad(5))]
 )  # the Piper's forearm at its zero pose: 5° up
 WRIST = np.array([-0.03452, 0, 0.20536])
-PIPER = (
+PIPER: Any = (
     [
         ([0, 0, 0.123], [0, 0, 1]),
         ([0, 0, 0.123], [0, 1, 0]),
@@ -58,7 +59,7 @@ PIPER = (
     ],
     from_xyz_rpy(WRIST + 0.091 * ALONG, [0, np.deg2rad(85), 0]),
 )
-MAKERS = [
+MAKERS: list[list[float]] = [
     [0, 0.16977, 0, 0],
     [-90, 0, 0.0642, -90],
     [0, -0.007, 0.305, 0],
@@ -140,7 +141,7 @@ def wrong_piper():
         (
             "roll-yaw-exchanged",
             "the end's angle was taken about another axis",
-            [0, 0, np.deg2rad(85)],
+            [0.0, 0.0, np.deg2rad(85)],
         ),
     ):
         yield mistake, place, assign_frames(axes, end=from_xyz_rpy(end[:3, 3], rpy))
@@ -228,7 +229,8 @@ def half_moved():
 
 
 def _in(arm, rows):
-    return replace(arm, table=DHTable("standard", *rows.T, arm.table.joints))
+    theta, d, a, alpha = rows.T
+    return replace(arm, table=DHTable("standard", theta, d, a, alpha, arm.table.joints))
 
 
 def explain_work(steps):

@@ -1,5 +1,7 @@
 """What lesson 01 draws for its chains of frames, what is right, and what wrong answers are told."""
 
+import itertools
+
 import numpy as np
 
 from ...transform import inverse, rot_x, rot_z, trans
@@ -274,7 +276,7 @@ def explain_chain(order):
     apart = next(
         (
             f"{one}, then {two}: {one[3]} does not meet {two[2]}"
-            for one, two in zip(poses, poses[1:])
+            for one, two in itertools.pairwise(poses)
             if one[3] != two[2]
         ),
         "",

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -22,7 +23,7 @@ class OneOf(Lettered):
     def texts(self) -> Mapping[str, str]:
         return {key: option.text for key, option in self.options.items()}
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         chosen = self.id_of(answer, variant)
         if chosen is None:
             letters = ", ".join(self.letters(variant).values())
@@ -94,7 +95,7 @@ class Prediction(OneOf):
     """
 
     points: float = 0
-    options: Mapping[str, str]
+    options: Mapping[str, str]  # type: ignore[assignment]  # a guess has no verdict to tell
     outcome: str
 
     @property
@@ -104,7 +105,7 @@ class Prediction(OneOf):
     def texts(self) -> Mapping[str, str]:
         return self.options
 
-    def judge(self, answer: object, variant: int = 0) -> Verdict:
+    def judge(self, answer: Any, variant: int = 0) -> Verdict:
         if untouched(answer):  # the dots stand in the very cell that asks
             return self.say(NOT_ATTEMPTED, next="Replace the dots in this cell and run it again.")
         return super().judge(answer, variant)
@@ -161,7 +162,7 @@ class Order(Lettered):
         places = [f"{k}. {place}" for k, place in enumerate(self.places, 1)]
         return [self.question, "\n".join(places)] if places else [self.question]
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         words = _words(answer)
         if UNDECIDED in words:
             return self.say_undecided()

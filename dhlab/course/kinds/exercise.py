@@ -3,6 +3,7 @@
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -68,11 +69,11 @@ class Exercise:
         """The generator of this exercise's numbers: the same for the same variant, everywhere."""
         return np.random.default_rng([zlib.crc32(self.id.encode()), variant])
 
-    def given(self, variant: int) -> Mapping[str, object]:
+    def given(self, variant: int) -> Mapping[str, Any]:
         """The numbers of the task, by name; none for most kinds."""
         return {}
 
-    def judge(self, answer: object, variant: int = 0) -> Verdict:
+    def judge(self, answer: Any, variant: int = 0) -> Verdict:
         """The Verdict on an answer; never raises because of the answer."""
         if untouched(answer):
             return self.say(
@@ -80,11 +81,11 @@ class Exercise:
             )
         return self.compare(answer, variant)
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         """The Verdict on an answer that was attempted."""
         raise NotImplementedError
 
-    def say(self, status: str, headline: str = "", **words: object) -> Verdict:
+    def say(self, status: str, headline: str = "", **words: Any) -> Verdict:
         """A Verdict of this exercise."""
         return Verdict(
             self.id,
@@ -111,8 +112,9 @@ class Exercise:
         mistake is known.
         """
         hint = f'hint("{self.id}") gives a first hint.'
-        said, shown = place if isinstance(place, Said) else self.words.get((mistake_id, place)), ""
-        if said is None:
+        said = place if isinstance(place, Said) else self.words.get((mistake_id, place))
+        shown = ""
+        if said is None and not isinstance(place, Said):
             said, shown = self.words.get(mistake_id), place
         if said and not headline:
             return self.say(
@@ -138,12 +140,12 @@ class Exercise:
         )
 
 
-def no_draw(rng: np.random.Generator) -> dict[str, object]:
+def no_draw(rng: np.random.Generator) -> dict[str, Any]:
     """The numbers of a task that is the same for everybody: none."""
     return {}
 
 
-def untouched(answer: object) -> bool:
+def untouched(answer: Any) -> bool:
     """Whether an answer is still what was handed out: nothing, or dots and nothing else."""
     if answer is None or answer is Ellipsis:
         return True

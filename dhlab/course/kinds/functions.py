@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,7 +45,7 @@ class Function(Exercise):
         rng = self.rng(variant)
         return [*(self.draw(rng) for _ in range(CASES)), *self.special]
 
-    def judge(self, answer: object, variant: int = 0) -> Verdict:
+    def judge(self, answer: Any, variant: int = 0) -> Verdict:
         if is_stub(answer):
             answer = None
         try:
@@ -52,7 +53,7 @@ class Function(Exercise):
         except NotImplementedError:
             return super().judge(None, variant)
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         if not callable(answer) and not isinstance(answer, Called):
             return self.wrong(
                 headline=f"expected the function itself, found {type(answer).__name__}",

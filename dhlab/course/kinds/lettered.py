@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from string import ascii_lowercase
+from typing import Any
 
 from ..verdict import WRONG, Verdict
 from .exercise import Exercise
@@ -45,7 +46,7 @@ class Lettered(Exercise):
         """The letter of each option by its id, in the order in which the options are shown."""
         return dict(zip(self.texts(), self.alphabet))
 
-    def id_of(self, answer: object, variant: int = 0) -> str | None:
+    def id_of(self, answer: Any, variant: int = 0) -> str | None:
         """The id of the option that an answer names by its letter or its id; "?" of "?"; None of
         anything else.
         """

@@ -4,6 +4,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -102,15 +103,15 @@ class Frames(Exercise):
 
     draw: Callable
 
-    def given(self, variant: int) -> Mapping[str, object]:
+    def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
-    def judge(self, answer: object, variant: int = 0) -> Verdict:
+    def judge(self, answer: Any, variant: int = 0) -> Verdict:
         given = self.given(variant)
         handed_out = "frames" in given and _same(answer, given["frames"])
         return super().judge(None if handed_out else answer, variant)
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         given = self.given(variant)
         rows = _rows(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):

@@ -4,6 +4,7 @@ weak test.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -24,7 +25,7 @@ class Repair(Table):
 
     handed_out: Callable
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
         if verdict.status == RIGHT or verdict.mistake is not None:
             return verdict
@@ -71,7 +72,7 @@ class Impostor(Table):
 
     handed_out: Callable
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         right = self.right_arm(variant)
         arm = self.arm_of(answer, right)
         if isinstance(arm, Verdict):

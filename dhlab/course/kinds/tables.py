@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ class Table(Exercise):
     mistakes: Callable = lambda **given: ()
     handed_out: Callable | None = None
 
-    def given(self, variant: int) -> Mapping[str, object]:
+    def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
     def right_arm(self, variant: int = 0) -> Arm:
@@ -49,12 +50,12 @@ class Table(Exercise):
             [-1, 1], shape
         )
 
-    def judge(self, answer: object, variant: int = 0) -> Verdict:
+    def judge(self, answer: Any, variant: int = 0) -> Verdict:
         rows = list(answer) if isinstance(answer, (list, tuple)) else []
         stubs = [
             i
             for i, row in enumerate(rows, 1)
-            if untouched(row) or isinstance(row, (list, tuple)) and any(untouched(x) for x in row)
+            if untouched(row) or (isinstance(row, (list, tuple)) and any(untouched(x) for x in row))
         ]
         if stubs:
             return self.say(
@@ -64,7 +65,7 @@ class Table(Exercise):
             )
         return super().judge(None if self._unchanged(answer, variant) else answer, variant)
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         right = self.right_arm(variant)
         arm = self.arm_of(answer, right)
         if isinstance(arm, Verdict):
@@ -99,7 +100,7 @@ class Table(Exercise):
             and np.array_equal(arm.sign, given.sign)
         )
 
-    def arm_of(self, answer: object, right: Arm) -> Arm | Verdict:
+    def arm_of(self, answer: Any, right: Arm) -> Arm | Verdict:
         """The answer as an Arm of as many joints as the right one; what is said of any other."""
         try:
             arm = as_arm(answer, right)
@@ -134,7 +135,7 @@ def _where(arm, right, q):
     return f"{axis}look at {words}"
 
 
-def as_arm(answer: object, right: Arm) -> Arm:
+def as_arm(answer: Any, right: Arm) -> Arm:
     """The answer as an Arm with the right one's base, tool and signs; rows are degrees and metres.
 
     Raises

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,10 +33,10 @@ class Value(Exercise):
     turns: tuple = ()
     tolerance: float = 1e-3
 
-    def given(self, variant: int) -> Mapping[str, object]:
+    def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
-    def compare(self, answer: object, variant: int) -> Verdict:
+    def compare(self, answer: Any, variant: int) -> Verdict:
         given = self.given(variant)
         known = self.misshapen(answer, **given)
         if known:
@@ -98,7 +99,7 @@ def _amount(array):
     return "one number" if array.ndim == 0 else f"{'×'.join(map(str, array.shape))} numbers"
 
 
-def as_numbers(answer: object) -> NDArray[np.float64]:
+def as_numbers(answer: Any) -> NDArray[np.float64]:
     """The answer as an array of decimals, whatever its shape; of no numbers, an empty one.
 
     Examples

@@ -38,7 +38,7 @@ def chosen_answers(exercise: Exercise | None, marks: Sequence[Mark]) -> list[dic
         return []
     right = {mark.chosen for mark in marks if mark.status == RIGHT}
     if isinstance(exercise, Choice):
-        chosen = [(key,) for key in (*exercise.options, UNDECIDED)]
+        chosen: list[tuple[str, ...]] = [(key,) for key in (*exercise.options, UNDECIDED)]
         right.add((exercise.correct,))
     else:
         chosen = [ids for ids, _ in counts.most_common(MOST)]

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 from ...course.kinds import Choice
+from ...course.kinds.exercise import Exercise
 from ...course.workspace import handed_out
 from ...doctor import catalogue
 from ...formats import plainyaml
@@ -72,7 +73,7 @@ def section_of_mistake(mistake: str) -> str:
     return _lessons()[lesson][0] if lesson in _lessons() else f"lesson {lesson}"
 
 
-def question(exercise: str, mistake: str) -> str:
+def question(exercise: Exercise | None, mistake: str) -> str:
     """What to ask a class in which many made this mistake in this exercise: a wrong option in their
     own words, or what the mistake looks like.
     """

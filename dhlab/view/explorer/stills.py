@@ -45,7 +45,9 @@ def branches(arm: Arm, qs: NDArray[np.float64]) -> Picture:
     add_floor(scene, camera, floor_height(scene.points()))
     first = words.configuration(arm.table.joints, qs[0])
     return Picture(
-        compose([View(scene, camera)], f"{arm.name or 'Arm'}: {last} ways to one pose, one in gold"),
+        compose(
+            [View(scene, camera)], f"{arm.name or 'Arm'}: {last} ways to one pose, one in gold"
+        ),
         f"An arm in {last} configurations, drawn over each other as lines, with its end at"
         f" {words.place(ends[0, :3, 3])} in the first of them, q = {first}.",
         ("solution", *(f"q{i + 1}" for i in range(len(arm)))),
