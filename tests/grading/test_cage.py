@@ -4,6 +4,7 @@ read as.
 
 import json
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -179,12 +180,7 @@ def test_every_scored_exercise_has_its_check_in_a_lesson():
         (lambda: dh.load("ur5e").table.rows, False),
         (lambda: dh.transform.rot_x(1), False),
         (lambda: dh.transform.rot_z(1), True),
-        (
-            lambda: __import__("dhlab.doctor.programs.wrong.links").doctor.wrong_links.standard(
-                1, 2, 3, 4
-            ),
-            True,
-        ),
+        (lambda: import_module("dhlab.doctor.programs.wrong.links").standard(1, 2, 3, 4), True),
         (lambda: np.eye(4) @ np.eye(4), False),
         (lambda: sys.setprofile(None), True),
     ],
