@@ -2,11 +2,7 @@
 what was checked.
 """
 
-import json
 import os
-import subprocess
-import sys
-import zipfile
 from pathlib import Path
 
 import pytest
@@ -101,67 +97,6 @@ def test_nothing_is_written_outside_a_course_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Log().add(Verdict("05.2", RIGHT, points=1, of=1))
     assert os.listdir(tmp_path) == []
-
-
-def test_a_wheel_holds_all_it_needs(tmp_path):
-    subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "pip",
-            "wheel",
-            "--quiet",
-            "--no-deps",
-            "--wheel-dir",
-            str(tmp_path),
-            str(ROOT),
-        ],
-        check=True,
-        capture_output=True,
-    )
-    names = zipfile.ZipFile(next(tmp_path.glob("*.whl"))).namelist()
-    for wanted in (
-        "dhlab/robots/ur5e.yaml",
-        "dhlab/robots/files/ur5e.urdf",
-        "dhlab/robots/files/README.md",
-        "dhlab/doctor/catalogue.yaml",
-        "dhlab/lessons/01-frames.ipynb",
-        "dhlab/lessons/glossary.md",
-        "dhlab/course/discussion.yaml",
-        "dhlab/course/exercises/lesson05.py",
-    ):
-        assert wanted in names, wanted
-    assert not any(name.startswith(("tests/", "solutions/")) for name in names)
-
-
-def test_dhlab_lab_works_from_an_installed_package(tmp_path):
-    subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--no-deps",
-            "--target",
-            str(tmp_path / "site"),
-            str(ROOT),
-        ],
-        check=True,
-        capture_output=True,
-    )
-    script = (
-        "import sys; sys.path.insert(0, sys.argv[1]); from dhlab.course import workspace;"
-        " print(workspace.__file__); workspace.prepare(sys.argv[2])"
-    )
-    answer = subprocess.run(
-        [sys.executable, "-I", "-c", script, str(tmp_path / "site"), str(tmp_path / "mine")],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-    )
-    assert answer.returncode == 0 and str(tmp_path / "site") in answer.stdout, answer.stderr
-    assert json.loads((tmp_path / "mine" / "06-forward-kinematics.ipynb").read_text())["cells"]
 
 
 def test_a_handed_out_folder_gets_no_lessons_of_other_numbers(tmp_path):
