@@ -18,6 +18,9 @@ from .lines import across, common_normal, nearest_on
 
 __all__ = ["JointAxes", "joint_axes", "moved", "gaps", "align"]
 
+# × the largest length that went in: what rounding makes of it, where lengths run away (574 m in a
+# table of a 1 m arm) or are all 0 and only the base is not
+ROUNDING = 64 * np.finfo(float).eps
 PARALLEL = 1e-10  # rad; below it two axes do not say which way is across, or where along them is
 # a pair of axes tilted more than this gives the sideways direction without regard to their distance
 WELL_TILTED = 1e-3
@@ -63,10 +66,13 @@ def joint_axes(arm: Arm) -> JointAxes:
     p = np.array([nearest_on(frame[:3, 3], axis, end[:3, 3]) for frame, axis in zip(of_joint, z)])
     turning = ~arm.table.prismatic
     reach = np.linalg.norm(p - end[:3, 3], axis=1)[turning].max(initial=0.0)
-    lengths = [arm.table.d, arm.table.a, arm.base[:3, 3], arm.tool[:3, 3]]
-    return JointAxes(
-        p, z, end, arm.table.joints, reach, max(np.abs(column).max() for column in lengths)
-    )
+    return JointAxes(p, z, end, arm.table.joints, reach, largest_length(arm))
+
+
+def largest_length(arm: Arm) -> float:
+    """The largest length (m) among d, a, base and tool; at least 1 mm, for an arm of no length."""
+    lengths = (arm.table.d, arm.table.a, arm.base[:3, 3], arm.tool[:3, 3])
+    return max(1e-3, *(np.abs(column).max() for column in lengths))
 
 
 def counting(arm: Arm) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

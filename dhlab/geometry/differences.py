@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 from ..arm import Arm
 from ..printing import number
 from ..transform import inverse
-from .canonical import JointAxes, align, counting, gaps, moved
+from .canonical import ROUNDING, JointAxes, align, counting, gaps, moved
 from .freechoices import FreeChoice, turn_of
 from .zeros import Rezeroed
 
 __all__ = [
-    "LENGTH",
     "Equivalence",
     "tolerances",
     "unlike_joints",
@@ -25,17 +24,11 @@ __all__ = [
 ]
 
 
-# rad; a thousand times the rounding of a long walk of rewritings, a thousandth of the smallest true
-# change
-ANGLE = 1e-9
-
-
-COUNTING = 1e-9  # of a coupling; likewise
-LENGTH = 1e-9  # × how far the axes pass from the end; likewise
-
-
-# × the largest length in the table, for tables with run-away lengths (574 m in a 1 m arm)
-ROUNDING = 64 * np.finfo(float).eps
+# rad; half way, in powers of ten, between the rounding of a long walk of rewritings (1e-14) and the
+# smallest true change (1e-6), of which an axis may show a small part only
+ANGLE = 1e-10
+COUNTING = 1e-10  # of a coupling; likewise
+LENGTH = 1e-10  # × how far the axes pass from the end; likewise
 
 
 @dataclass(frozen=True)
@@ -110,7 +103,7 @@ def _joints(n):
 
 def tolerances(A: JointAxes, B: JointAxes) -> tuple[float, float]:
     """Up to which angle (rad) and distance (m) the axes of two arms are the same."""
-    return ANGLE, LENGTH * max(A.reach, B.reach) + ROUNDING * max(A.largest, B.largest, 1e-3)
+    return ANGLE, LENGTH * max(A.reach, B.reach) + ROUNDING * max(A.largest, B.largest)
 
 
 def first_difference(

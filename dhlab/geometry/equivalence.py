@@ -9,17 +9,16 @@ import numpy as np
 from ..arm import Arm
 from ..table import DHTable
 from ..transform import inverse
-from .canonical import align, gaps, joint_axes, moved
+from .canonical import ROUNDING, align, gaps, joint_axes, moved
 from .conversion import as_arm, to_convention
 from .differences import (
-    LENGTH,
     Equivalence,
     end_difference,
     first_difference,
     tolerances,
     unlike_joints,
 )
-from .freechoices import FreeChoice, end_choice, free_choices, in_words
+from .freechoices import SAME_LENGTH, FreeChoice, end_choice, free_choices, in_words
 from .zeros import rezero, with_zeros
 
 __all__ = ["equivalent", "Equivalence"]
@@ -31,8 +30,8 @@ def equivalent(
     """Whether two tables describe one arm: the same pose for every q.
 
     Decided, not sampled: the joint axes at q = 0 and the end pose there determine the motion and
-    are determined by it (:mod:`dhlab.geometry.canonical`); they are compared within 1e-9 rad and
-    1e-9 of the arm's size.
+    are determined by it (:mod:`dhlab.geometry.canonical`); they are compared within 1e-10 rad and
+    1e-10 of the arm's size.
 
     Parameters
     ----------
@@ -106,7 +105,7 @@ def _same(a, b, A, B, X, base, tool):
             ),
         )
     )
-    length = 10 * LENGTH * max(A.reach, B.reach, 1e-3)
+    length = SAME_LENGTH * max(A.reach, B.reach) + ROUNDING * max(A.largest, B.largest)
     granted = end_choice("base", X, length) if base == "free" else []
     granted += end_choice("tool", inverse(A.end) @ X @ B.end, length) if tool == "free" else []
     choices = (*convention, *granted, *free_choices(a, to_convention(b, a.table.convention), X))

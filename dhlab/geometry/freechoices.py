@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from ..arm import Arm
 from ..printing import number
 from ..transform import inverse
+from .canonical import ROUNDING, largest_length
 from .lines import across
 
 __all__ = ["FreeChoice", "free_choices", "in_words", "end_choice", "turn_of", "far"]
 
 SAME_ANGLE = 1e-7  # rad; a choice smaller than this is rounding
-SAME_LENGTH = 1e-8  # × the size of the arm (m); likewise
+SAME_LENGTH = 1e-8  # × the size of the arm (m); likewise, beside the rounding of base and tool
 
 
 @dataclass(frozen=True)
@@ -59,11 +60,12 @@ def free_choices(a: Arm, b: Arm, X: NDArray[np.float64]) -> tuple[FreeChoice, ..
     """
     q = np.zeros(len(a))
     F_a, F_b = a.frames(q), X @ b.frames(q)
-    size = max(np.abs(a.table.rows[:, 1:3]).max(), 1e-9)
+    same = SAME_LENGTH * np.abs(a.table.rows[:, 1:3]).max()
+    same += ROUNDING * max(largest_length(a), largest_length(b))
     G = inverse(F_a) @ F_b
-    found = list(_prismatic_shifts(a, F_a, F_b, SAME_LENGTH * size))
+    found = list(_prismatic_shifts(a, F_a, F_b, same))
     for i in range(len(a) + 1):
-        found += _at_frame(a, i, G[i], SAME_LENGTH * size)
+        found += _at_frame(a, i, G[i], same)
     return tuple(found)
 
 

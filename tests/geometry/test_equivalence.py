@@ -21,11 +21,12 @@ from geometry_cases import (
     true_change,
     with_rows,
 )
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import dhlab as dh
 from dhlab.geometry import freedoms, prismatic
+from dhlab.geometry.differences import ANGLE
 from dhlab.geometry.equivalence import equivalent
 from dhlab.geometry.frames import assign_frames
 from dhlab.geometry.zeros import with_zeros
@@ -46,7 +47,7 @@ def freed(arm, rng, base, tool):
 
 @FREE
 @given(seed=SEEDS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_twelve_free_moves_are_accepted(base, tool, seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -58,10 +59,11 @@ def test_twelve_free_moves_are_accepted(base, tool, seed):
 
 @FREE
 @given(seed=SEEDS)
-@settings(max_examples=40, deadline=None)
+@example(seed=212)
+@settings(max_examples=40)
 def test_one_true_change_is_rejected(base, tool, seed):
     """1e-6 m or rad in any entry; whether it shows when base or tool are free is for the sampled
-    poses to say.
+    poses to say. What they show may be less than the tolerance: then either word is right.
     """
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -70,21 +72,29 @@ def test_one_true_change_is_rejected(base, tool, seed):
         changed = true_change(walked, rng, kind, 1e-6)
         seen = sampled_difference(walked, changed, rng, base, tool)
         result = equivalent(arm, changed, base=base, tool=tool)
-        if (base, tool) == ("fixed", "fixed"):
-            assert seen > 1e-8 and not result
+        if seen > 100 * ANGLE:
+            assert not result, (kind, seen)
         elif (base, tool) != ("free", "free"):
-            assert bool(result) == (seen < 1e-10), (kind, seen)
-        elif (
-            seen > 1e-9
-            # the judge of this case sees some changes only to second order, so its silence proves
+            # with both free, the judge sees some changes only to second order: its silence proves
             # nothing
-        ):
-            assert not result
+            assert result or seen > 1e-13, (kind, seen)
+        assert seen > 1e-8 or (base, tool) != ("fixed", "fixed")
         assert result or result.reason in ("axis", "sense", "end")
 
 
+def test_a_change_of_which_little_shows_is_rejected():
+    """1e-6 m in an entry, nearly along a joint axis of a 0.3 m arm, so that 2e-10 m are left."""
+    rng = np.random.default_rng(212)
+    arm = random_arm(rng)
+    _, walked = random_walk(arm, rng)
+    changed = {kind: true_change(walked, rng, kind, 1e-6) for kind in ("theta", "d", "a")}["a"]
+    assert 1e-10 < sampled_difference(walked, changed, rng, "fixed", "free") < 1e-9
+    assert not equivalent(arm, changed, tool="free")
+
+
 @given(seed=SEEDS)
-@settings(max_examples=60, deadline=None)
+@example(seed=5078)  # all lengths are 0, and the base's are not
+@settings(max_examples=60)
 def test_every_single_move_keeps_the_pose_and_is_named(seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -96,19 +106,28 @@ def test_every_single_move_keeps_the_pose_and_is_named(seed):
             continue
         q = rng.uniform(-2, 2, (8, len(arm)))
         assert max(pose_error(arm.forward(q), moved.forward(q))) < 1e-13
-        result = equivalent(arm, moved)
-        assert result
-        if kind in ("flip-x", "flip-z", "convention"):
-            inner = [
-                c.kind
-                for c in result.differences
-                if c.joint not in (0, len(arm)) and c.kind not in ("base", "tool")
-            ]
-            assert inner in ([kind], []) and kind in [c.kind for c in result.differences]
+        for other in (moved, rounded(moved, rng)):
+            result = equivalent(arm, other)
+            assert result
+            if kind in ("flip-x", "flip-z", "convention"):
+                inner = [
+                    c.kind
+                    for c in result.differences
+                    if c.joint not in (0, len(arm)) and c.kind not in ("base", "tool")
+                ]
+                assert inner in ([kind], []) and kind in [c.kind for c in result.differences]
+
+
+def rounded(arm, rng):
+    """The arm with base and tool off by up to 2 units in the last place, as on another machine."""
+    base, tool = arm.base.copy(), arm.tool.copy()
+    for T in (base, tool):
+        T[:3] += np.spacing(T[:3]) * rng.integers(-2, 3, (3, 4))
+    return with_rows(arm, arm.table.rows, base=base, tool=tool)
 
 
 @given(seed=SEEDS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_the_named_choices_lead_from_one_table_to_the_other(seed):
     """Slides, twists and flips made in the order told give table b, entry by entry, up to base and
     tool.
@@ -228,7 +247,7 @@ def test_the_stanford_arms_prismatic_shift():
 
 @pytest.mark.filterwarnings("ignore::dhlab.geometry.frames.NearlyParallelWarning")
 @given(seed=SEEDS)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_a_sliding_axis_placed_anywhere_is_one_arm(seed):
     rng = np.random.default_rng(seed)
     axes = [
@@ -339,7 +358,7 @@ def test_the_zeros_told_are_right(one, other):
 
 
 @given(seed=SEEDS)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_zeros_and_signs_are_found(seed):
     rng = np.random.default_rng(seed)
     n = rng.integers(4, 8)
