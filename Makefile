@@ -1,26 +1,41 @@
-# make lab    the course in JupyterLab, on your own copy of the lessons (my-course)
-# make test   everything that is tested, as CI does
-# make site   the static pages, in docs/_build/html
-# make lessons, make bench: for developers
+# make lab      the course in JupyterLab, on your own copy of the lessons (my-course)
+# make check    lint, imports, types and the quick tests: for the one who is writing
+# make test     everything that is tested, as CI does
+# make fuzz     the quick tests on other numbers in every run
+# make site     the static pages, in docs/_build/html
+# make lessons  the notebooks from their sources; make lessons LESSON=05 does one
+# make bench    exactness and speed; make bench QUICK=yes draws less
 
 PYTHON ?= python3
 BIN := .venv/bin
-SPREAD := --numprocesses logical --dist loadfile  # a file at a time to every core
+# one test after another to every core, but together what tests/conftest.py groups, in its order
+PYTEST := $(BIN)/python -m pytest --numprocesses logical --dist loadgroup --no-loadscope-reorder
+COSTLY := browser or cage or notebook or slow
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
-.PHONY: lab test test-deps site lessons bench
+.PHONY: lab check lint test test-deps fuzz site lessons bench
 .DELETE_ON_ERROR:
 
 lab: .venv/lab
 	$(BIN)/dhlab lab my-course
 
-test: .venv/test
+check: lint
+	$(PYTEST) -m "not ($(COSTLY))"
+
+lint: .venv/test
+	$(BIN)/ruff check --quiet
+	$(BIN)/ruff format --check --quiet
+	$(BIN)/lint-imports
+	$(BIN)/mypy
+
+test: check
 	@$(MAKE) --no-print-directory test-deps
-	$(BIN)/python -m dhlab.course.building.contract
-	$(BIN)/python -m dhlab.course.building.build --check
-	$(BIN)/python -m pytest $(SPREAD)
-	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
-	$(BIN)/python -m pytest $(SPREAD) -q -o addopts= --nbval-lax lessons
+	$(PYTEST) -m "$(COSTLY)" --nbval --nbval-sanitize-with tests/nbval.cfg tests solutions
+
+# A seed that is given shows again what was found with it: make fuzz DHLAB_SEED=20261122
+fuzz: export DHLAB_SEED ?= $(shell date +%s)
+fuzz: .venv/test
+	$(PYTEST) -m "not ($(COSTLY))" --hypothesis-seed=$(DHLAB_SEED) tests
 
 # Chromium and bubblewrap come from apt where this user may install; otherwise the tests that need them are skipped by name.
 test-deps:
@@ -30,7 +45,7 @@ site: .venv/test
 	$(BIN)/python docs/build.py
 
 lessons: .venv/test
-	$(BIN)/python -m dhlab.course.building.build
+	$(BIN)/python -m dhlab.course.building.build $(LESSON)
 
 bench: .venv/test
 	$(BIN)/python benchmarks/accuracy.py

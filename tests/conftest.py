@@ -1,15 +1,23 @@
-"""What every test may use: optional judges that are skipped by name where they cannot be had, and
-never in CI.
+"""What every test may use, what each test needs (markers), which tests share a set-up (groups), and
+from which seeds numbers are drawn.
 """
 
 import importlib
 import os
 import platform
 import shutil
+import subprocess
 import sys
+from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import currently_in_test_context, settings
+from hypothesis.database import DirectoryBasedExampleDatabase
 
+HERE = Path(__file__).parent
+FOUND = HERE.parent / ".fuzz"  # where ``make fuzz`` keeps what it finds
+SEED = os.environ.get("DHLAB_SEED")  # set by ``make fuzz`` alone
 FLAGS = [
     "--no-sandbox",
     "--disable-gpu",
@@ -26,6 +34,97 @@ WANTED = {
     "pybullet": sys.platform == "linux" and sys.version_info < (3, 12),
     "trac_ik": sys.platform == "linux" and platform.machine() == "x86_64",
 }
+
+# ---- draws: the same in every run, and others under ``make fuzz``
+
+settings.register_profile("same", derandomize=True, database=None, deadline=None)
+settings.register_profile(
+    "fuzz", database=DirectoryBasedExampleDatabase(FOUND / "hypothesis"), deadline=None
+)
+settings.load_profile("fuzz" if SEED else "same")
+
+
+def pytest_configure():
+    """Under ``make fuzz``, seeds in the tests' own files mean other numbers."""
+    if SEED:
+        np.random.default_rng = _shifted(np.random.default_rng)
+
+
+def _shifted(default_rng):
+    def shifted(seed=None):
+        drawn_here = Path(sys._getframe(1).f_code.co_filename).is_relative_to(HERE)
+        # what hypothesis draws is new already, and must be found again by its seed
+        if drawn_here and isinstance(seed, int | np.integer) and not currently_in_test_context():
+            seed = (int(seed), int(SEED))
+        return default_rng(seed)
+
+    return shifted
+
+
+def pytest_terminal_summary(terminalreporter):
+    """What failed under ``make fuzz`` is written down with the seed that shows it again."""
+    if not SEED or hasattr(terminalreporter.config, "workerinput"):
+        return
+    failed = [report.nodeid for report in terminalreporter.stats.get("failed", [])]
+    if failed:
+        FOUND.mkdir(exist_ok=True)
+        with open(FOUND / "failed.txt", "a", encoding="utf-8") as kept:
+            kept.writelines(f"DHLAB_SEED={SEED} {test}\n" for test in failed)
+    terminalreporter.write_line(
+        f"Numbers were drawn with DHLAB_SEED={SEED}; {len(failed)} tests failed. What is found is"
+        f" kept in {FOUND.name}/ and tried first the next time; make fuzz DHLAB_SEED={SEED} shows"
+        " it again."
+    )
+
+
+# ---- markers and groups
+
+# a test that uses one of these fixtures opens what stands on the right
+NEEDS = {
+    "chromium": "browser",
+    "graded": "cage",
+    "reference": "cage",
+    "simulated": "cage",
+    "ours": "cage",
+    "lab": "notebook",
+    "site": "notebook",
+    "course": "notebook",
+    "clone": "notebook",
+    "packages": "slow",
+    "built": "slow",
+}
+# set up once a session: the tests of all files that use one of these run in one process
+SHARED = ("site", "packages", "built")
+COSTLY = tuple(NEEDS.values())
+
+
+@pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
+def pytest_collection_modifyitems(items):
+    """Mark tests by what they open, keep those together that share a set-up, and put the costly
+    first, so that no long one is left for the end.
+    """
+    for item in items:
+        for name in set(NEEDS) & set(getattr(item, "fixturenames", ())):
+            item.add_marker(NEEDS[name])
+        if item.path.suffix == ".ipynb":
+            item.add_marker("notebook")
+        group = _group(item)
+        if group:
+            item.add_marker(pytest.mark.xdist_group(group))
+    items.sort(key=lambda item: not any(map(item.get_closest_marker, COSTLY)))
+
+
+def _group(item):
+    """The tests that must run in one process: cells of a notebook, and users of a fixture that
+    lives longer than a test.
+    """
+    fixtures = getattr(getattr(item, "_fixtureinfo", None), "name2fixturedefs", {})
+    shared = [name for name in SHARED if name in fixtures]
+    long_lived = any(each[-1].scope == "module" for each in fixtures.values())
+    return shared[0] if shared else str(item.path) if long_lived or not fixtures else None
+
+
+# ---- fixtures
 
 
 @pytest.fixture
@@ -73,3 +172,32 @@ def browser(chromium):
         browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="module")
+def new_page(browser):
+    """``new_page(…)`` is a page on which what is waited for has four minutes to happen: what takes
+    longer does not happen, whatever else the machine does.
+    """
+    from playwright.sync_api import expect
+
+    expect.set_options(timeout=240_000)
+
+    def make(**settings):
+        page = browser.new_page(**settings)
+        page.set_default_timeout(240_000)
+        return page
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory):
+    """The folder of the pages, built as ``make site`` does; the lessons as they were run for it
+    stand beside it, in ``executed``.
+    """
+    out = tmp_path_factory.mktemp("site")
+    build = [sys.executable, HERE.parent / "docs" / "build.py", out]
+    done = subprocess.run(build, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return out / "html"

@@ -15,19 +15,13 @@ from .canonical import ROUNDING, JointAxes, align, counting, gaps, moved
 from .freechoices import FreeChoice, turn_of
 from .zeros import Rezeroed
 
-__all__ = [
-    "Equivalence",
-    "tolerances",
-    "unlike_joints",
-    "first_difference",
-    "end_difference",
-]
+__all__ = ["Equivalence", "tolerances", "unlike_joints", "first_difference", "end_difference"]
 
 
 # rad; half way, in powers of ten, between the rounding of a long walk of rewritings (1e-14) and the
 # smallest true change (1e-6), of which an axis may show a small part only
 ANGLE = 1e-10
-COUNTING = 1e-10  # of a coupling; likewise
+COUNTING = 1e-9  # of a coupling
 LENGTH = 1e-10  # × how far the axes pass from the end; likewise
 
 

@@ -11,13 +11,7 @@ from ..table import DHTable
 from ..transform import inverse
 from .canonical import ROUNDING, align, gaps, joint_axes, moved
 from .conversion import as_arm, to_convention
-from .differences import (
-    Equivalence,
-    end_difference,
-    first_difference,
-    tolerances,
-    unlike_joints,
-)
+from .differences import Equivalence, end_difference, first_difference, tolerances, unlike_joints
 from .freechoices import SAME_LENGTH, FreeChoice, end_choice, free_choices, in_words
 from .zeros import rezero, with_zeros
 

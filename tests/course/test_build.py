@@ -10,6 +10,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import nbformat
 import pytest
 
 from dhlab.course.building import faults, notebooks, reading
@@ -257,6 +258,102 @@ def test_an_exercise_that_would_fail_a_student_is_refused(
     )
 
 
+# ---- a lesson after its run: lesson 05 with one output changed
+
+
+def after_a_run():
+    """(source, solution, lesson that is handed out), each check with what it must say."""
+    (path,) = reading.sources(["05"])
+    solution = nbformat.read(path.with_suffix(".ipynb"), as_version=4)
+    handed_out = notebooks.lesson_notebook(reading.read_source(path))
+    for key, cell in checks(handed_out).items():
+        say(cell, f"○ {key}  Not attempted yet")
+    return path, solution, handed_out
+
+
+def checks(notebook):
+    found = (re.match(r'check\("([^"]+)"', cell.source) for cell in notebook.cells)
+    return {match[1]: cell for match, cell in zip(found, notebook.cells) if match}
+
+
+def say(cell, text):
+    cell.outputs = [nbformat.v4.new_output("execute_result", {"text/plain": text})]
+
+
+def fail(cell):
+    cell.outputs = [
+        nbformat.v4.new_output("error", ename="NameError", evalue="no letter\nx", traceback=[])
+    ]
+
+
+def refused(path, solution, handed_out):
+    with pytest.raises(ValueError) as refused:
+        faults.refuse_runs(path, solution, handed_out)
+    return str(refused.value)
+
+
+def test_a_lesson_whose_checks_say_what_they_must_is_built():
+    faults.refuse_runs(*after_a_run())
+
+
+WRONG = "✗ 05.2  Not yet: A turn about x."
+GIVEN_AWAY = "✓ 05.2  Right: Turn and shift."
+
+
+@pytest.mark.parametrize(
+    "which, said, words",
+    [
+        (
+            "solution",
+            WRONG,
+            f"expected 05.2 to be 'right' in the solution, found '{WRONG}'; correct the solution,"
+            " or the exercise",
+        ),
+        (
+            "solution",
+            None,
+            "found 'no verdict: the check must be the last line of its cell'; correct the solution",
+        ),
+        (
+            "handed out",
+            GIVEN_AWAY,
+            "expected 05.2 to be 'not attempted' in the lesson that is handed out, found"
+            f" '{GIVEN_AWAY}'; leave dots",
+        ),
+        (
+            "handed out",
+            None,
+            "found 'no verdict: the check must be the last line of its cell'; leave dots",
+        ),
+    ],
+)
+def test_a_check_that_says_something_else_is_refused(which, said, words):
+    path, solution, handed_out = after_a_run()
+    cell = checks(solution if which == "solution" else handed_out)["05.2"]
+    say(cell, said) if said else cell.outputs.clear()
+    found = refused(path, solution, handed_out)
+    line = path.read_text(encoding="utf-8").splitlines().index('check("05.2", rule)') + 1
+    assert found.startswith(f"solutions/05-link-matrix.md, line {line}: ")
+    assert words in found
+    assert "\n" not in found
+
+
+@pytest.mark.parametrize(
+    "which, what", [("solution", "the solution"), ("handed out", "the lesson that is handed out")]
+)
+def test_a_cell_that_fails_is_named_before_its_checks(which, what):
+    path, solution, handed_out = after_a_run()
+    notebook = solution if which == "solution" else handed_out
+    fail(checks(notebook)["05.2"])
+    words = f"expected {what} to run, found NameError in this cell: no letter; correct it"
+    assert words in refused(path, solution, handed_out)
+    shown = next(cell for cell in notebook.cells if cell.source.startswith("import"))
+    say(checks(notebook)["05.2"], "✓ 05.2  Right" if which == "solution" else "○ 05.2  Not yet")
+    fail(shown)
+    shown.metadata["tags"] = ["raises-exception"]
+    faults.refuse_runs(path, solution, handed_out)
+
+
 # ---- a sheet of one's own, built in a copy
 
 
@@ -286,31 +383,6 @@ def clone(tmp_path_factory):
                 " where the arm stands.'; correct the solution"
             ),
         ),
-        (
-            "sheet",
-            "changed = ...",
-            'changed = "b"',
-            (
-                "expected 10.2 to be 'not attempted' in the lesson that is handed out, found '✓"
-                " 10.2  Right"
-            ),
-        ),
-        (
-            "sheet",
-            'check("10.2", changed)',
-            'check("10.2", changed);',
-            "found 'no verdict: the check must be the last line of its cell'",
-        ),
-        (
-            "sheet",
-            'changed = "b"',
-            "changed = letter",
-            (
-                "expected the solution to run, found NameError in this cell: name 'letter' is not"
-                " defined"
-            ),
-        ),
-        ("sheet", "print(task)\n", "print(task)\nT_0F = nothing\n", "NameError"),
         (
             "exercises",
             'correct="tool"',

@@ -47,32 +47,73 @@ def lab(tmp_path_factory):
         process.wait(20)
 
 
-def test_lesson_06_runs_in_the_browser(lab, browser):
-    from playwright.sync_api import expect
+def wait_for(page, what, event):
+    """Wait until ``event()`` is done, a call of Playwright's that waits for ``what``; what was on
+    the page is said when it does not come.
+    """
+    from playwright.sync_api import Error
 
-    address, folder = lab
-    outside = []
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    try:
+        return event()
+    except (Error, AssertionError) as error:
+        status = page.locator("#jp-main-statusbar").all_text_contents()
+        prompts = "".join(page.locator(".jp-CodeCell .jp-InputPrompt").all_text_contents())
+        errors = page.locator("[data-mime-type*=stderr]").all_inner_texts()
+        dialogs = page.locator(".jp-Dialog").all_inner_texts()
+        pytest.fail(
+            f"waited for {what}; saw the status bar {status}, the cells {prompts}, the errors"
+            f" {errors}, the dialogs {dialogs}\n{error}"
+        )
+
+
+def kernel_is_idle(page):
+    """The kernel answers. JupyterLab runs only the first cell of all when it does not yet."""
+    idle = page.get_by_text("| Idle")
+    wait_for(page, "an idle kernel", lambda: idle.wait_for())
+
+
+def asked_elsewhere(page):
+    """A list of what the page will have asked for that is not on this machine."""
+    asked = []
     page.on(
         "request",
         lambda request: (
-            outside.append(request.url)
+            asked.append(request.url)
             if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url)
             else None
         ),
     )
+    return asked
+
+
+def test_lesson_06_runs_in_the_browser(lab, new_page):
+    from playwright.sync_api import expect
+
+    address, folder = lab
+    page = new_page(viewport={"width": 1280, "height": 900})
+    asked = asked_elsewhere(page)
     page.goto(f"{address}/lab/tree/06-forward-kinematics.ipynb")
-    page.get_by_role("heading", name="06 Six axes").wait_for(timeout=60_000)
+    heading = page.get_by_role("heading", name="06 Six axes")
+    wait_for(page, "the heading of lesson 06", lambda: heading.wait_for())
+    kernel_is_idle(page)
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_text("Run All Cells", exact=True).click()
-    expect(page.get_by_text(re.compile(r"^0 of \d+ points$")).first).to_be_attached(timeout=90_000)
+    lesson = json.loads((folder / "06-forward-kinematics.ipynb").read_text(encoding="utf-8"))
+    cells = sum(cell["cell_type"] == "code" for cell in lesson["cells"])
+    ran = page.locator(".jp-Notebook-ExecutionIndicator")
+    wait_for(
+        page,
+        f"{cells} cells that have run",
+        lambda: expect(ran).to_contain_text(f"Executed {cells} cells"),
+    )
+    points = page.get_by_text(re.compile(r"^0 of \d+ points$")).first
+    wait_for(page, "0 of the points", lambda: expect(points).to_be_attached())
     page.screenshot(path=folder.parent / "lesson-06.png")
     page.close()
-    assert outside == []
+    assert asked == []
     assert not (folder / ".dhlab" / "progress.jsonl").exists(), (
         "an untouched lesson leaves nothing in the log"
     )
-    assert json.loads((folder / "06-forward-kinematics.ipynb").read_text())["cells"]
 
 
 CELLS = [
@@ -94,13 +135,12 @@ def run(page, cell):
     cells = page.locator(".jp-CodeCell")
     cells.nth(cell).locator(".cm-content").click()
     page.keyboard.press("Shift+Enter")
-    cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]")).wait_for(
-        timeout=60_000
-    )
+    done = cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]"))
+    wait_for(page, f"cell {cell} to be run", lambda: done.wait_for())
     return cells.nth(cell)
 
 
-def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(lab, browser):
+def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(lab, new_page):
     from playwright.sync_api import expect
 
     address, folder = lab
@@ -111,20 +151,12 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         "name": "python3",
     }
     nbformat.write(notebook, folder / "explorer.ipynb")
-    faults = []
-    page = browser.new_page(viewport={"width": 1280, "height": 1400})
-    page.on(
-        "request",
-        lambda request: (
-            faults.append(request.url)
-            if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url)
-            else None
-        ),
-    )
+    page = new_page(viewport={"width": 1280, "height": 1400})
+    faults = asked_elsewhere(page)
     page.on("pageerror", lambda error: faults.append(str(error)) if "dhlab" in str(error) else None)
     page.goto(f"{address}/lab/workspaces/explorer/tree/explorer.ipynb?reset")
-    page.locator(".jp-CodeCell").first.wait_for(timeout=60_000)
-    page.get_by_text("| Idle").wait_for(timeout=60_000)
+    page.locator(".jp-CodeCell").first.wait_for()
+    kernel_is_idle(page)
     run(page, 0)
     first, second = (page.get_by_role("slider", name=f"Joint {k}, degrees") for k in (1, 2))
     box = first.bounding_box()
@@ -173,19 +205,18 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     )
     page.get_by_role("menuitem", name="Kernel", exact=True).click()
     page.get_by_text("Shut Down Kernel", exact=True).click()
-    page.get_by_text("No Kernel").first.wait_for(timeout=20_000)
+    page.get_by_text("No Kernel").first.wait_for()
     page.close()
-    page = browser.new_page(viewport={"width": 1280, "height": 1400})
+    page = new_page(viewport={"width": 1280, "height": 1400})
+    asked = asked_elsewhere(page)
     page.goto(f"{address}/lab/workspaces/again/tree/explorer.ipynb?reset")
-    page.get_by_text("| Idle").wait_for(timeout=60_000)
+    kernel_is_idle(page)
     first = page.get_by_role("slider", name="Joint 1, degrees")
     expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
     first.press("ArrowRight")
     expect(first).to_have_attribute("aria-valuetext", "29 degrees")
     page.get_by_role("button", name="Start over").click()
-    expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible(
-        timeout=10_000
-    )
+    expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible()
     page.screenshot(path=folder.parent / "explorer-again.png")
     page.close()
-    assert faults == []
+    assert faults == asked == []

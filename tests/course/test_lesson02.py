@@ -26,19 +26,19 @@ def one_row(theta, d, a, alpha):
 
 def nearest_row(T):
     """How near to a pose any row comes (m and entries of R), over many starts."""
-    starts = product((-2.5, -0.8, 0.8, 2.5), (0.0,), (0.1, -0.1), (-2.5, -0.8, 0.8, 2.5))
-    return min(
-        np.abs(
-            least_squares(
-                lambda row: (one_row(*row) - T)[:3].ravel(),
-                start,
-                xtol=1e-15,
-                ftol=1e-15,
-                gtol=1e-15,
-            ).fun
-        ).max()
-        for start in starts
-    )
+    found = []
+    for theta, alpha in product((-2.5, -0.8, 0.8, 2.5), repeat=2):
+        fit = least_squares(
+            lambda row: (one_row(*row) - T)[:3].ravel(),
+            (theta, 0.0, 0.1, alpha),
+            xtol=1e-12,
+            ftol=1e-12,
+            gtol=1e-12,
+        )
+        found.append(np.abs(fit.fun).max())
+        if found[-1] < 1e-9:
+            break
+    return min(found)
 
 
 def read_with_scipy(T):

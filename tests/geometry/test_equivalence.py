@@ -84,7 +84,7 @@ def test_one_true_change_is_rejected(base, tool, seed):
 
 def test_a_change_of_which_little_shows_is_rejected():
     """1e-6 m in an entry, nearly along a joint axis of a 0.3 m arm, so that 2e-10 m are left."""
-    rng = np.random.default_rng(212)
+    rng = np.random.Generator(np.random.PCG64(212))  # these numbers, under make fuzz too
     arm = random_arm(rng)
     _, walked = random_walk(arm, rng)
     changed = {kind: true_change(walked, rng, kind, 1e-6) for kind in ("theta", "d", "a")}["a"]

@@ -240,6 +240,7 @@ def test_the_best_level_is_taken_and_its_risk_is_known():
     assert cage.best_level() in cage.RISKS and "trust" in cage.RISKS["rlimits"]
 
 
+@pytest.mark.cage
 def test_a_cage_that_is_killed_is_built_again():
     if sys.platform != "linux":
         pytest.skip("processes are found in another way here")

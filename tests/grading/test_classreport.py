@@ -184,12 +184,12 @@ def test_it_is_readable_without_seeing_the_bars(text):
     )
 
 
-def test_it_looks_as_it_should(simulated, browser):
+def test_it_looks_as_it_should(simulated, new_page):
     """In Chromium: nothing asked from elsewhere, nothing wider than the window, bars as long as
     their numbers say.
     """
     for width in (1280, 390):
-        page = browser.new_page(viewport={"width": width, "height": 900})
+        page = new_page(viewport={"width": width, "height": 900})
         asked = []
         page.on("request", lambda request: asked.append(request.url))  # noqa: B023  (of this page)
         page.goto(simulated[2].as_uri())

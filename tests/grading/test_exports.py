@@ -295,6 +295,7 @@ def autograder(tmp_path, answers, user="ada@example.org", key=None):
     return json.loads((root / "results" / "results.json").read_text(encoding="utf-8")), root
 
 
+@pytest.mark.cage
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
 def test_gradescope_in_its_own_folders(tmp_path):
     key = bytes(range(32))
@@ -320,6 +321,7 @@ def test_gradescope_in_its_own_folders(tmp_path):
     assert key not in inside and key.hex().encode() not in inside
 
 
+@pytest.mark.cage
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
 def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path):
     results, _ = autograder(

@@ -313,6 +313,7 @@ def test_the_teachers_settings(folder, tmp_path):
     assert by["ada"].penalty == 0.5  # years late
 
 
+@pytest.mark.cage
 def test_variants_come_from_the_key_and_copies_show(tmp_path):
     folder = tmp_path / "class"
     numbers = {student: variant(KEY, student) for student in ("ada", "bo", "cy")}
@@ -365,6 +366,7 @@ def test_what_cannot_be_graded(folder, change, words):
         plan(**{"place": folder, **change})
 
 
+@pytest.mark.cage
 def test_every_lessons_solution_earns_everything_and_its_stubs_nothing(tmp_path):
     for student in ("solutions", "lessons"):
         shutil.copytree(

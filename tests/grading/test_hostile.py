@@ -209,6 +209,7 @@ def test_answers_do_not_enter_the_cage(tmp_path):
     ]
 
 
+@pytest.mark.cage
 @pytest.mark.skipif(
     not hasattr(os, "geteuid") or os.geteuid() != 0 or not shutil.which("bwrap"),
     reason="where the tests do not run as root, they have shown it already",

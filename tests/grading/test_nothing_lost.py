@@ -85,6 +85,7 @@ def points(graded, lesson):
     return sum(mark.points for mark in graded.marks if mark.lesson == lesson)
 
 
+@pytest.mark.cage
 def test_a_second_lesson_and_latecomers_leave_the_marks_there_are(tmp_path):
     out = tmp_path / "graded"
     for student in ("ada", "bo"):
@@ -122,6 +123,7 @@ def test_a_second_lesson_and_latecomers_leave_the_marks_there_are(tmp_path):
     ), "what was not handed in is no 0"
 
 
+@pytest.mark.cage
 def test_a_file_that_cannot_be_read_takes_no_mark_away(tmp_path):
     put(tmp_path / "in" / "ada" / "05.ipynb", notebook("05"))
     before = grade(tmp_path / "in", tmp_path / "out", settings=only("05"))[0][0]
@@ -187,6 +189,7 @@ def test_a_forgotten_key_or_another_one_stops_before_anybody_is_marked(tmp_path)
     )
 
 
+@pytest.mark.cage
 def test_numbers_of_somebody_else_and_of_nobody_are_told(tmp_path):
     hand_in(
         tmp_path / "in",
@@ -258,6 +261,7 @@ def test_one_person_with_two_files_is_one(tmp_path):
     assert len(found["bo"].notebooks) == len(found["ada"].notebooks) == 2
 
 
+@pytest.mark.cage
 def test_when_it_came_and_how_that_is_known(tmp_path):
     from zoneinfo import ZoneInfo
 
@@ -340,6 +344,7 @@ def dhlab(*arguments, **options):
     )
 
 
+@pytest.mark.cage
 def test_a_lesson_that_was_not_handed_in_is_no_silent_zero(tmp_path):
     put(tmp_path / "in" / "ada" / "05.ipynb", notebook("05"))
     put(tmp_path / "in" / "ada" / "old" / "05.ipynb", notebook("05", answered=False))

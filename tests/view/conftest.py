@@ -61,18 +61,15 @@ def _without(reason):
 
 
 @pytest.fixture
-def opened(browser):
+def opened(new_page):
     """``opened(explorer, …)`` is a page without a kernel and without a network that shows them;
     whatever goes wrong on it fails the test.
     """
     pages, faults = [], []
 
     def get(*explorers, script="", stills=False, **settings):
-        context = browser.new_context(
-            offline=True, viewport={"width": 1280, "height": 900}, **settings
-        )
-        context.add_init_script(script)
-        page = context.new_page()
+        page = new_page(offline=True, viewport={"width": 1280, "height": 900}, **settings)
+        page.add_init_script(script)
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on(
             "console",
@@ -102,12 +99,12 @@ def opened(browser):
             "window.dhlab && [...document.querySelectorAll('.dhlab-explorer')].every((e) =>"
             " e.explorer)"
         )
-        pages.append(context)
+        pages.append(page)
         return page
 
     yield get
-    for context in pages:
-        context.close()
+    for page in pages:
+        page.close()
     assert faults == []
 
 

@@ -142,6 +142,7 @@ def _stored():
     return live, [cell.outputs[0].data for cell in without_widgets(notebook).cells], notebook
 
 
+@pytest.mark.notebook
 def test_stored_outputs_are_the_same_every_time_and_show_something_anywhere():
     live, outputs, notebook = _stored()
     _, again, _ = _stored()

@@ -190,6 +190,15 @@ def test_sliders_by_mouse_and_keyboard_move_arm_and_tables(opened):
     expect_status(page, f"x = {end[0, 3] * 1000:.1f}".replace("-", "−").removesuffix(".0"))
 
 
+def until(page, what, true):
+    """Wait until ``true()``, which the page brings about through Python."""
+    for _ in range(3000):
+        if true():
+            return
+        page.wait_for_timeout(10)
+    pytest.fail(f"waited 30 s for {what}; the page says {page.locator('main').inner_text()}")
+
+
 def expect_status(page, text):
     from playwright.sync_api import expect
 
@@ -373,9 +382,12 @@ def test_a_lost_picture_comes_back(opened, modes):
     drawn(page)
     page.evaluate(
         """() => { const { stage } = document.querySelector('.dhlab-explorer').explorer;
-        window.lost = stage.paper.renderer.gl.getExtension('WEBGL_lose_context'); window.lost.loseContext(); stage.redraw(); window.before = stage.drawn; }"""
+        const { gl } = stage.paper.renderer;
+        gl.canvas.addEventListener('webglcontextlost', () => { window.gone = true; });
+        window.lost = gl.getExtension('WEBGL_lose_context');
+        window.lost.loseContext(); stage.redraw(); window.before = stage.drawn; }"""
     )
-    page.wait_for_timeout(200)
+    page.wait_for_function("window.gone")
     page.evaluate("window.lost.restoreContext()")
     page.wait_for_function(
         "document.querySelector('.dhlab-explorer').explorer.stage.drawn > window.before"
@@ -612,8 +624,7 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
             before = explorer._answer
             offers.nth(int(k)).check(force=True)
             page.get_by_role("button", name="Place it").click()
-            while explorer._answer is before:
-                page.wait_for_timeout(10)
+            until(page, "Python's answer", lambda: explorer._answer is not before)
             page.wait_for_function(
                 "text => document.querySelector('main >"
                 " div').shadowRoot.querySelector('.verdict').textContent.includes(text)",
@@ -642,7 +653,7 @@ def test_python_and_hands_move_the_same_numbers(live):
     page = live(explorer)
     page.get_by_role("slider", name="alpha, the turn about x").press("ArrowRight")
     page.get_by_role("radio", name="Standard").check(force=True)
-    page.wait_for_timeout(100)
+    until(page, "the convention in Python", lambda: explorer.convention == "standard")
     assert (
         explorer.row[3] == pytest.approx(np.deg2rad(-89.5))
         and explorer.convention == "standard"
