@@ -2,10 +2,13 @@
 reading and building poses.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ...transform import from_xyz_rpy, inverse, rot_x, rot_y, rot_z, trans
-from ..kinds import Said, as_numbers, is_array_of
+from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
 
 __all__ = [
     "STANDING",
@@ -19,7 +22,7 @@ __all__ = [
 ]
 
 
-def general_pose(rng, reach=0.5):
+def general_pose(rng: np.random.Generator, reach: float = 0.5) -> NDArray:
     """A pose without zeros and without right angles."""
     return from_xyz_rpy(
         rng.uniform(0.1, reach, 3) * rng.choice([-1, 1], 3),
@@ -27,7 +30,7 @@ def general_pose(rng, reach=0.5):
     ).round(3)
 
 
-def draw_pose(rng):
+def draw_pose(rng: np.random.Generator) -> dict[str, Any]:
     return {
         "T_01": (
             from_xyz_rpy(
@@ -45,7 +48,7 @@ def _a_row(which):
     )
 
 
-def misread_axis(T_01):
+def misread_axis(T_01: NDArray) -> Mistakes:
     yield "rotation-transposed", _a_row("first"), T_01[0, :3]
     yield "rotation-block-misread", "this is the plate's y arrow", T_01[:3, 1]
     yield "rotation-block-misread", "this is the plate's z arrow", T_01[:3, 2]
@@ -63,7 +66,7 @@ STANDING = Said(
 )
 
 
-def misshapen_axis(answer, T_01):
+def misshapen_axis(answer: object, T_01: NDArray) -> Known | None:
     array = as_numbers(answer)
     if is_array_of(array.ravel(), T_01[:, 0]):
         return None, Said(
@@ -77,12 +80,12 @@ def misshapen_axis(answer, T_01):
     return None
 
 
-def draw_corner(rng):
+def draw_corner(rng: np.random.Generator) -> dict[str, Any]:
     x, y, z = rng.integers(1, 9, 3) / 10
     return {"x": float(x), "y": float(y), "z": float(z)}
 
 
-def plate(x, y, z):
+def plate(x: float, y: float, z: float) -> NDArray:
     """The plate of 01.2: its x arrow along y0, its z arrow up."""
     T = np.eye(4)
     T[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
@@ -90,7 +93,7 @@ def plate(x, y, z):
     return T
 
 
-def wrong_plates(x, y, z):
+def wrong_plates(x: float, y: float, z: float) -> Mistakes:
     T = plate(x, y, z)
     yield "rotation-transposed", "", trans([x, y, z]) @ rot_z(-np.pi / 2)
     yield "matrix-transposed", "", T.T

@@ -2,13 +2,16 @@
 rows read off links, poses that no row makes, rows as somebody prints them.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...robots import load
 from ...table import DHTable
 from ...transform import rot_y, trans
-from ..kinds import Said, as_numbers, is_array_of
+from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
 
 __all__ = [
     "ENTRIES",
@@ -34,17 +37,17 @@ ENTRIES = ("θ", "d", "a", "α")
 UP, FORWARD = 0.2845, 0.0535  # the xArm6's upper arm, metres; UFACTORY's kinematic parameters
 
 
-def link(theta, d, a, alpha):
+def link(theta: float, d: float, a: float, alpha: float) -> NDArray:
     """The pose that one standard row makes; degrees and metres."""
     return Arm(DHTable.standard([[theta, d, a, alpha]], angle="deg")).forward([0.0])
 
 
-def degrees(y, x):
+def degrees(y: float, x: float) -> float:
     """The angle of the point (x, y), in degrees."""
     return float(np.rad2deg(np.arctan2(y, x)))
 
 
-def read_off(T_01):
+def read_off(T_01: NDArray) -> list[float]:
     """θ, d, a, α of a pose that one row makes; degrees and metres."""
     x, p = T_01[:3, 0], T_01[:3, 3]
     return [degrees(x[1], x[0]), p[2], x @ p, degrees(T_01[2, 1], T_01[2, 2])]
@@ -56,14 +59,14 @@ def _lengths(rng):
     return float(d), float(a)
 
 
-def draw_first(rng):
+def draw_first(rng: np.random.Generator) -> dict[str, Any]:
     d, a = _lengths(rng)
     return {
         "T_01": link(float(rng.choice([20, 30, 35, 40])), d, a, float(rng.choice([50, 55, 60, 70])))
     }
 
 
-def draw_second(rng):
+def draw_second(rng: np.random.Generator) -> dict[str, Any]:
     d, a = _lengths(rng)
     return {
         "T_01": link(
@@ -82,7 +85,7 @@ FALSE_TURN = Said(
 )
 
 
-def misread(T_01):
+def misread(T_01: NDArray) -> Mistakes:
     """What comes out when one of the four is taken otherwise."""
     theta, d, a, alpha = read_off(T_01)
     x, z, p = T_01[:3, 0], T_01[:3, 2], T_01[:3, 3]
@@ -137,7 +140,9 @@ def misread(T_01):
         yield "lengths-made-positive", "a and α", [theta, d, -a, -alpha]
 
 
-def array_in_row(answer, T_01=None, q2=None):
+def array_in_row(
+    answer: object, T_01: NDArray | None = None, q2: float | None = None
+) -> Known | None:
     """A row of which an entry is an array."""
     entries = (
         [as_numbers(entry) for entry in answer]
@@ -159,7 +164,7 @@ def array_in_row(answer, T_01=None, q2=None):
     )
 
 
-def draw_poses(rng):
+def draw_poses(rng: np.random.Generator) -> dict[str, Any]:
     """Four poses in the order of the seed: two that a row makes, one shifted along y1, one with a
     leaning x1.
     """
@@ -172,18 +177,18 @@ def draw_poses(rng):
     return {f"T_{letter}": poses[k] for letter, k in zip("abcd", rng.permutation(4))}
 
 
-def leftovers(T):
+def leftovers(T: NDArray) -> tuple[float, float]:
     """What no row can make: how far x leans towards the old z, and how far its line passes by it
     (m).
     """
     return T[2, 0], np.cross([0, 0, 1], T[:3, 0]) @ T[:3, 3]
 
 
-def makeable(**poses):
+def makeable(**poses: NDArray) -> list[float]:
     return [float(max(map(abs, leftovers(T))) < 1e-9) for T in poses.values()]
 
 
-def misjudged(**poses):
+def misjudged(**poses: NDArray) -> Mistakes:
     """All fifteen wrong answers, each with its first reason."""
     right, names = np.array(makeable(**poses)), list(poses)
     yield (
@@ -226,7 +231,7 @@ def _reason(name, T, given):
     )
 
 
-def draw_printed(rng):
+def draw_printed(rng: np.random.Generator) -> dict[str, Any]:
     """A UR arm's table as its maker prints it: θ (rad), a (m), d (m), α (rad)."""
     name = str(rng.choice(["ur3e", "ur10e", "ur5_cb", "ur10_cb"]))
     return {"arm": name, "rows": load(name).table.rows[:, [0, 2, 1, 3]].tolist()}
@@ -236,11 +241,11 @@ def _in_our_order(rows):
     return [[np.rad2deg(theta), d, a, np.rad2deg(alpha)] for theta, a, d, alpha in rows]
 
 
-def printed_arm(arm, rows):
+def printed_arm(arm: str, rows: list[list[float]]) -> Arm:
     return Arm(DHTable.standard(_in_our_order(rows), angle="deg"))
 
 
-def miscopied(arm, rows):
+def miscopied(arm: str, rows: list[list[float]]) -> Mistakes:
     right = np.array(_in_our_order(rows))
     yield (
         "columns-misread",
@@ -286,11 +291,11 @@ def miscopied(arm, rows):
     )
 
 
-def draw_tube(rng):
+def draw_tube(rng: np.random.Generator) -> dict[str, Any]:
     return {"q2": float(rng.integers(12, 60) * rng.choice([-1, 1]))}
 
 
-def tube(q2):
+def tube(q2: float) -> list[float]:
     return [q2 + degrees(UP, FORWARD), 0.0, float(np.hypot(UP, FORWARD)), 0.0]
 
 
@@ -300,7 +305,7 @@ SKETCH = (
 )
 
 
-def wrong_tubes(q2):
+def wrong_tubes(q2: float) -> Mistakes:
     offset, a = degrees(UP, FORWARD), float(np.hypot(UP, FORWARD))
     yield (
         "length-along-the-part",
@@ -371,7 +376,7 @@ ANGLES = ("about-old-z", "about-new-x", "about-new-z")
 LEFT_OVER = {"about-new-z": "θ", "along-old-x": "a"}  # with the number that each imitates
 
 
-def explain_axes(order):
+def explain_axes(order: list[str]) -> Known | None:
     given = dict(zip(ENTRIES, order))
     imitated = [name for way, name in LEFT_OVER.items() if given[name] == way]
     if imitated:

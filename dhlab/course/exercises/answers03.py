@@ -2,17 +2,20 @@
 orders of moves, tables to classify and to convert, a table with no name.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...doctor.programs.wrong.craig import craig, in_order
 from ...doctor.programs.wrong.links import standard
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Function, Said, numbers
+from ..kinds import Function, Known, Mistakes, Said, numbers
 
 __all__ = [
     "CRAIGS_ALPHA",
@@ -74,7 +77,7 @@ def _wrong_numbers(given, right):
     return [k for k, (one, wanted) in enumerate(zip(given, right), 1) if one != wanted]
 
 
-def explain_sides(given):
+def explain_sides(given: list[str]) -> Known | None:
     wrong = _wrong_numbers(given, SIDES)
     if len(wrong) == 6:
         return "frame-at-other-end", "all six: the two have changed places"
@@ -125,13 +128,13 @@ SIGNS = {
 }
 
 
-def explain_order(order):
+def explain_order(order: list[str]) -> Known | None:
     if order in STANDARD_ORDERS:
         return "craig-rows-in-standard-matrix", STANDARD_ORDER
     return "order-taken-for-free", OTHER_ORDER
 
 
-def explain_published(given):
+def explain_published(given: list[str]) -> Known | None:
     wrong = _wrong_numbers(given, PUBLISHED)
     if len(wrong) == 6:
         return "convention-guessed", Said(
@@ -156,7 +159,7 @@ def explain_published(given):
     )
 
 
-def explain_reasons(given):
+def explain_reasons(given: list[str]) -> Known | None:
     return (
         "tables-differ-otherwise",
         f"pair {', '.join(map(str, _wrong_numbers(given, REASONS)))}",
@@ -176,15 +179,15 @@ def _draw_rows(rng, n):
     return np.column_stack([theta, d, a * rng.choice([-1, 1], n), alpha])
 
 
-def draw_standard(rng):
+def draw_standard(rng: np.random.Generator) -> dict[str, Any]:
     return {"rows": _draw_rows(rng, 3).tolist()}
 
 
-def to_craig(rows):
+def to_craig(rows: list[list[float]]) -> Arm:
     return Arm(DHTable.standard(rows, angle="deg")).to("craig")
 
 
-def half_to_craig(rows):
+def half_to_craig(rows: list[list[float]]) -> Mistakes:
     """What half a conversion looks like, twice: with a row 1 that is right, as 03.7 hands it out,
     and with a row 1 of its own.
     """
@@ -228,17 +231,17 @@ def _shifted(rows, step):
     return np.column_stack([rows[:, :2], moved])
 
 
-def draw_craig(rng):
+def draw_craig(rng: np.random.Generator) -> dict[str, Any]:
     rows = _draw_rows(rng, 4)
     rows[0, 2:] = 0
     return {"rows": rows.tolist()}
 
 
-def to_standard(rows):
+def to_standard(rows: list[list[float]]) -> Arm:
     return Arm(DHTable.craig(rows, angle="deg")).to("standard")
 
 
-def half_to_standard(rows):
+def half_to_standard(rows: list[list[float]]) -> Mistakes:
     given, right = np.array(rows), np.array(numbers(to_standard(rows).table))
     yield "conversion-incomplete", "the rows are unchanged", given
     yield (
@@ -268,7 +271,7 @@ def half_to_standard(rows):
     )
 
 
-def draw_broken(rng):
+def draw_broken(rng: np.random.Generator) -> dict[str, Any]:
     """A standard table and its conversion in which a stayed where it was."""
     rows = _draw_rows(rng, 4)
     rows[-1, 2:] = 0
@@ -279,11 +282,11 @@ def draw_broken(rng):
     }
 
 
-def repaired(standard, converted):
+def repaired(standard: list[list[float]], converted: list[list[float]]) -> Arm:
     return to_craig(standard)
 
 
-def badly_repaired(standard, converted):
+def badly_repaired(standard: list[list[float]], converted: list[list[float]]) -> Mistakes:
     rows, right = np.array(converted), np.array(numbers(to_craig(standard).table))
     for k in range(1, len(rows)):
         for mended in combinations(range(len(rows)), k):
@@ -309,7 +312,7 @@ def badly_repaired(standard, converted):
     )
 
 
-def draw_unseen(rng):
+def draw_unseen(rng: np.random.Generator) -> dict[str, Any]:
     """A table that no habit gives away: its owner counts in a bracket below joint 1 (Craig) or a
     hand (standard), so both ends hold numbers.
     """
@@ -342,11 +345,15 @@ def _convention_of(rows, q_check, p_check):
     )
 
 
-def unseen_point(rows, q_check, p_check, q):
+def unseen_point(
+    rows: list[list[float]], q_check: list[float], p_check: list[float], q: list[float]
+) -> NDArray:
     return _read_as(_convention_of(rows, q_check, p_check), rows).forward(np.deg2rad(q))[:3, 3]
 
 
-def wrong_points(rows, q_check, p_check, q):
+def wrong_points(
+    rows: list[list[float]], q_check: list[float], p_check: list[float], q: list[float]
+) -> Mistakes:
     right = _convention_of(rows, q_check, p_check)
     arm, angles = _read_as(right, rows), np.deg2rad(q)
     mistake, other = (
@@ -393,7 +400,9 @@ def wrong_points(rows, q_check, p_check, q):
 class CraigsMatrix(Function):
     """The function of 03.3; says which of the four moves is missing where one is."""
 
-    def refine(self, mistake, answers, cases):
+    def refine(
+        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> Known | None:
         if mistake not in (None, "matrix-entry-mistyped"):
             return None
         for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):

@@ -4,12 +4,13 @@ axes to place frames on, frames to read a table from.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ...table import DHTable
-from ..kinds import Said, Table
-from ..verdict import RIGHT, WRONG
+from ..kinds import Known, Said, Table
+from ..verdict import RIGHT, WRONG, Verdict
 
 __all__ = [
     "OF_Z",
@@ -34,7 +35,7 @@ def _tenths(rng, low, high):
     return int(rng.integers(low, high + 1)) / 10
 
 
-def draw_skew(rng):
+def draw_skew(rng: np.random.Generator) -> dict[str, Any]:
     """Two skew axes; the housing of joint 2 is not where the common normal arrives. Frame 2 is the
     tool's.
     """
@@ -50,7 +51,7 @@ def draw_skew(rng):
     }
 
 
-def draw_shoulder(rng):
+def draw_shoulder(rng: np.random.Generator) -> dict[str, Any]:
     """Axis 2 meets axis 1, axis 3 is parallel to axis 2, the tool points away from the elbow."""
     h, upper, fore, side = (
         _tenths(rng, 3, 5),
@@ -70,7 +71,7 @@ def draw_shoulder(rng):
     }
 
 
-def draw_colleagues(rng):
+def draw_colleagues(rng: np.random.Generator) -> dict[str, Any]:
     """Somebody's frames: a z and an x turned round and an origin slid, all of which is allowed, and
     one origin on the wrong axis.
     """
@@ -95,7 +96,7 @@ def draw_colleagues(rng):
     }
 
 
-def draw_sliding(rng):
+def draw_sliding(rng: np.random.Generator) -> dict[str, Any]:
     """Shoulder, a joint that slides, a roll on the same line, and the tool: the first joints of the
     Stanford arm.
     """
@@ -120,7 +121,7 @@ def draw_sliding(rng):
 OF_Z = ["axis-1", "axis-2", "axis-3"]  # 04.1: the lines of z0, z1, z2
 
 
-def explain_lines(lines):
+def explain_lines(lines: list[str]) -> Known | None:
     wrong = ", ".join(
         f"z{i}" for i, (line, wanted) in enumerate(zip(lines, OF_Z)) if line != wanted
     )
@@ -150,7 +151,7 @@ class ReadTable(Table):
 
     read: Sequence[Sequence[float]] = ()
 
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
         rows = _numbers(answer, np.shape(self.read))
         if rows is None or verdict.status not in (RIGHT, WRONG):

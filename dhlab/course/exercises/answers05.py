@@ -2,14 +2,17 @@
 orders of the moves, the closed form, a row that slides.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...doctor.programs.slipsearch import wrong_entries
 from ...doctor.programs.wrong.links import WRONG_LINKS, standard
-from ..kinds import Function, Said
+from ..kinds import Function, Known, Mistakes, Said
 
 __all__ = [
     "OF_THE_MATRIX",
@@ -35,18 +38,18 @@ RIGHT_ORDERS = (
 )
 
 
-def draw_angle(rng):
+def draw_angle(rng: np.random.Generator) -> tuple:
     return (float(rng.uniform(0.2, 3.0) * rng.choice([-1, 1])),)
 
 
-def from_a_blog(theta, d, a, alpha):
+def from_a_blog(theta: float, d: float, a: float, alpha: float) -> NDArray:
     """The broken program of 05.7: one sign of the z arrow."""
     T = standard(theta, d, a, alpha)
     T[1, 2] *= -1
     return T
 
 
-def draw_column(rng):
+def draw_column(rng: np.random.Generator) -> dict[str, Any]:
     return {
         "theta": float(rng.choice([20, 30, 40, 50, 60])),
         "d": float(rng.integers(1, 6) / 10),
@@ -55,11 +58,11 @@ def draw_column(rng):
     }
 
 
-def row_in_radians(theta, d, a, alpha):
+def row_in_radians(theta: float, d: float, a: float, alpha: float) -> NDArray:
     return standard(np.deg2rad(theta), d, a, np.deg2rad(alpha))
 
 
-def wrong_origins(theta, d, a, alpha):
+def wrong_origins(theta: float, d: float, a: float, alpha: float) -> Mistakes:
     T = row_in_radians(theta, d, a, alpha)
     t, al = np.deg2rad(theta), np.deg2rad(alpha)
     yield "shift-not-turned-by-theta", "", [a, 0, d]
@@ -114,16 +117,16 @@ def wrong_origins(theta, d, a, alpha):
     )
 
 
-def draw_slide(rng):
+def draw_slide(rng: np.random.Generator) -> dict[str, Any]:
     return {"q3": float(rng.choice([0.4, 0.5, 0.6, 0.7, 0.8]))}
 
 
-def slide(q3):
+def slide(q3: float) -> NDArray:
     """The sliding row of 05.9: theta = -90°, d = q3, a = 0.05, alpha = 90°."""
     return standard(-np.pi / 2, q3, 0.05, np.pi / 2)
 
 
-def wrong_slides(q3):
+def wrong_slides(q3: float) -> Mistakes:
     half = np.pi / 2
     row = (-half, q3, 0.05, half)
     yield (
@@ -169,7 +172,7 @@ def wrong_slides(q3):
         yield mistake, place, version(*row)
 
 
-def explain_order(order):
+def explain_order(order: list[str]) -> Known | None:
     if set(order[:2]) == {"tx", "rx"}:
         return "standard-rows-in-craig-matrix", Said(
             "the x moves come before the z moves",
@@ -198,14 +201,16 @@ def explain_order(order):
 class ClosedForm(Function):
     """A link matrix typed entry by entry: what is wrong is said of its entries and columns."""
 
-    def refine(self, mistake, answers, cases):
+    def refine(
+        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> Known | None:
         if mistake not in ("matrix-entry-mistyped", "not-rigid"):
             return None
-        answers = np.array(answers, dtype=float)
+        matrices = np.array(answers, dtype=float)
         said = (
-            _wrong_columns(answers[:, :3, :3])
+            _wrong_columns(matrices[:, :3, :3])
             if mistake == "not-rigid"
-            else _wrong_entries(wrong_entries(answers, cases))
+            else _wrong_entries(wrong_entries(matrices, cases))
         )
         return said and (mistake, said)
 

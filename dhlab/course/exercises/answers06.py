@@ -2,13 +2,16 @@
 the article's arm and its offsets, structures of four arms.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...doctor.programs.wrong.products import WRONG_PRODUCTS, product
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Said
+from ..kinds import Known, Mistakes, Said
 
 __all__ = [
     "IN_THE_LOOP",
@@ -53,26 +56,26 @@ def _wrong_poses(rows, q):
         yield mistake, place, version(rows, q)
 
 
-def zero_pose():
+def zero_pose() -> NDArray:
     return product(_article_rows(), np.zeros(6))
 
 
-def wrong_zero_poses():
+def wrong_zero_poses() -> Mistakes:
     yield from _wrong_poses(_article_rows(), np.zeros(6))
     in_degrees = _article_rows()
     in_degrees[:, 3] = np.rad2deg(in_degrees[:, 3])
     yield "alpha-in-degrees", "", product(in_degrees, np.zeros(6))
 
 
-def draw_unseen(rng):
+def draw_unseen(rng: np.random.Generator) -> dict[str, Any]:
     return {"q": (rng.integers(15, 60, 6) * rng.choice([-1, 1], 6)).astype(float)}
 
 
-def unseen_pose(q):
+def unseen_pose(q: list[float]) -> NDArray:
     return load("irb120").forward(np.deg2rad(q))
 
 
-def wrong_unseen(q):
+def wrong_unseen(q: list[float]) -> Mistakes:
     rows = load("irb120").table.rows
     twice = rows * [np.pi / 180, 1, 1, np.pi / 180]
     yield (
@@ -106,7 +109,7 @@ OF_LENGTHS = {
 }
 
 
-def explain_lengths(parts):
+def explain_lengths(parts: list[str]) -> Known | None:
     wrong = [name for part, (name, wanted) in zip(parts, OF_LENGTHS.items()) if part != wanted]
     exchanged = parts[0] == "upper-arm" or parts[1] == "shoulder-height"
     mistake = "a-d-exchanged" if exchanged else "length-value"
@@ -134,7 +137,7 @@ STRUCTURES = {
 }
 
 
-def explain_structures(structures):
+def explain_structures(structures: list[str]) -> Known | None:
     wrong = [
         (arm, given, wanted)
         for given, (arm, wanted) in zip(structures, STRUCTURES.items())
@@ -170,7 +173,7 @@ STANDS = {
 }  # by its angle to the floor
 
 
-def wrong_offsets():
+def wrong_offsets() -> Mistakes:
     """The offsets of 06.6 in radians, and in other quarter turns: what the arm then looks like
     where the encoders read 0.
     """

@@ -2,7 +2,10 @@
 symptoms, broken tables, measured poses.
 """
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
@@ -10,7 +13,7 @@ from ...doctor.programs.wrong.links import standard
 from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Said
+from ..kinds import Known, Mistakes, Said
 from .answers06 import ARTICLE
 
 __all__ = [
@@ -65,7 +68,7 @@ TRACES = {
 }
 
 
-def article():
+def article() -> Arm:
     return Arm(DHTable.standard(ARTICLE, angle="deg"))
 
 
@@ -90,7 +93,7 @@ def _poses(rng, arm, q, noise, turn):
     return T
 
 
-def explain_match(causes):
+def explain_match(causes: list[str]) -> Known | None:
     """The first wrong cause, and what it would have looked like."""
     k, given = next(
         (k, given) for k, (given, right) in enumerate(zip(causes, OF_SYMPTOMS), 1) if given != right
@@ -102,14 +105,14 @@ def explain_match(causes):
     )
 
 
-def two_sources(rows, q):
+def two_sources(rows: NDArray, q: NDArray) -> NDArray:
     """The broken program of 07.2: alpha is converted a second time."""
     return product(
         rows, q, link=lambda theta, d, a, alpha: standard(theta, d, a, np.deg2rad(alpha))
     )
 
 
-def draw_length(rng):
+def draw_length(rng: np.random.Generator) -> dict[str, Any]:
     rows = np.array(ARTICLE, dtype=float)
     i, k = [(0, 1), (2, 2), (5, 1)][rng.integers(3)]
     rows[i, k] = round(rows[i, k] + rng.choice([-1, 1]) * rng.integers(3, 7) / 100, 2)
@@ -117,7 +120,7 @@ def draw_length(rng):
     return {"rows": rows, "q": q, "points": _points(rng, article(), q, FINE)}
 
 
-def story(rng):
+def story(rng: np.random.Generator) -> dict[str, Any]:
     """The arm that missed the cup; the same for every learner."""
     rng, real = np.random.default_rng(3), article()
     rows = np.array(ARTICLE, dtype=float)
@@ -135,7 +138,7 @@ def story(rng):
     }
 
 
-def draw_offsets(rng):
+def draw_offsets(rng: np.random.Generator) -> dict[str, Any]:
     """Offsets of joints 2 and 3, half degrees; the caller sees only what was measured."""
     offsets = np.zeros(6)
     offsets[1:3] = np.deg2rad(
@@ -145,7 +148,7 @@ def draw_offsets(rng):
     return {"q": q, "points": _points(rng, article(), q + offsets, COARSE)}
 
 
-def offsets_of(q, points):
+def offsets_of(q: NDArray, points: NDArray) -> NDArray:
     """Offsets of joints 2 and 3 in degrees: the half degrees that fit best, all others being 0."""
     from ...measure import calibrate_offsets
 
@@ -155,7 +158,7 @@ def offsets_of(q, points):
     )
 
 
-def wrong_offsets(q, points):
+def wrong_offsets(q: NDArray, points: NDArray) -> Mistakes:
     from ...measure import calibrate_offsets
 
     right, measured = (
@@ -200,7 +203,7 @@ def wrong_offsets(q, points):
     yield "offset-sign", "joint 3", right * [1, -1]
 
 
-def draw_pasted(rng):
+def draw_pasted(rng: np.random.Generator) -> dict[str, Any]:
     """A Puma 560 as pasted from a paper, with one entry wrong, and ten measured poses."""
     rows = np.array(PUMA, dtype=float)
     i, k = [(0, 3), (2, 3), (3, 3), (4, 3), (2, 2), (2, 1)][rng.integers(6)]

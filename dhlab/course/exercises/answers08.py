@@ -3,8 +3,10 @@ Jacobians, pose errors, steps of the loop, speeds of the hand.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
@@ -13,8 +15,8 @@ from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy
-from ..kinds import Said, Value
-from ..verdict import RIGHT
+from ..kinds import Known, Mistakes, Said, Value
+from ..verdict import RIGHT, Verdict
 
 __all__ = [
     "FRAME",
@@ -57,7 +59,7 @@ def _pose(rng):
     return from_xyz_rpy(_general(rng, 0.1, 0.6, 3), _general(rng, 0.3, 1.2, 3))
 
 
-def draw_bend(rng):
+def draw_bend(rng: np.random.Generator) -> dict[str, Any]:
     return {
         "q": [
             float(value)
@@ -82,11 +84,11 @@ def _seen(name, q):
     return arm.frames(q), arm.forward(q), arm.table.prismatic
 
 
-def third_column(q):
+def third_column(q: list[float]) -> NDArray:
     return geometric_jacobian(*_seen("article-6r", q))[:, 2]
 
 
-def wrong_columns(q):
+def wrong_columns(q: list[float]) -> Mistakes:
     seen = _seen("article-6r", q)
     for mistake, place, version in WRONG_JACOBIANS:
         yield mistake, place, version(*seen)[:, 2]
@@ -117,7 +119,7 @@ def _of_bent(frames, T_end, sliding):
     )
 
 
-def draw_frames(rng):
+def draw_frames(rng: np.random.Generator) -> tuple:
     """Frames, end pose and kinds of joints of a random arm with base and tool: five joints, one or
     two of them sliding.
     """
@@ -130,7 +132,7 @@ def draw_frames(rng):
     return arm.frames(q), arm.forward(q), arm.table.prismatic.copy()
 
 
-def draw_two_poses(rng):
+def draw_two_poses(rng: np.random.Generator) -> tuple:
     """A pose and a goal, turned against it by less than half a turn."""
     T, turned = _pose(rng), np.eye(4)
     turned[:3, :3] = Rotation.from_rotvec(_general(rng, 0.2, 1.2, 3)).as_matrix()
@@ -139,21 +141,21 @@ def draw_two_poses(rng):
     return T, T_goal
 
 
-def in_the_tools_axes(T, T_goal):
+def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
     """The broken pose error of 08.4."""
     return np.concatenate(
         [T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(T[:3, :3].T @ T_goal[:3, :3]).as_rotvec()]
     )
 
 
-def draw_task(rng):
+def draw_task(rng: np.random.Generator) -> tuple:
     """A random arm of six turning joints, a goal near q, a damping and a few steps."""
     rows, q = _general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], _general(rng, 0.2, 1.3, 6)
     goal = product(rows, q + _general(rng, 0.1, 0.3, 6))
     return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
 
 
-def draw_reachable(rng):
+def draw_reachable(rng: np.random.Generator) -> tuple:
     """A pose of the course's arm whose wrist lies well inside the reach, so that wrong centres are
     within reach too.
     """
@@ -165,7 +167,7 @@ def draw_reachable(rng):
             return (T,)
 
 
-def draw_hand_speed(rng):
+def draw_hand_speed(rng: np.random.Generator) -> dict[str, Any]:
     q = [
         rng.choice(values)
         for values in (
@@ -184,11 +186,11 @@ def draw_hand_speed(rng):
     }
 
 
-def joint_speeds(q, v, omega):
+def joint_speeds(q: list[float], v: list[float], omega: list[float]) -> NDArray:
     return np.linalg.solve(geometric_jacobian(*_seen("stanford", q)), [*v, *omega])
 
 
-def wrong_speeds(q, v, omega):
+def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes:
     frames, T_end, sliding = seen = _seen("stanford", q)
     right, J, twist = joint_speeds(q, v, omega), geometric_jacobian(*seen), np.array([*v, *omega])
     yield "degrees-for-radians", "the turning joints are in degrees per second", right * SPEEDS
@@ -285,7 +287,7 @@ class Speeds(Value):
     then J has no inverse, and any huge numbers come out.
     """
 
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
         try:
             speeds = np.asarray(answer, dtype=float)
@@ -324,7 +326,7 @@ STEPS = (
     ["frames", "error", "jacobian", "damped", "add-step"],
     ["frames", "jacobian", "error", "damped", "add-step"],
 )
-WRONG_LINES = {  # wrong in themselves: (mistake, what is said of it)
+WRONG_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what is said of it)
     "forget-q": (
         "step-not-accumulated",
         Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
@@ -340,7 +342,7 @@ WRONG_LINES = {  # wrong in themselves: (mistake, what is said of it)
 }
 
 
-def explain_steps(lines):
+def explain_steps(lines: list[str]) -> Known | None:
     for line, said in WRONG_LINES.items():
         if line in lines:
             return said

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...doctor.programs.wrong.links import standard
@@ -13,7 +14,7 @@ from ...geometry.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy
-from ..kinds import Said
+from ..kinds import Known, Mistakes, Said
 
 __all__ = [
     "AR4",
@@ -69,7 +70,7 @@ MAKERS: list[list[float]] = [
 ]
 
 
-def wrong_axes(axes, end):
+def wrong_axes(axes: list, end: NDArray) -> Mistakes:
     """Arms from axes with one slip each."""
     yield from _wrong_lines(axes, end)
     last = end.copy()
@@ -127,7 +128,7 @@ def _with(axes, k, axis):
     return [*axes[:k], axis, *axes[k + 1 :]]
 
 
-def wrong_piper():
+def wrong_piper() -> Mistakes:
     axes, end = PIPER
     yield from wrong_axes(axes, end)
     for mistake, place, rpy in (
@@ -170,7 +171,7 @@ def wrong_piper():
     )
 
 
-def unrepaired():
+def unrepaired() -> Mistakes:
     typed = [*MAKERS[:5], [*MAKERS[5][:3], 180]]
     yield (
         "alpha-value",
@@ -182,7 +183,7 @@ def unrepaired():
     )
 
 
-def half_moved():
+def half_moved() -> Mistakes:
     """What half a conversion of the KR6 looks like, put into the standard matrix."""
     given, right = load("kr6_r700"), load("kr6_r700").to("standard")
     rows, moved, still = (
@@ -233,7 +234,7 @@ def _in(arm, rows):
     return replace(arm, table=DHTable("standard", theta, d, a, alpha, arm.table.joints))
 
 
-def explain_work(steps):
+def explain_work(steps: list[str]) -> Known | None:
     if steps.index("agree") > steps.index("axes"):
         return "wrong-frame-compared", "axes were drawn before it was agreed from where"
     if steps.index("frames") < steps.index("axes"):
@@ -243,12 +244,12 @@ def explain_work(steps):
     return "only-zero-pose-checked", "the measured poses come in at the wrong place"
 
 
-def draw_flange(rng):
+def draw_flange(rng: np.random.Generator) -> dict[str, Any]:
     q = rng.uniform(0.3, 1.2, 7) * rng.choice([-1, 1], 7)
     return {"T": load("iiwa7").forward(q).round(3)}
 
 
-def misread_arrow(T):
+def misread_arrow(T: NDArray) -> Mistakes:
     yield (
         "rotation-transposed",
         "this is the third row: the base's z arrow, seen from the hand",
@@ -261,7 +262,7 @@ def misread_arrow(T):
     yield "mirror", "the arrow points the other way", -T[:3, 2]
 
 
-def draw_rows(rng):
+def draw_rows(rng: np.random.Generator) -> dict[str, Any]:
     theta, alpha = rng.permutation([-75, -50, 25, 40]), rng.permutation([15, 35, 55, 80])
     d, a = rng.permutation([0.11, 0.17, 0.23, 0.31]), rng.permutation([0.12, 0.19, 0.26, 0.38])
     return {
@@ -270,14 +271,14 @@ def draw_rows(rng):
     }
 
 
-def between(table, joint):
+def between(table: DHTable, joint: int) -> list[float]:
     """Angle (deg) and distance (m) between the axes of a joint and the next, from a Craig table:
     the next row has them.
     """
     return [np.rad2deg(table.alpha[joint]), table.a[joint]]
 
 
-def misread_rows(table, joint):
+def misread_rows(table: DHTable, joint: int) -> Mistakes:
     alpha, a = between(table, joint)
     here, there = (
         table.rows[joint - 1] * [180 / np.pi, 1, 1, 180 / np.pi],
@@ -296,7 +297,7 @@ def misread_rows(table, joint):
     yield "standard-rows-in-craig-matrix", "theta and d of the earlier joint", [here[0], here[1]]
 
 
-def reversed_product(rows, q):
+def reversed_product(rows: NDArray, q: NDArray) -> NDArray:
     T = np.eye(4)
     for (theta, d, a, alpha), value in zip(rows, q):
         T = standard(theta + value, d, a, alpha) @ T

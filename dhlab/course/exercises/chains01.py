@@ -1,11 +1,13 @@
 """What lesson 01 draws for its chains of frames, what is right, and what wrong answers are told."""
 
 import itertools
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...transform import inverse, rot_x, rot_z, trans
-from ..kinds import Said, as_numbers, is_array_of
+from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
 from .answers01 import STANDING, general_pose
 
 __all__ = [
@@ -23,21 +25,21 @@ __all__ = [
 ]
 
 
-def draw_chain(rng):
+def draw_chain(rng: np.random.Generator) -> dict[str, Any]:
     return {
         "T_01": (trans([0.1, 0.2, 0.3]) @ rot_z(np.pi / 2)).round(6) + 0.0,
         "p_12": [float(v) for v in rng.integers(1, 6, 3) / 10],
     }
 
 
-def point_in_base(T_01, p_12):
+def point_in_base(T_01: NDArray, p_12: list[float]) -> NDArray:
     return T_01[:3, :3] @ p_12 + T_01[:3, 3]
 
 
 TURN = "p_0 = R_01 p_1 + p_01: turn, then shift."
 
 
-def wrong_points(T_01, p_12):
+def wrong_points(T_01: NDArray, p_12: list[float]) -> Mistakes:
     R, p = T_01[:3, :3], T_01[:3, 3]
     yield (
         "translations-not-rotated",
@@ -83,7 +85,7 @@ def wrong_points(T_01, p_12):
     )
 
 
-def misshapen_point(answer, T_01, p_12):
+def misshapen_point(answer: object, T_01: NDArray, p_12: list[float]) -> Known | None:
     array = as_numbers(answer)
     if is_array_of(array.ravel(), [*point_in_base(T_01, p_12), 1]):
         return None, Said(
@@ -106,7 +108,7 @@ def misshapen_point(answer, T_01, p_12):
     return None
 
 
-def draw_tool(rng):
+def draw_tool(rng: np.random.Generator) -> dict[str, Any]:
     return {
         "T_0F": general_pose(rng, 0.7),
         "T_FT": (
@@ -127,7 +129,7 @@ def draw_tool(rng):
 CHAIN = "Write the chain with its subscripts: 0 to F, F to T."
 
 
-def wrong_tips(T_0F, T_FT):
+def wrong_tips(T_0F: NDArray, T_FT: NDArray) -> Mistakes:
     R, p, t = T_0F[:3, :3], T_0F[:3, 3], T_FT[:3, 3]
     yield (
         "wrong-frame-compared",
@@ -214,7 +216,7 @@ def wrong_tips(T_0F, T_FT):
     yield "rotation-block-misread", "this is the tool's z arrow", (T_0F @ T_FT)[:3, 2]
 
 
-def misshapen_tip(answer, T_0F, T_FT):
+def misshapen_tip(answer: object, T_0F: NDArray, T_FT: NDArray) -> Known | None:
     array, right = as_numbers(answer), T_0F @ T_FT
     if is_array_of(array.ravel(), right[:, 3]):
         return None, Said(
@@ -266,7 +268,7 @@ LINKS = {
 FROM_BASE_TO_TOOL = ["t-01", "t-12", "t-2f", "t-ft"]
 
 
-def explain_chain(order):
+def explain_chain(order: list[str]) -> Known | None:
     if order == FROM_BASE_TO_TOOL[::-1]:
         return "product-reversed", Said(
             "the four are right, in the reverse order",

@@ -2,17 +2,19 @@
 them.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...doctor.programs.calling import is_stub
 from ...doctor.programs.wrong.branches import branches, in_order
 from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
 from ...doctor.programs.wrong.solvers import chain, wrapped
-from ..kinds import Function, Said
+from ..kinds import Function, Known, Said
+from ..verdict import Verdict
 
 __all__ = ["MISREAD", "UNDAMPED", "Program"]
 
@@ -36,7 +38,7 @@ class Program(Function):
     places: Mapping = field(default_factory=dict)
     unknown: Said
 
-    def compare(self, answer, variant):
+    def compare(self, answer: object, variant: int) -> Verdict:
         missing = self._missing(answer)
         if missing:
             return self.wrong(
@@ -61,7 +63,9 @@ class Program(Function):
             None,
         )
 
-    def refine(self, mistake, answers, cases):
+    def refine(
+        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> Known | None:
         if mistake or all(np.array_equal(given, answers[0]) for given in answers):
             return None
         for known, said, version in self.more:

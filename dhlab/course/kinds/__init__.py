@@ -3,7 +3,7 @@ answer.
 """
 
 from .chosen import Choice, OneOf, Order, Prediction, PreTest
-from .exercise import Exercise, Said, untouched
+from .exercise import Exercise, Known, Mistakes, Said, untouched
 from .functions import CASES, Function
 from .lettered import UNDECIDED, Lettered, Option
 from .tables import Table, as_arm, numbers
@@ -15,7 +15,9 @@ __all__ = [
     "Choice",
     "Exercise",
     "Function",
+    "Known",
     "Lettered",
+    "Mistakes",
     "OneOf",
     "Option",
     "Order",

@@ -1,16 +1,16 @@
 """``Exercise``: what every kind of exercise has."""
 
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ...doctor import catalogue
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
-__all__ = ["Exercise", "Said", "no_draw", "untouched"]
+__all__ = ["Exercise", "Known", "Mistakes", "Said", "no_draw", "untouched"]
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,12 @@ class Said:
     next: str = ""
     why: str = ""
     place: str = ""
+
+
+# what is known of a wrong answer: its mistake's id in the catalogue, and the place or other words
+Known: TypeAlias = tuple[str | None, str | Said]
+# wrong answers that are known: mistake, place or other words, and the answer itself
+Mistakes: TypeAlias = Iterator[tuple[str | None, str | Said, Any]]
 
 
 @dataclass(frozen=True, kw_only=True)
