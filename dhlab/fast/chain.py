@@ -17,9 +17,12 @@ from numpy.typing import NDArray
 
 from .plain import Plain
 
-__all__ = ["Chain", "Step", "chain_of"]
+__all__ = ["LARGEST_SUM", "Chain", "Step", "chain_of"]
 
 ROUNDING = float(np.finfo(float).eps)
+LARGEST_SUM = (
+    64.0  # rad, ten turns; the rounding of a larger sum of angles would be seen (1e-14 and more)
+)
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,20 @@ class Chain:
     def coupled(self) -> bool:
         """Whether a joint variable depends on more than one number of q."""
         return self.rates.ndim == 2
+
+    @cached_property
+    def most(self) -> float:
+        """How large the numbers of q may be for the angles of every run to stay below ``LARGEST_SUM``."""
+        longest = run = 1
+        for step in self.steps[1:-1]:
+            run = run + 1 if step.parallel else 1
+            longest = max(longest, run)
+        if longest == 1:
+            return math.inf
+        rates = np.abs(self.rates)
+        return LARGEST_SUM / (
+            longest * float(rates.sum(axis=1).max() if self.coupled else rates.max())
+        )
 
     @cached_property
     def halved(self) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:

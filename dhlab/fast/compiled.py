@@ -124,7 +124,7 @@ def packed(chain: Chain, kind: int) -> NDArray[np.float64]:
     rates = chain.rates if chain.coupled else np.diag(chain.rates)
     return np.concatenate(
         [
-            [chain.standard, chain.coupled, kind],
+            [chain.standard, chain.coupled, kind, chain.most],
             chain.base[:3].T.ravel(),
             chain.end[:3].ravel(),
             np.ravel(rows),

@@ -21,8 +21,8 @@ import numpy as np
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, ROW, SLIDES, STANDARD,
-    THETA, A, C, D, S, cos_sin, fast, per_count,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, MOST, ROW, SLIDES,
+    STANDARD, THETA, A, C, D, S, cos_sin, fast, per_count,
 )  # fmt: skip
 
 __all__ = ["BLOCK", "answer"]
@@ -246,7 +246,7 @@ def write_columns(axes, out, m):
 
 
 @fast
-def carry(q, numbers, F, kept, m):
+def carry(q, numbers, joined, F, kept, m):
     """Carry a block of frames along the chain: ``along_the_joints`` and ``frame_by_frame`` of
     ``walk.py`` in one. ``kept`` takes the frames, or axes and points of the joints.
     """
@@ -260,7 +260,7 @@ def carry(q, numbers, F, kept, m):
         level = c == 1.0 and s == 0.0
         if i > 0:
             enter(q, numbers, i, F, m)
-            runs_on = kind != FRAMES and level and i < n
+            runs_on = joined and kind != FRAMES and level and i < n
             if laid and (kind == JACOBIAN or not runs_on):
                 settle(F, m)
                 laid = False
@@ -299,9 +299,10 @@ def answer(q, numbers, out):
     for start in range(0, len(q), size):
         m = min(size, len(q) - start)
         part, result = q[start : start + m], out[start : start + m]
-        if not within(part.reshape(-1), np.inf, m * n):
+        joined = within(part.reshape(-1), numbers[MOST], m * n)
+        if not joined and not within(part.reshape(-1), np.inf, m * n):
             return False
-        carry(part, numbers, F, kept, m)
+        carry(part, numbers, joined, F, kept, m)
         if kind == FRAMES:
             write_frames(kept, result, m)
             continue

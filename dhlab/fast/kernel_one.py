@@ -11,8 +11,8 @@ import math
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, ROW, SLIDES, STANDARD,
-    THETA, A, C, D, S, cos_sin, fast, per_count,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, MOST, ROW, SLIDES,
+    STANDARD, THETA, A, C, D, S, cos_sin, fast, per_count,
 )  # fmt: skip
 
 __all__ = ["answer_one"]
@@ -70,6 +70,9 @@ def answer_one(q, numbers, result):
     z = (numbers[BASE + 6], numbers[BASE + 7], numbers[BASE + 8])
     p = (numbers[BASE + 9], numbers[BASE + 10], numbers[BASE + 11])
     angle = along = across = 0.0
+    joined = True
+    for i in range(n):
+        joined = joined and abs(q[i]) < numbers[MOST]
     for i in range(n + 1):
         of = JOINTS + 6 * i
         a, step_c, step_s = numbers[of + A], numbers[of + C], numbers[of + S]
@@ -84,7 +87,7 @@ def answer_one(q, numbers, result):
             slides = numbers[of + SLIDES] != 0.0
             angle += numbers[of + THETA] + (0.0 if slides else moved)
             p = summed(p, z, numbers[of + D] + (moved if slides else 0.0))
-            runs_on = kind != FRAMES and i < n and step_c == 1.0 and step_s == 0.0
+            runs_on = joined and kind != FRAMES and i < n and step_c == 1.0 and step_s == 0.0
             if kind == JACOBIAN or not runs_on:
                 p = summed(summed(p, x, along), y, across)
                 along = across = 0.0

@@ -10,11 +10,11 @@ from numba import float64, njit
 
 __all__ = [
     "BASE", "COUPLED", "END", "FAR", "FORWARD", "FRAMES", "JACOBIAN", "JOINTS", "KIND", "LOOSE",
-    "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast", "per_count",
+    "MOST", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast", "per_count",
 ]  # fmt: skip
 
 FORWARD, FRAMES, JACOBIAN = range(3)
-STANDARD, COUPLED, KIND, BASE, END, JOINTS = 0, 1, 2, 3, 15, 27  # places in a packed chain
+STANDARD, COUPLED, KIND, MOST, BASE, END, JOINTS = 0, 1, 2, 3, 4, 16, 28  # in a packed chain
 THETA, D, SLIDES, A, C, S = range(6)  # of joint i, and of step i
 
 # products and sums may be fused into one instruction; nothing else is left to the compiler

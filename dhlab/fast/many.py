@@ -38,8 +38,8 @@ LINE = 8  # doubles in a line of the cache
 def forward(chain: Chain, q: NDArray, out: NDArray) -> bool:
     """End poses of ``q`` (m, n) into ``out`` (m, 4, 4)."""
     block = _poses(chain, q, 1)[0]
-    for part, result, rows in _chunks(q, out, block):
-        frame = to_the_end(chain, Frames(chain, part, joined=True))
+    for part, joined, result, rows in _chunks(chain, q, out, block):
+        frame = to_the_end(chain, Frames(chain, part, joined), joined)
         frame.behind(chain.end, rows)
         _write(rows, result)
     return True
@@ -48,7 +48,7 @@ def forward(chain: Chain, q: NDArray, out: NDArray) -> bool:
 def frames(chain: Chain, q: NDArray, out: NDArray) -> bool:
     """Every frame of ``q`` (m, n) into ``out`` (m, n + 1, 4, 4)."""
     block = _poses(chain, q, len(chain) + 1)
-    for part, result, rows in _chunks(q, out, block):
+    for part, _, result, rows in _chunks(chain, q, out, block):
         frame = Frames(chain, part, joined=False)
         for i in frame_by_frame(chain, frame):
             frame.hold(rows[i])
@@ -61,10 +61,10 @@ def jacobian(chain: Chain, q: NDArray, out: NDArray) -> bool:
     0 where the joint slides.
     """
     block = _columns(chain, q)
-    for part, result, rows in _chunks(q, out, block):
+    for part, joined, result, rows in _chunks(chain, q, out, block):
         v, z, p = rows
-        frame = Frames(chain, part, joined=True)
-        for i in along_the_joints(chain, frame):
+        frame = Frames(chain, part, joined)
+        for i in along_the_joints(chain, frame, joined):
             np.add(frame.z, 0.0, out=z[:, i])
             p[:, i] = frame.p
         np.subtract(frame.point(chain.end[:3, 3])[:, None], p, out=p)
@@ -199,13 +199,17 @@ def phases(half: NDArray) -> NDArray[np.complex128]:
     return e
 
 
-def _chunks(q, out, block):
-    """Parts of ``q`` and of ``out``, and as much of ``block`` (..., m) as they need."""
+def _chunks(chain, q, out, block):
+    """Parts of ``q``, whether their angles may be added up, the parts of ``out``, and as much of
+    ``block`` (..., m) as they need.
+    """
     size = block.shape[-1]
     for start in range(0, len(q), size):
         part = q[start : start + size]
-        require_finite(part)
-        yield part, out[start : start + size], block[..., : len(part)]
+        largest = max(float(part.max()), -float(part.min()))  # NaN where one of them is
+        if not largest < np.inf:
+            require_finite(part)
+        yield part, bool(largest <= chain.most), out[start : start + size], block[..., : len(part)]
 
 
 def _size(chain, q, doubles):

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from .chain import Chain, Step
+from .chain import LARGEST_SUM, Chain, Step
 from .walk import along_the_joints, frame_by_frame, to_the_end
 
 __all__ = ["Floats", "Frame", "forward", "frames", "jacobian"]
@@ -24,6 +24,13 @@ class Floats:
     """
 
     cos, sin = math.cos, math.sin
+
+    @staticmethod
+    def added(angle: float, theta: float) -> float:
+        """The sum of the angles of a run; an OverflowError where its rounding would be seen."""
+        if not -LARGEST_SUM < angle + theta < LARGEST_SUM:
+            raise OverflowError
+        return angle + theta
 
     @staticmethod
     def keep(value):
@@ -79,7 +86,7 @@ class Frame:
         self.variables = [
             (theta, m + d) if slides else (m + theta, d) for m, theta, d, slides in zeros
         ]
-        self.angle: Any = 0.0
+        self.angle: Any = None
         self.laid: list | None = None
 
     @property
@@ -92,7 +99,8 @@ class Frame:
 
     def enter(self, i: int) -> None:
         theta, d = self.variables[i]
-        self.angle = self.numbers.keep(self.angle + theta)
+        begins = self.angle is None
+        self.angle = self.numbers.keep(theta) if begins else self.numbers.added(self.angle, theta)
         self._p = self._shifted((d,), (self.z,))
 
     def lay(self, a: float) -> None:
@@ -108,7 +116,7 @@ class Frame:
         pairs = list(zip(self.x, self.y))
         self.x = self._kept(i * c + j * s for i, j in pairs)
         self.y = self._kept(j * c - i * s for i, j in pairs)
-        self.angle = 0.0
+        self.angle = None
         self.go(a)
 
     def go(self, a: float) -> None:

@@ -92,12 +92,12 @@ class Path:
         total = sum(numbers)
         if total - total:  # NaN, which is not 0, where one of them is NaN or infinite
             require_finite(q)
-        return self.one(numbers)
+        answer = self.one(numbers)
+        return self.plain(np.array(numbers, dtype=float)) if answer is None else answer
 
     def _batch(self, q, result):
         if q.size == self.of.n:
-            require_finite(q)
-            result[...] = self.one(q.ravel().tolist())
+            result[...] = self.take(q.ravel().astype(float))
         elif q.size <= DOZENS * self.of.n:
             require_finite(q)
             result[...] = self.plain(q.astype(float))
@@ -123,4 +123,7 @@ class Path:
         if self.asked > FIRST:
             self.one = straight(self.floats, self.of.chain, self.shape)
             return self.one(q)
-        return np.array(self.floats(self.of.chain, q)).reshape(self.shape) + 0.0
+        try:
+            return np.array(self.floats(self.of.chain, q)).reshape(self.shape) + 0.0
+        except OverflowError:
+            return None

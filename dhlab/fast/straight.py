@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from .chain import Chain
+from .chain import LARGEST_SUM, Chain
 
 __all__ = ["straight"]
 
@@ -37,7 +37,8 @@ def straight(kinematics: Callable, chain: Chain, shape: tuple[int, ...]) -> Call
     Returns
     -------
     function
-        From a list of n floats to an array.
+        From a list of n floats to an array; None where parallel joints are turned so often that the
+        plain product is more exact.
     """
     program, names = Program(), [f"q{i}" for i in range(1, len(chain) + 1)]
     symbols = [Symbol(program, name) for name in names]
@@ -81,6 +82,16 @@ class Program:
         if isinstance(angle, Symbol):
             return Symbol(self, f"{name}({angle})")
         return getattr(math, name)(angle)
+
+    def added(self, angle, theta):
+        """The sum of the angles of a run, and a line that gives up where its rounding would be
+        seen.
+        """
+        total = self.keep(angle + theta)
+        if isinstance(total, Symbol):
+            most = LARGEST_SUM
+            self.lines.append(f"if not {-most} < {total.text} < {most}: return None")
+        return total
 
     def keep(self, value):
         """A name for an expression, so that it is worked out once."""

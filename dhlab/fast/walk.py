@@ -6,7 +6,8 @@ its own affair (``one.py``, ``many.py``); here stands only the order of the move
 *A run of parallel axes is turned once.* Where alpha is 0 the next joint turns in the same plane. So
 the frame waits at the start of such a run: the angles are added up, every length a is laid out in
 the plane in the direction it has by then, and where the run ends the frame is turned once, by the
-whole angle.
+whole angle. (Not where angles are so large that the rounding of their sum would be seen: then
+``joined`` is false, and every joint is turned by itself.)
 
 The moves of a frame:
 
@@ -40,7 +41,7 @@ class Frame(Protocol):
 AnyFrame = TypeVar("AnyFrame", bound=Frame)
 
 
-def along_the_joints(chain: Chain, frame: Frame) -> Iterator[int]:
+def along_the_joints(chain: Chain, frame: Frame, joined: bool = True) -> Iterator[int]:
     """Carry the frame through all joints: a generator that stops at each, when z is the joint's
     axis and p a point of it. Behind the last joint only ``chain.end`` is missing.
     """
@@ -52,16 +53,16 @@ def along_the_joints(chain: Chain, frame: Frame) -> Iterator[int]:
         step = chain.steps[i + 1]
         if i == last:
             frame.turn(0.0)  # its step is in chain.end
-        elif step.parallel:
+        elif step.parallel and joined:
             frame.lay(step.a)
         else:
             frame.turn(step.a)
             frame.tilt(step)
 
 
-def to_the_end(chain: Chain, frame: AnyFrame) -> AnyFrame:
+def to_the_end(chain: Chain, frame: AnyFrame, joined: bool = True) -> AnyFrame:
     """Carry the frame through all joints; returns it."""
-    for _ in along_the_joints(chain, frame):
+    for _ in along_the_joints(chain, frame, joined):
         pass
     return frame
 

@@ -66,6 +66,17 @@ def test_large_angles_keep_their_digits(numba, angle):
     assert np.allclose(machine(arm, 0).take(q[0]), out[0], rtol=0, atol=4e-16)
 
 
+def test_many_turns_of_parallel_joints_keep_their_digits(numba):
+    arm = dh.load("article-6r")  # joints 2, 3 and 4 are parallel
+    q = np.random.default_rng(0).uniform(-1e4, 1e4, (200, 6))
+    for kind, question in enumerate(QUESTIONS):
+        right, kernel = getattr(arm._kinematics.plain, question)(q), machine(arm, kind)
+        out = np.empty(right.shape)
+        assert kernel.rows(None, q, out)
+        assert np.allclose(out, right, rtol=0, atol=2e-14)
+        assert np.allclose([kernel.take(row) for row in q], right, rtol=0, atol=2e-14)
+
+
 def test_what_is_no_row_of_doubles_goes_the_slow_way(numba):
     take = machine(dh.load("ur5e"), 0).take
     q = np.zeros(6)
