@@ -15,10 +15,10 @@ from ..geometry.normals import ROUNDING, Choices, place
 from ..transform import require_pose
 from .finished import placed_arm, pose
 from .geometry import LENGTH, Geometry, geometry
-from .judgement import Judgement
 from .rule_origin import judge_origin
 from .rule_x import judge_x
 from .rule_z import judge_z
+from .words import Judgement
 
 __all__ = ["Placement"]
 

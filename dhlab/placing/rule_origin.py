@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.lines import across, nearest_on
 from .geometry import Geometry, Line
-from .judgement import NO_POINT, Judgement, beside, vector
+from .words import NO_POINT, Judgement, beside, vector
 
 __all__ = ["judge_origin"]
 

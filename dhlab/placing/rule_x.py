@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..geometry.lines import across, tilt, unit
 from ..printing import number
 from .geometry import Geometry
-from .judgement import ANGLE, NO_DIRECTION, Judgement, vector
+from .words import ANGLE, NO_DIRECTION, Judgement, vector
 
 __all__ = ["judge_x"]
 

@@ -9,7 +9,7 @@ from ..geometry.lines import nearest_on, tilt, unit
 from ..geometry.normals import NEARLY, Axis
 from ..printing import number
 from .geometry import LENGTH
-from .judgement import ANGLE, NO_DIRECTION, NO_POINT, Judgement, beside, vector
+from .words import ANGLE, NO_DIRECTION, NO_POINT, Judgement, beside, vector
 
 __all__ = ["judge_z"]
 

@@ -15,7 +15,7 @@ from . import Exercise, Said, untouched
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 
-MISTAKES = {  # the catalogue's id for every rule of dhlab.placing.rules that a choice can break
+MISTAKES = {  # the catalogue's id for every rule of dhlab.placing that a choice can break
     "z-on-wrong-joint": "frame-at-other-end",
     "z-across-axis": "z-across-joint-axis",
     "z-not-along-axis": "z-across-joint-axis",

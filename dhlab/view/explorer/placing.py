@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arm import Arm
 from ...placing.board import Placement
-from ...placing.judgement import Judgement
+from ...placing.words import Judgement
 from .content import arm_data
 
 __all__ = ["Placing", "axes_of"]

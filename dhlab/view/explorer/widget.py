@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from traitlets import Dict, Enum, Int, observe, validate
 
 from ...arm import Arm
-from ...placing.judgement import Judgement
+from ...placing.words import Judgement
 from ...table import CONVENTIONS, DHTable
 from .content import Numbers
 from .page import wrapped
