@@ -73,7 +73,7 @@ def _toolbox_ways(arm):
     }
     try:
         solver = robot.analytic_ik()
-    except (ImportError, NotImplementedError, ValueError) as refusal:
+    except (AttributeError, ImportError, NotImplementedError, ValueError) as refusal:
         print(f"Robotics Toolbox has no analytic solution for {arm.table.joints}: {refusal}\n")
         return ways
     solver.solve(arm.forward(np.full(len(arm), 0.3)), joint_limits=False)
