@@ -10,8 +10,7 @@ it is installed.
 """
 
 import argparse
-import subprocess
-import sys
+import tracemalloc
 from pathlib import Path
 
 import mpmath
@@ -25,18 +24,6 @@ from dhlab.fast.straight import straight
 PAGES = Path(__file__).parents[1] / "docs" / "benchmarks"
 EPS = np.finfo(float).eps
 EXACT = 1000  # poses that are worked out with 50 digits
-MEMORY = """
-import resource, sys, numpy as np, dhlab as dh
-arm, question, poses = dh.load("article-6r"), sys.argv[1], 1_000_000
-q = np.random.default_rng(0).uniform(-3, 3, (poses, 6))
-ask = getattr(arm, question)
-ask(q[:100_000])
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-small = ask(q[:1000])
-result = ask(q)
-after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-print((after - before) * 1024 / result.nbytes)
-"""
 
 
 def random_arm(n, rng, scale=1.0, right_angles=False):
@@ -75,7 +62,12 @@ def paths(arm):
     """{name: function of q (m, n) giving end poses}."""
     n, chain = len(arm), arm._kinematics.chain
     program = straight(one.forward, chain, (4, 4))
+    plain = arm._kinematics.plain.forward
     machine = Compiled(chain, 0, (4, 4), slow=None) if compiled.kernels() else None
+
+    def one_of(row):
+        answer = program(row)
+        return plain(np.array(row)) if answer is None else answer
 
     def by(rows):
         def answer(q):
@@ -86,9 +78,9 @@ def paths(arm):
         return answer
 
     found = {
-        "plain": arm._kinematics.plain.forward,
+        "plain": plain,
         "numpy": by(many.forward),
-        "one pose": lambda q: np.array([program(row) for row in q.tolist()]),
+        "one pose": lambda q: np.array([one_of(row) for row in q.tolist()]),
     }
     if machine:
         found["numba"] = by(machine.rows)
@@ -146,14 +138,16 @@ def line(name, arm, q):
     return f"| {name} | " + " | ".join([*cells, *found]) + " |", list(ways)
 
 
-def memory(python=sys.executable):
+def memory():
     """Peak memory of a million poses beside q, as a multiple of the result."""
     found = {}
+    q = np.random.default_rng(0).uniform(-3, 3, (1_000_000, 6))
     for question in ("forward", "frames", "jacobian"):
-        run = subprocess.run(
-            [python, "-c", MEMORY, question], capture_output=True, text=True, check=True
-        )
-        found[question] = float(run.stdout)
+        arm = dh.load("article-6r")
+        tracemalloc.start()  # numpy tells it of every array
+        size = getattr(arm, question)(q).nbytes
+        found[question] = tracemalloc.get_traced_memory()[1] / size
+        tracemalloc.stop()
     return found
 
 

@@ -20,9 +20,7 @@ from .plain import Plain
 __all__ = ["LARGEST_SUM", "Chain", "Step", "chain_of"]
 
 ROUNDING = float(np.finfo(float).eps)
-LARGEST_SUM = (
-    64.0  # rad, ten turns; the rounding of a larger sum of angles would be seen (1e-14 and more)
-)
+LARGEST_SUM = 64.0  # rad, ten turns: the rounding of a larger one would be seen (1e-14 and more)
 
 
 @dataclass(frozen=True)
@@ -74,7 +72,7 @@ class Chain:
 
     @cached_property
     def most(self) -> float:
-        """How large the numbers of q may be for the angles of every run to stay below ``LARGEST_SUM``."""
+        """How large numbers of q may be for the angles of a run to stay below ``LARGEST_SUM``."""
         longest = run = 1
         for step in self.steps[1:-1]:
             run = run + 1 if step.parallel else 1

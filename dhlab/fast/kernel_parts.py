@@ -10,7 +10,8 @@ from numba import float64, njit
 
 __all__ = [
     "BASE", "COUPLED", "END", "FAR", "FORWARD", "FRAMES", "JACOBIAN", "JOINTS", "KIND", "LOOSE",
-    "MOST", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast", "per_count",
+    "MOST", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast",
+    "per_count",
 ]  # fmt: skip
 
 FORWARD, FRAMES, JACOBIAN = range(3)
