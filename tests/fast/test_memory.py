@@ -9,7 +9,8 @@ import dhlab as dh
 
 
 @pytest.mark.parametrize("question", ["forward", "frames", "jacobian"])
-def test_the_peak_is_the_result_and_little_more(question):
+def test_the_peak_is_the_result_and_little_more(question, monkeypatch):
+    monkeypatch.setenv("DHLAB_NUMBA", "0")  # its modules take memory of their own
     arm, q = dh.load("article-6r"), np.zeros((200_000, 6))
     tracemalloc.start()
     try:
@@ -17,6 +18,5 @@ def test_the_peak_is_the_result_and_little_more(question):
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    # two megabytes of rows in the cache beside it, however many poses there are
-    assert result.nbytes <= peak < result.nbytes + 8e6
-    assert peak < 1.3 * result.nbytes + 1e6
+    # a few megabytes of rows in the cache beside it, however many poses there are
+    assert result.nbytes <= peak < result.nbytes + 4e6
