@@ -624,7 +624,7 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
             before = explorer._answer
             offers.nth(int(k)).check(force=True)
             page.get_by_role("button", name="Place it").click()
-            until(page, "Python's answer", lambda: explorer._answer is not before)
+            until(page, "Python's answer", lambda seen=before: explorer._answer is not seen)
             page.wait_for_function(
                 "text => document.querySelector('main >"
                 " div').shadowRoot.querySelector('.verdict').textContent.includes(text)",
