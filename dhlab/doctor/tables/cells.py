@@ -88,8 +88,10 @@ def read_cell(text):
 
     Examples
     --------
-    >>> read_cell("-π/2").value, read_cell("90°").unit, read_cell("θ2* - 90").value, read_cell("-q3").sign
-    (-1.5707963267948966, 'deg', -90.0, -1)
+    >>> read_cell("-π/2").value, read_cell("90°").unit
+    (-1.5707963267948966, 'deg')
+    >>> read_cell("θ2* - 90").value, read_cell("-q3").sign
+    (-90.0, -1)
     """
     if len(text) > LONGEST:
         raise ValueError(

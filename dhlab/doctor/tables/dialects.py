@@ -3,54 +3,20 @@ extra rows; where two readings fit, both.
 """
 
 from dataclasses import dataclass
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 
-from ...arm import Arm
 from ...geometry.equivalence import equivalent
-from ...kinematics import link_matrices
 from ...printing import number
-from ...table import DHTable
-from .columns import angle_units, length_units, misplaced, orders, snapped
+from .columns import misplaced
 from .pasted import take_apart
+from .readings import QUESTIONS, Reading, readings
 
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
 MOST_READINGS = 24
-QUESTIONS = {
-    "order": "In which order do the columns stand",
-    "convention": "For which matrix are the rows, the standard or Craig's (modified) one?",
-    "angle": "Are the angles degrees or radians?",
-    "length": "Are the lengths metres or millimetres?",
-    "row": (
-        "Does a row without a joint (base or flange) stand among these, or does each row have a"
-        " motor?"
-    ),
-}
 TRIES = 60  # random configurations among which the one that tells the readings apart best is taken
-
-
-@dataclass(frozen=True)
-class Reading:
-    """One way to read a table: the arm, the way in words, what had to be assumed, and which answer
-    to each question leads here.
-
-    Examples
-    --------
-    >>> import dhlab as dh
-    >>> found = dh.recognise_table("0 0.1 0 90\\n0 0 0.4 0")
-    >>> found.readings[0].arm.table.convention
-    'standard'
-    """
-
-    arm: Arm
-    words: str
-    assumptions: tuple = ()
-    choices: tuple = ()
-
-    def __str__(self):
-        return self.words
 
 
 @dataclass(frozen=True)
@@ -159,18 +125,18 @@ def recognise_table(given, right=None, *, order=None, convention=None, angle=Non
     """
     table = take_apart(given)
     _check_answers(order, convention, angle, length)
-    found = list(_readings(table, order, convention or table.convention, angle, length, right))
+    found = list(readings(table, order, convention or table.convention, angle, length, right))
     if not found:
         raise ValueError(
             "recognise_table: expected two columns of angles and two of lengths, found no order in"
             ' which the columns are that; say the order, as in order="theta d a alpha"'
         )
-    readings = _different(found)[:MOST_READINGS]
+    kept = _different(found)[:MOST_READINGS]
     if right is None:
-        return _answer(readings, _notes(table, readings), None)
-    same, but_for = _equivalent(right, readings)
-    readings = same or readings
-    return _answer(readings, (*but_for, *_notes(table, readings)), bool(same))
+        return _answer(kept, _notes(table, kept), None)
+    same, but_for = _equivalent(right, kept)
+    kept = same or kept
+    return _answer(kept, (*but_for, *_notes(table, kept)), bool(same))
 
 
 def _equivalent(right, readings):
@@ -209,133 +175,6 @@ def _check_answers(order, convention, angle, length):
             "recognise_table: order: expected the names theta, d, a, alpha in some order, found"
             f' {order!r}; as in "a alpha d theta"'
         )
-
-
-def _readings(table, order, convention, angle, length, right):
-    """Every reading that the text allows, the likeliest first."""
-    for roles, why in orders(table, order):
-        columns = {role: [row[k] for row in table.rows] for k, role in enumerate(roles)}
-        conventions = [convention] if convention else ["standard", "craig"]
-        if not convention and _looks_like_craig(columns):
-            conventions.reverse()
-        choices = product(
-            conventions,
-            angle_units(table, columns, angle),
-            length_units(table, columns, length),
-            _extra_rows(table, columns, right),
-        )
-        for name, unit, metre, extra in choices:
-            yield _reading(table, columns, roles, why, name, unit, metre, extra)
-
-
-def _looks_like_craig(columns):
-    """The first row without a and alpha, the last row with: a Craig table more often than not."""
-    first, last = ([columns[role][k].value for role in ("a", "alpha")] for k in (0, -1))
-    return not any(first) and any(last)
-
-
-def _extra_rows(table, columns, right):
-    """Which rows have no joint: ("", "base" or "tool") by labels, by the missing variable, or by
-    the number of joints asked for.
-    """
-    n = len(table.rows)
-    named = "base" if table.labels[0] in ("base", "0 (base)") else ""
-    named = named or (
-        "tool"
-        if any(word in table.labels[-1] for word in ("flange", "tool", "hand", "ee", "end"))
-        else ""
-    )
-    moves = [any(not columns[role][i].is_constant for role in columns) for i in range(n)]
-    fixed = (
-        [not moved for moved in moves] if any(moves) else [kind == "fixed" for kind in table.kinds]
-    )
-    if n < 2:
-        return [""]
-    if named or sum(fixed) == 1 and (fixed[0] or fixed[-1]):
-        return [named or ("base" if fixed[0] else "tool")]
-    if right is not None and n == len(right) + 1 and not any(moves):
-        return ["base", "tool"]
-    if table.labels[0] == "0" and not any(moves):
-        return ["", "base"]
-    return [""]
-
-
-def _reading(table, columns, roles, why, convention, unit, metre, extra):
-    assumed = []
-    numbers = {
-        role: np.array([_scaled(cell, role, unit, metre, assumed) for cell in column])
-        for role, column in columns.items()
-        if role != "sigma"
-    }
-    numbers["theta"] = numbers["theta"] + numbers.pop("offset", 0)
-    joints = [_joint(table, columns, i) for i in range(len(table.rows))]
-    signs = [
-        next(
-            (columns[role][i].sign for role in ("theta", "d") if not columns[role][i].is_constant),
-            1,
-        )
-        for i in range(len(table.rows))
-    ]
-    rows = np.column_stack([numbers[role] for role in ("theta", "d", "a", "alpha")])
-    arm = _arm(convention, rows, joints, signs, extra)
-    order = f"columns {', '.join(role for role in roles if role in numbers)}, {why}"
-    row = {
-        "base": "; the first row has no joint and is the base",
-        "tool": "; the last row has no joint and is the flange",
-    }.get(extra, "")
-    units = {
-        "deg": "degrees",
-        "rad": "radians",
-        "mixed": "radians, with numbers beyond 2π as degrees",
-    }[unit]
-    book = "Craig (modified)" if convention == "craig" else "standard"
-    words = (
-        f"{order}; {book} convention; {units}; {'millimetres' if metre == 'mm' else 'metres'}{row}"
-    )
-    return Reading(
-        arm,
-        words,
-        tuple(dict.fromkeys(assumed)),
-        tuple(zip(QUESTIONS, (roles, convention, unit, metre, extra))),
-    )
-
-
-def _scaled(cell, role, unit, metre, assumed):
-    if role in ("d", "a"):
-        return (
-            cell.value
-            * {"mm": 1e-3, "cm": 1e-2, "m": 1.0}[
-                cell.unit if cell.unit in ("mm", "cm", "m") else metre
-            ]
-        )
-    in_degrees = (
-        cell.unit == "deg"
-        or cell.unit != "rad"
-        and (unit == "deg" or unit == "mixed" and abs(cell.value) > 2 * np.pi)
-    )
-    if in_degrees:
-        return np.deg2rad(cell.value)
-    value, said = snapped(cell.value) if cell.unit != "rad" else (cell.value, "")
-    assumed.extend([said] if said else [])
-    return value
-
-
-def _joint(table, columns, i):
-    if table.kinds[i] in ("R", "P"):
-        return table.kinds[i]
-    if "sigma" in columns:
-        return "P" if columns["sigma"][i].value else "R"
-    return "P" if not columns["d"][i].is_constant and columns["theta"][i].is_constant else "R"
-
-
-def _arm(convention, rows, joints, signs, extra):
-    kept = (
-        slice(1, None) if extra == "base" else slice(None, -1) if extra == "tool" else slice(None)
-    )
-    fixed = {"base": rows[0], "tool": rows[-1]}.get(extra)
-    ends = {} if fixed is None else {extra: link_matrices(convention, *fixed)}
-    table = DHTable(convention, *rows[kept].T, "".join(joints[kept]))
-    return Arm(table, sign=signs[kept], **ends)
 
 
 def _different(readings):
