@@ -218,41 +218,11 @@ def _as_array(answer, shape, case, names):
         raise CallFault(
             "the function returns nothing", _shown(case, names), "Is the return missing?"
         )
-    try:
-        array = np.asarray(answer)
-    except ValueError:
-        array = np.asarray(None)
-    if array.dtype.kind == "O":
-        try:
-            array = array.astype(float)
-        except (TypeError, ValueError):
-            array = np.asarray("")
-    if array.dtype.kind not in "iufb":
-        if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
-            raise CallFault(
-                "there are still three dots in what the function returns",
-                "",
-                "Put a number or a formula in place of every ...",
-            )
-        wanted = "×".join(map(str, shape))
-        raise CallFault(
-            f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
-            _shown(case, names),
-        )
+    array = _numbers(answer)
+    if array is None:
+        raise _no_numbers(answer, shape, case, names)
     if array.shape != shape:
-        found = "×".join(map(str, array.shape)) or "a single number"
-        mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
-        turned = (
-            "Rows and columns have changed places: return the transpose."
-            if array.shape == shape[::-1]
-            else "Print the shape of what you return."
-        )
-        raise CallFault(
-            f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
-            _shown(case, names),
-            "A pose needs its fourth row, 0 0 0 1." if mistake else turned,
-            mistake,
-        )
+        raise _other_shape(array, shape, case, names)
     if not np.isfinite(array).all():
         raise CallFault(
             "the answer holds NaN or infinity",
@@ -260,6 +230,50 @@ def _as_array(answer, shape, case, names):
             "Look for a division by zero or a square root of a negative number.",
         )
     return array
+
+
+def _numbers(answer):
+    """The array of an answer, None where it holds something else than numbers."""
+    try:
+        array = np.asarray(answer)
+    except ValueError:  # rows of different lengths
+        array = np.asarray(None)
+    if array.dtype.kind == "O":
+        try:
+            array = array.astype(float)
+        except (TypeError, ValueError):
+            return None
+    return array if array.dtype.kind in "iufb" else None
+
+
+def _no_numbers(answer, shape, case, names):
+    if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
+        return CallFault(
+            "there are still three dots in what the function returns",
+            "",
+            "Put a number or a formula in place of every ...",
+        )
+    wanted = "×".join(map(str, shape))
+    return CallFault(
+        f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
+        _shown(case, names),
+    )
+
+
+def _other_shape(array, shape, case, names):
+    found = "×".join(map(str, array.shape)) or "a single number"
+    mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
+    turned = (
+        "Rows and columns have changed places: return the transpose."
+        if array.shape == shape[::-1]
+        else "Print the shape of what you return."
+    )
+    return CallFault(
+        f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
+        _shown(case, names),
+        "A pose needs its fourth row, 0 0 0 1." if mistake else turned,
+        mistake,
+    )
 
 
 def _shown(case, names):
