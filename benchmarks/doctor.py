@@ -17,8 +17,10 @@ from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab.doctor import diagnose
-from dhlab.doctor.arms.faults import faults
-from dhlab.doctor.arms.fitting import Measured, misfit, with_rows
+from dhlab.doctor.arms.search.fitting import misfit
+from dhlab.doctor.arms.search.measured import Measured
+from dhlab.doctor.mistakes.faults import faults
+from dhlab.doctor.mistakes.remade import with_rows
 from dhlab.transform import rot_x, rot_y, rot_z, trans
 
 LEFT_OUT = ("kr6_r700", "cobra600", "xarm6", "ur10_cb", "puma560")

@@ -2,45 +2,20 @@
 table, and which row they accuse.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...arm import Arm
 from ...geometry.conversion import require_uncoupled
 from ...measure import fit_circles
-from ...measure.circlewords import NO_PROOF, SMALLEST
-from ...printing import number
 from ...table import DHTable
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
-from .faults import ALPHA, THETA
-from .fitting import Measured, fit, limit, misfit, with_parts, with_rows
+from ..mistakes.remade import ALPHA, THETA, A, D, with_parts, with_rows
 from .naming import name_change
+from .search.fitting import fit, misfit
+from .search.measured import Measured, limit
+from .sweeps import EXACT, accused, notes, scatter, sweep
 
 __all__ = ["diagnose_motion"]
-
-EXACT = 1e-6  # m; less scatter is rounding
-SURE = 5.0  # standard deviations: thirty numbers are compared
-TINY = {
-    "axis": np.deg2rad(0.5),
-    "shift": 5e-3,
-    "height": 5e-3,
-    "radius": 5e-3,
-    "phase": np.deg2rad(0.5),
-}  # a calibration moves a circle so far
-
-
-@dataclass(frozen=True)
-class Sweep:
-    """What one joint's circle (or line) says: whether its axis is where the table has it, whether
-    the rest agrees, the words for it.
-    """
-
-    joint: int
-    axis_right: bool | None  # None: nothing to be seen
-    rest_right: bool | None
-    tiny: bool
-    words: str
 
 
 def diagnose_motion(arm, q, points, *, noise=None):
@@ -86,7 +61,8 @@ def diagnose_motion(arm, q, points, *, noise=None):
     >>> q = np.tile([0.3, 0.4, -0.7, 0.5, 0.9, 0.2], (54, 1))
     >>> for i in range(6):
     ...     q[9 * i:9 * i + 9, i] = np.linspace(-1, 1, 9)
-    >>> answer = diagnose_motion(dh.Arm(dh.DHTable.standard(rows, angle="rad")), q, right.forward(q))
+    >>> wrong = dh.Arm(dh.DHTable.standard(rows, angle="rad"))
+    >>> answer = diagnose_motion(wrong, q, right.forward(q))
     >>> answer.findings[0].place, answer.findings[0].detail
     ('row 2, a', 'is 450 mm, should be 400 mm')
     """
@@ -98,198 +74,45 @@ def diagnose_motion(arm, q, points, *, noise=None):
     require_uncoupled(arm, "diagnose_motion")
     report = fit_circles(q, points, arm, noise=noise)
     q, points = np.asarray(q, dtype=float), np.asarray(points, dtype=float)
-    data = Measured(
-        q, points[:, :3, 3] if points.ndim == 3 else points, None, (noise or _scatter(report), 1.0)
-    )
-    sweeps = [
-        _line(arm, data, c) if arm.table.joints[c.joint - 1] == "P" else _sweep(c)
-        for c in report.circles
-    ]
-    return _decide(arm, data, sweeps, _notes(arm, sweeps, report))
-
-
-def _scatter(report):
-    """The standard deviation of a coordinate, from the distances off all circles."""
-    circles = [c for c in report.circles if not c.fault]
-    freedom = sum(2 * c.points - 6 for c in circles)
-    total = sum(c.points * c.off_circle**2 for c in circles)
-    return max(float(np.sqrt(total / freedom)) if freedom else EXACT, EXACT)
-
-
-def _sweep(circle):
-    if circle.fault:
-        return Sweep(circle.joint, None, None, True, circle.words)
-    wrong = {
-        name
-        for name, (value, sigma) in circle.differs.items()
-        if abs(value) > max(SURE * sigma, 10 * SMALLEST[name])
-    }
-    tiny = all(abs(value) < TINY[name] for name, (value, _) in circle.differs.items())
-    words = (
-        circle.words
-        if wrong
-        else (
-            f"Joint {circle.joint}: its circle agrees with the model's as far as the measurements"
-            " can tell."
-        )
-    )
-    return Sweep(
-        circle.joint, not wrong & {"axis", "shift"}, not wrong - {"axis", "shift"}, tiny, words
-    )
-
-
-def _line(arm, data, circle):
-    """A sliding joint: the direction in which its points go, against the table's."""
-    rows = _own_rows(data.q, circle)
-    q, p = data.q[rows, circle.joint - 1], data.p[rows]
-    q = q - q.mean()
-    v = q @ (p - p.mean(0)) / (q @ q)
-    model = arm.jacobian(data.q[rows[0]])[:3, circle.joint - 1]
-    angle = float(np.arctan2(np.linalg.norm(np.cross(model, v)), model @ v))
-    sigma = data.noise[0] / np.sqrt(q @ q)
-    right = angle < max(SURE * sigma, 1e-6)
-    long = abs(np.linalg.norm(v) - 1) < max(SURE * sigma, 1e-6)
-    said = (
-        "agrees with the model in direction"
-        if right
-        else f"the line runs {number(np.rad2deg(angle), 3)}° off the model's"
-    )
-    said += (
-        ""
-        if angle < np.pi / 2
-        else ", so it slides the other way, or an axis before it is turned round"
-    )
-    said += (
-        " and in length"
-        if long and right
-        else (
-            ""
-            if long
-            else (
-                f"; a metre of the joint moves the point {number(np.linalg.norm(v), 4)} m, so look"
-                " at its unit"
-            )
-        )
-    )
-    return Sweep(
-        circle.joint,
-        right,
-        long,
-        angle < TINY["axis"] and long,
-        f"Joint {circle.joint}: it slides, so its points lie on a line: {said}.",
-    )
-
-
-def _own_rows(q, circle):
-    """The rows in which the joint of this sweep moved and no other."""
-    for first in range(len(q) - circle.points + 1):
-        rows = np.arange(first, first + circle.points)
-        moved = np.ptp(q[rows], axis=0) > 1e-3
-        if moved[circle.joint - 1] and moved.sum() == 1:
-            return rows
-
-
-def _notes(arm, sweeps, report):
-    """What each joint says, and what none can."""
-    yield from (sweep.words for sweep in sweeps)
-    missing = [str(i) for i in range(1, len(arm) + 1) if i not in {s.joint for s in sweeps}]
-    if missing:
-        yield (
-            f"Not moved alone: joint {', '.join(missing)}; a mistake there cannot be told from one"
-            " in its neighbours."
-        )
-    if report.left_out:
-        yield (
-            f"{report.left_out} measurement{'s belong' if report.left_out > 1 else ' belongs'} to"
-            " no sweep of a single joint."
-        )
-    yield NO_PROOF
+    p = points[:, :3, 3] if points.ndim == 3 else points
+    data = Measured(q, p, None, (noise or scatter(report), 1.0))
+    sweeps = [sweep(arm, data, circle) for circle in report.circles]
+    return _decide(arm, data, sweeps, tuple(notes(arm, sweeps, report)))
 
 
 def _decide(arm, data, sweeps, notes):
-    notes, known = tuple(notes), {"before": _size(arm, data), "compared": (arm, data.q, data.p)}
+    known = {"before": _size(arm, data), "compared": (arm, data.q, data.p)}
     if misfit(arm, data).chi2 <= limit(data.count):
         return Diagnosis(AGREES, "Every circle is where the table has it.", notes=notes, **known)
     if data.noise[0] > 2 * EXACT and all(s.tiny for s in sweeps):
-        return Diagnosis(
-            CALIBRATED,
+        headline = (
             "The circles are a little off those of the table, as on every real arm; no mistake"
-            " shows.",
-            notes=notes,
-            **known,
+            " shows."
         )
-    first, last, why = _accused(arm, sweeps)
-    repairs = _explaining(arm, data, first, last, ends=True) or _explaining(
-        arm, data, 1, len(arm), ends=False
-    )
+        return Diagnosis(CALIBRATED, headline, notes=notes, **known)
+    first, last, why = accused(arm, sweeps)
+    repairs = _explaining(arm, data, first, last, ends=True)
+    repairs = repairs or _explaining(arm, data, 1, len(arm), ends=False)
     if not repairs:
-        return Diagnosis(
-            UNEXPLAINED,
-            "The circles are not those of the table, and no single change explains them.",
-            notes=(why, *notes),
-            **known,
-        )
-    findings = [
-        name_change(arm, repaired, data, entries, ends) for repaired, entries, ends in repairs
-    ]
+        headline = "The circles are not those of the table, and no single change explains them."
+        return Diagnosis(UNEXPLAINED, headline, notes=(why, *notes), **known)
+    findings = [name_change(arm, right, data, entries, ends) for right, entries, ends in repairs]
     where = [f.place or f.detail for f in findings]
-    alike = tuple(dict.fromkeys(place for place in where[1:] if place != where[0]))[:5]
-    same = (
-        (f"A change of {'; or of '.join(alike)} would do the same on these sweeps.",)
-        if alike
-        else ()
-    )
     return Diagnosis(
         EXPLAINED,
         f"One mistake explains the circles: {where[0]}.",
         (findings[0],),
         after=_size(repairs[0][0], data),
-        notes=(why, *same, *notes),
+        notes=(why, *_the_same(where), *notes),
         **known,
     )
 
 
-def _accused(arm, sweeps):
-    """First and last row (1-based, standard) in which the mistake lies, and why, in words."""
-    seen = {s.joint: s.axis_right for s in sweeps if s.axis_right is not None}
-    wrong = min((joint for joint, right in seen.items() if not right), default=None)
-    good = max((joint for joint in seen if wrong is None or joint < wrong), default=0)
-    first, last = max(good, 1), len(arm) if wrong is None else max(wrong - 1, 1)
-    rows = _rows_between(arm, first, last)
-    if not seen:
-        return 1, len(arm), "No joint drew a circle that can be compared, so no row is accused."
-    if wrong is None:
-        return (
-            first,
-            last,
-            (
-                f"Every axis seen is right, up to joint {good}'s: the mistake is in {rows} or in"
-                " the tool."
-            ),
-        )
-    axes = (
-        f"The axis of joint {good} is right, that of joint {wrong} is not"
-        if good
-        else f"The axis of joint {wrong} is the first one seen, and it is not right"
-    )
-    return (
-        first,
-        last,
-        (
-            f"{axes}: the mistake is in {rows if good else rows + ' or in the base'}, or joint"
-            f" {wrong} counts the other way."
-        ),
-    )
-
-
-def _rows_between(arm, first, last):
-    if arm.table.convention == "craig":
-        behind = min(last + 1, len(arm))
-        return (
-            f"theta or d of row {first}{f' to {last}' if last > first else ''} or a or alpha of row"
-            f" {min(first + 1, behind)}{f' to {behind}' if last > first else ''}"
-        )
-    return f"row {first}" if first == last else f"rows {first} to {last}"
+def _the_same(where):
+    """What else would do the same as the first."""
+    alike = list(dict.fromkeys(place for place in where[1:] if place != where[0]))[:5]
+    if alike:
+        yield f"A change of {'; or of '.join(alike)} would do the same on these sweeps."
 
 
 def _explaining(arm, data, first, last, ends):
@@ -316,11 +139,11 @@ def _entries(arm, first, last):
     """The (row, column) from 0 that stand between the axes of joints first and last + 1."""
     shift = arm.table.convention == "craig"
     for i in range(first, last + 1):
-        yield from ((i, column) for column in (THETA, 1))
+        yield from ((i, column) for column in (THETA, D))
         if i + shift < len(arm):
-            yield from ((i + shift, column) for column in (2, ALPHA))
+            yield from ((i + shift, column) for column in (A, ALPHA))
     if first == 0 and shift:
-        yield from ((0, column) for column in (2, ALPHA))
+        yield from ((0, column) for column in (A, ALPHA))
 
 
 def _starts(arm, entry):

@@ -4,12 +4,18 @@ wrong.
 
 import numpy as np
 
-from ...printing import number
+from ...table import COLUMNS
 from ..finding import Finding
-from .faults import ALPHA, NAMES, THETA, A, D, faults
-from .fitting import Measured, misfit
+from ..mistakes.changes import Scaled
+from ..mistakes.faults import faults
+from ..mistakes.registry import OTHER, preference, value_mistake
+from ..mistakes.remade import ALPHA, THETA, A, D
+from .differences import difference_text, end_text, moved_by, number_text, wrapped
+from .numbers import name_number
+from .search.fitting import misfit
+from .search.measured import Measured
 
-__all__ = ["name_change", "name_data_fault", "difference_text"]
+__all__ = ["name_change", "name_data_fault"]
 
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical
 # purposes
@@ -17,22 +23,9 @@ SAMPLES = np.random.default_rng(20).uniform(0.3, 2.4, (8, 16)) * np.random.defau
     [-1, 1], (8, 16)
 )
 TOLERANCE = 1e-6
-MOST_SHOWN = 8
 SEEN = 0.03  # share of the largest change below which another zero is not worth a word
 OWN = 0.1  # share of a change's misfit that a mistake may leave to be its name
-ORDER = (
-    "standard-rows-in-craig-matrix",
-    "craig-rows-in-standard-matrix",
-    "alpha-sign",
-    "length-sign",
-    "joint-reversed",
-    "offset-missing",
-    "offset-sign",
-    "a-d-exchanged",
-    "length-unit",
-    "tool-missing",
-    "base-turned",
-)
+TURNED = 0.5  # degrees; a base that is turned less is only shifted
 
 
 def name_change(wrong, right, data, entries=(), ends=()):
@@ -64,14 +57,10 @@ def name_change(wrong, right, data, entries=(), ends=()):
     if not names:
         names = _by_difference(wrong, right)
     mistake, joint, parameter, place, detail = names[0]
-    others = tuple(
-        dict.fromkeys(
-            name for name in [n[0] for n in names[1:]] + _twins(wrong, entries) if name != mistake
-        )
-    )
-    return Finding(
-        mistake, joint, parameter, place, detail or difference_text(wrong, right), right, others
-    )
+    same = [name[0] for name in names[1:]] + _same_as_ends(wrong, entries)
+    others = tuple(dict.fromkeys(name for name in same if name != mistake))
+    detail = detail or difference_text(wrong, right)
+    return Finding(mistake, joint, parameter, place, detail, right, others)
 
 
 def name_data_fault(fault, arm):
@@ -80,73 +69,25 @@ def name_data_fault(fault, arm):
     return Finding(mistake, joint, parameter, place, "", arm)
 
 
-def _twins(arm, entries):
-    """Numbers at the two ends of a table do what a base or a tool does: they cannot be told apart
-    by any pose.
-    """
-    twins, last = [], len(arm) - 1
-    of_base, of_tool = (
-        ((THETA, D), (A, ALPHA)) if arm.table.convention == "standard" else ((A, ALPHA), (THETA, D))
-    )
-    for i, column in entries if len(entries) == 1 else ():
-        if (
-            i == 0
-            and column in of_base
-            or i == 0
-            and column == D
-            and abs(np.sin(arm.table.alpha[0])) < 1e-9
-        ):
-            twins.append("base-height-missing-or-twice" if column == D else "base-turned")
-        if (
-            i == 0
-            and arm.table.convention == "craig"
-            and column in (THETA, D)
-            and arm.table.a[0] == arm.table.alpha[0] == 0
-        ):
-            twins.append("base-turned" if column == THETA else "base-height-missing-or-twice")
-        if i == last and (
-            column in of_tool
-            or arm.table.convention == "standard"
-            and arm.table.a[i] == arm.table.alpha[i] == 0
-        ):
-            twins.append("tool-missing")
-    return twins
+# ---- every mistake, tried
 
 
 def _made_on(right, wrong, data, fitted):
     """Every mistake of the catalogue that, made on the right arm, gives the wrong one as far as was
     measured: (mistake, joint, parameter, place, detail), simplest first.
     """
-    q = SAMPLES[:, : len(right)]
-    T = wrong.forward(q)
-    slack = (
-        max(TOLERANCE, 3 * data.noise[0] if fitted and data.noise[0] > 1e-5 else 0),
-        max(TOLERANCE, 3 * data.noise[1] if fitted and data.noise[1] > 1e-5 else 0),
-    )
-    sample = Measured(
-        q,
-        T[:, :3, 3],
-        None if data.R is None else T[:, :3, :3],
-        slack,
-        data.base_free,
-        data.tool_free,
-    )
-    rank = {name: k for k, name in enumerate(ORDER)}
-    enough = min(
-        sample.count, OWN * misfit(right, sample).chi2
-    )  # a fault that changes nothing is no name for a change
+    slack = [
+        max(TOLERANCE, 3 * noise if fitted and noise > 1e-5 else 0) for noise in data.noise[:2]
+    ]
+    sample = _sample(wrong, data, slack)
+    # a fault that changes nothing is no name for a change
+    enough = min(sample.count, OWN * misfit(right, sample).chi2)
     found = [
         fault
         for fault in faults(right)
-        if misfit(fault.arm, sample).chi2 <= enough and not _unit_of_nothing(fault, wrong)
+        if misfit(fault.arm, sample).chi2 <= enough and not _scaled_to_nothing(fault, wrong)
     ]
-    found.sort(
-        key=lambda f: (
-            f.joint is None and f.mistake not in rank,
-            not _same_numbers(f.arm, wrong, max(slack)),
-            rank.get(f.mistake, len(rank)),
-        )
-    )
+    found.sort(key=lambda fault: _order(fault, wrong, max(slack)))
     return list(
         dict.fromkeys(
             (f.mistake, f.joint, f.parameter, _place(f.joint, f.parameter), "") for f in found
@@ -154,23 +95,39 @@ def _made_on(right, wrong, data, fitted):
     )
 
 
-def _unit_of_nothing(fault, wrong):
-    """Whether a length would have been taken in another unit where 0 stands: then it is missing,
-    whatever a thousandth of it is.
+def _sample(arm, data, noise):
+    """Poses of an arm as measurements of the same kind as the data."""
+    q = SAMPLES[:, : len(arm)]
+    T = arm.forward(q)
+    R = None if data.R is None else T[:, :3, :3]
+    return Measured(q, T[:, :3, 3], R, tuple(noise), data.base_free, data.tool_free)
+
+
+def _order(fault, wrong, slack):
+    """What is told first: a place before the whole arm, what stands in the table before what does
+    the same, the better known.
     """
-    return (
-        fault.mistake == "length-unit"
-        and fault.joint is not None
-        and abs(wrong.table.rows[fault.joint - 1, NAMES.index(fault.parameter)]) < 1e-9
-    )
+    rank = preference(fault.mistake)
+    return (fault.joint is None and rank == OTHER, not _same_numbers(fault.arm, wrong, slack), rank)
+
+
+def _scaled_to_nothing(fault, wrong):
+    """Whether a number would have been multiplied where 0 stands: then it is missing, whatever a
+    thousandth of it is.
+    """
+    change = getattr(fault.change, "change", None)
+    if fault.joint is None or fault.parameter not in COLUMNS or not isinstance(change, Scaled):
+        return False
+    column = COLUMNS.index(fault.parameter)
+    return change.factors[column] != 0 and abs(wrong.table.rows[fault.joint - 1, column]) < 1e-9
 
 
 def _same_numbers(a, b, slack):
     """Whether two arms are written alike, not only posed alike: then a mistake is what stands in
-    the table, not a twin of it.
+    the table, and does not only do the same.
     """
     apart = a.table.rows - b.table.rows
-    apart[:, [THETA, ALPHA]] = _wrapped(apart[:, [THETA, ALPHA]])
+    apart[:, [THETA, ALPHA]] = wrapped(apart[:, [THETA, ALPHA]])
     return (
         a.table.convention == b.table.convention
         and np.abs(apart).max() <= slack
@@ -181,13 +138,30 @@ def _same_numbers(a, b, slack):
 def _place(joint, parameter):
     if joint is None:
         return ""
-    return f"row {joint}, {parameter}" if parameter in NAMES else f"joint {joint}"
+    return f"row {joint}, {parameter}" if parameter in COLUMNS else f"joint {joint}"
+
+
+# ---- by what stood there and what should
 
 
 def _by_value(wrong, right, entries, ends):
     if ends:
         return _by_end(wrong, right, ends[0])
-    return _name_entry(wrong, right, entries) if len(entries) == 1 else None
+    return _by_number(wrong, right, entries[0]) if len(entries) == 1 else None
+
+
+def _by_number(wrong, right, entry):
+    """(mistake, joint, parameter, place, detail) of the one entry that was fitted."""
+    i, column = entry
+    was, should = wrong.table.rows[entry], right.table.rows[entry]
+    mistake = name_number(was, should, wrong, entry)
+    return (
+        mistake,
+        int(i) + 1,
+        COLUMNS[column],
+        _place(i + 1, COLUMNS[column]),
+        number_text(was, should, column),
+    )
 
 
 def _by_offsets(wrong, right, entries):
@@ -195,7 +169,7 @@ def _by_offsets(wrong, right, entries):
     zeros that are off.
     """
     was, should = wrong.table.theta, right.table.theta
-    turned = np.abs(_wrapped(should - was))
+    turned = np.abs(wrapped(should - was))
     changed = np.flatnonzero(turned > max(1e-9, SEEN * turned.max()))
     if (
         any(column != THETA for _, column in entries)
@@ -203,146 +177,55 @@ def _by_offsets(wrong, right, entries):
         or not np.array_equal(wrong.table.rows[:, 1:], right.table.rows[:, 1:])
     ):
         return None
-    quarters = np.abs(_wrapped(4 * should[changed])).max() < 1e-2 and not was[changed].any()
-    rows = "rows " + ", ".join(str(i + 1) for i in changed)
+    names = {name_number(was[i], should[i], wrong, (i, THETA)) for i in changed}
+    quarters = np.abs(wrapped(4 * should[changed])).max() < 1e-2
     return (
-        "offset-missing" if quarters else "offset-value",
+        names.pop() if quarters and len(names) == 1 else value_mistake("theta"),
         None,
         "theta",
-        rows,
-        "; ".join(f"theta{i + 1} {_from_to(was[i], should[i], THETA)}" for i in changed),
-    )
-
-
-def _name_entry(wrong, right, entries):
-    """(mistake, joint, parameter, place, detail) of the one entry that was fitted, by what stood
-    there and what should.
-    """
-    ((i, column),) = entries
-    was, should = wrong.table.rows[i, column], right.table.rows[i, column]
-    name = (
-        _of_length(was, should, i, column, wrong)
-        if column in (D, A)
-        else _of_angle(was, should, column, wrong.table.joints[i])
-    )
-    return name, i + 1, NAMES[column], _place(i + 1, NAMES[column]), _from_to(was, should, column)
-
-
-def _of_length(was, should, i, column, arm):
-    if abs(was + should) < 1e-6 and abs(should) > 1e-6:
-        return "length-sign"
-    if abs(was) > 1e-9 and any(
-        abs(should / was / factor - 1) < 1e-3 for factor in (1000, 1e-3, 25.4, 25.4e-3)
-    ):
-        return "length-unit"
-    if column == D and i == 0 and (abs(was) < 1e-9 or abs(was - 2 * should) < 1e-6):
-        return "base-height-missing-or-twice"
-    if column == D and i == len(arm) - 1 and abs(was) < 1e-9:
-        return "tool-missing"
-    if column == D and arm.table.joints[i] == "P":
-        return "prismatic-constant-lost" if abs(was) < 1e-9 else "length-value"
-    return "length-value"
-
-
-def _of_angle(was, should, column, letter):
-    turn = np.rad2deg(_wrapped(should - was))
-    if column == THETA:
-        if letter == "P" and abs(was) < 1e-9:
-            return "prismatic-constant-lost"
-        if abs(was) < 1e-9:
-            return "offset-missing"
-        if abs(_wrapped(was + should)) < 1e-3:
-            return "offset-sign"
-        return (
-            "offset-counted-twice"
-            if abs(was - 2 * should) < 1e-3
-            else "offset-in-degrees"
-            if abs(was * np.pi / 180 - should) < 1e-3
-            else "offset-value"
-        )
-    if abs(_wrapped(was + should)) < 1e-3:
-        return "alpha-sign"
-    if abs(was * np.pi / 180 - should) < 1e-3:
-        return "alpha-in-degrees"
-    if abs(abs(turn) - 180) < 0.1:
-        return "z-flip-incomplete"
-    if abs(abs(turn) - 90) < 0.1:
-        return "z-across-joint-axis"
-    return (
-        "pi-rounded"
-        if abs(turn) < 0.7 and abs(np.rad2deg(should) / 90 - round(np.rad2deg(should) / 90)) < 1e-6
-        else "alpha-value"
+        "rows " + ", ".join(str(i + 1) for i in changed),
+        "; ".join(f"theta{i + 1} {number_text(was[i], should[i], THETA)}" for i in changed),
     )
 
 
 def _by_end(wrong, right, end):
-    was, should = getattr(wrong, end), getattr(right, end)
-    moved = should @ np.linalg.inv(was) if end == "base" else np.linalg.inv(was) @ should
-    turn = np.rad2deg(np.arccos(np.clip((np.trace(moved[:3, :3]) - 1) / 2, -1, 1)))
-    shift = ", ".join(number(v * 1000, 1) for v in moved[:3, 3])
-    detail = f"moved by ({shift}) mm" + (
-        f" and turned by {number(turn, 2)}°" if turn > 0.01 else ""
-    )
-    name = (
-        "tool-missing"
-        if end == "tool"
-        else "base-turned"
-        if turn > 0.5
-        else "base-height-missing-or-twice"
-    )
-    return name, None, end, end, detail
+    _, turn = moved_by(wrong, right, end)
+    moved = "tool" if end == "tool" else "base turn" if turn > TURNED else "base shift"
+    return value_mistake(moved), None, end, end, end_text(wrong, right, end)
 
 
 def _by_difference(wrong, right):
     """A change that the catalogue does not know: named by the kind of the entries that differ."""
     changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
-    for i, column in changed:
-        own = _by_value(wrong, right, ((i, column),), ())
-        if own:
-            rows = ", ".join(f"row {r + 1}, {NAMES[c]}" for r, c in changed)
-            return [
-                (own[0], own[1] if len({r for r, _ in changed}) == 1 else None, own[2], rows, "")
-            ]
+    if len(changed):
+        own = _by_number(wrong, right, tuple(changed[0]))
+        rows = ", ".join(f"row {r + 1}, {COLUMNS[c]}" for r, c in changed)
+        return [(own[0], own[1] if len({r for r, _ in changed}) == 1 else None, own[2], rows, "")]
     signs = np.flatnonzero(wrong.sign != right.sign)
     if len(signs):
-        return [("joint-reversed", int(signs[0]) + 1, "sign", f"joint {signs[0] + 1}", "")]
+        joint = int(signs[0]) + 1
+        return [(value_mistake("sign"), joint, "sign", f"joint {joint}", "")]
     end = "base" if not np.allclose(wrong.base, right.base) else "tool"
     return [_by_end(wrong, right, end)]
 
 
-def difference_text(wrong, right):
-    """What stood there and what should."""
-    if wrong.table.convention != right.table.convention:
-        return f"the rows are {right.table.convention}"
-    if wrong.table.joints != right.table.joints:
-        return f"the joints are {right.table.joints}"
-    changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
-    if len(changed) > MOST_SHOWN:
-        return f"{len(changed)} numbers of the table change"
-    parts = [
-        f"{NAMES[c]}{i + 1} {_from_to(wrong.table.rows[i, c], right.table.rows[i, c], c)}"
-        for i, c in changed
-    ]
-    parts += [
-        f"joint {i + 1} counts the other way" for i in np.flatnonzero(wrong.sign != right.sign)
-    ]
-    parts += [
-        _by_end(wrong, right, end)[4]
-        for end in ("base", "tool")
-        if not np.allclose(getattr(wrong, end), getattr(right, end), atol=1e-9) and not parts
-    ]
-    return "; ".join(parts)
+def _same_as_ends(arm, entries):
+    """Numbers at the two ends of a table do what a base or a tool does: no pose can tell them
+    apart.
+    """
+    if len(entries) != 1:
+        return []
+    ((i, column),) = entries
+    return [value_mistake(end) for end in _ends_moved(arm, i, column)]
 
 
-def _from_to(was, should, column):
-    if column in (THETA, ALPHA):
-        return (
-            f"is {number(np.rad2deg(was), 3)}°, should be"
-            f" {number(np.rad2deg(_wrapped(should)), 3)}°"
-        )
-    return f"is {number(was * 1000, 2)} mm, should be {number(should * 1000, 2)} mm"
-
-
-def _wrapped(angle):
-    """Into (-π, π]."""
-    return np.pi - (np.pi - angle) % (2 * np.pi)
+def _ends_moved(arm, i, column):
+    standard, table, last = arm.table.convention == "standard", arm.table, len(arm) - 1
+    of_base, of_tool = ((THETA, D), (A, ALPHA)) if standard else ((A, ALPHA), (THETA, D))
+    upright = abs(np.sin(table.alpha[0])) < 1e-9
+    if i == 0 and (column in of_base or (column == D and upright)):
+        yield "base shift" if column == D else "base turn"
+    if i == 0 and not standard and column in (THETA, D) and table.a[0] == table.alpha[0] == 0:
+        yield "base turn" if column == THETA else "base shift"
+    if i == last and (column in of_tool or (standard and table.a[i] == table.alpha[i] == 0)):
+        yield "tool"

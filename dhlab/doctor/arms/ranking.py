@@ -2,17 +2,20 @@
 from, and which pose would decide.
 """
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
 
-from .faults import A, D
-from .fitting import Fit, Measured, fit, limit, misfit, with_rows
-from .naming import difference_text, name_change, name_data_fault
+from ..mistakes.remade import A, D, with_rows
+from .differences import difference_text
+from .naming import name_change, name_data_fault
+from .search.fitting import Fit, fit, misfit
+from .search.measured import Measured, limit
 
-__all__ = ["ranked", "named", "with_twins", "rivals_of", "telling_pose"]
+__all__ = ["ranked", "named", "with_equivalents", "rivals_of", "telling_pose"]
 
-MOST_TWINS = 4
+MOST_EQUIVALENTS = 4
 
 
 def ranked(arm, explanations, data):
@@ -56,7 +59,7 @@ def named(explanation, data):
         return [name_data_fault(explanation.data_fault, explanation.fit.arm)]
     chain, findings = explanation.chain, []
     entries = list(explanation.entries)
-    for step, (wrong, right) in enumerate(zip(chain, chain[1:])):
+    for step, (wrong, right) in enumerate(itertools.pairwise(chain)):
         last = step == len(chain) - 2
         own = (
             tuple(e for e in entries if abs(wrong.table.rows[e] - right.table.rows[e]) > 1e-12)
@@ -69,14 +72,14 @@ def named(explanation, data):
     return findings
 
 
-def with_twins(finding, best, others, data):
+def with_equivalents(finding, best, others, data):
     """The finding with the names of the other repairs that make the same arm, and a note on those
     of a single number.
     """
     tables, names, notes = [best.fit.arm.table.rows], [*finding.look_alikes], []
     for other in others:
         if (
-            len(tables) > MOST_TWINS
+            len(tables) > MOST_EQUIVALENTS
             or other.changes > best.changes
             or other.data_fault is not None
             or len(other.entries) > 1
@@ -88,9 +91,9 @@ def with_twins(finding, best, others, data):
             np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables
         ) or _differs(best.fit.arm, repaired, data):
             continue
-        twin = name_change(wrong, repaired, data, other.entries)
+        same = name_change(wrong, repaired, data, other.entries)
         tables.append(repaired.table.rows)
-        names += [twin.mistake, *twin.look_alikes]
+        names += [same.mistake, *same.look_alikes]
         if _touched(wrong, repaired) == 1:
             notes.append(f"The same arm comes of this: {difference_text(wrong, repaired)}.")
     return replace(

@@ -6,14 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...transform import inverse, pose_fault
 from ..catalogue import catalogue
 from ..finding import find
+from ..mistakes.changes import PoseChange, Symptom
+from ..mistakes.registry import changes
 from .slipsearch import search
 from .wrong.branches import WRONG_BRANCHES
 from .wrong.craig import WRONG_CRAIG
-from .wrong.jacobians import WRONG_ERRORS, WRONG_JACOBIANS
-from .wrong.links import WRONG_COMPOSE, WRONG_LINKS, WRONG_ROT_X
+from .wrong.errors import WRONG_ERRORS
+from .wrong.jacobians import WRONG_JACOBIANS
+from .wrong.links import WRONG_LINKS
+from .wrong.moves import WRONG_COMPOSE, WRONG_ROT_X
 from .wrong.products import WRONG_PRODUCTS
 from .wrong.solvers import WRONG_SOLVERS
 
@@ -34,9 +37,6 @@ NUMBERS = {
 }  # of no poses
 WRONG_VERSIONS |= NUMBERS
 PARAMETERS = ("theta", "d", "a", "alpha", "q")
-ROUNDED = (
-    0.02  # a pose this near to the right one (m, and entries of R) has been rounded on the way
-)
 
 
 def explain_function(answers, expected, cases, kind):
@@ -105,9 +105,8 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9):
         return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))
     found = (
         _wrong_version(answers, cases, kind)
-        or _relation(answers, expected, tolerance)
-        or _entries(answers, expected)
-        or _not_a_pose(answers)
+        or _changed_as_wholes(answers, expected, tolerance)
+        or _symptom(answers, expected)
     )
     return (found,) if found else ()
 
@@ -148,42 +147,18 @@ def _same(a, b, tolerance=1e-9):
     return np.allclose(a, b, rtol=tolerance, atol=tolerance)
 
 
-def _relation(answers, expected, tolerance):
-    """How the answers stand to the right poses as wholes, whatever program made them."""
-    transposed = np.swapaxes(expected, -1, -2)
-    scaled = expected * np.where(np.arange(4) == 3, np.array([1000, 1000, 1000, 1])[:, None], 1)
-    turned = expected.copy()
-    turned[..., :3, :3] = transposed[..., :3, :3]
-    for mistake, other in (
-        ("pose-inverted", inverse(expected)),
-        ("matrix-transposed", transposed),
-        ("rotation-transposed", turned),
-        ("length-unit", scaled),
-        ("integer-arrays", np.trunc(expected)),
-    ):
-        if _same(answers, other, tolerance):
-            return find(mistake)
-    if np.abs(answers - expected).max() < ROUNDED:
-        return find("pi-rounded")
-    if _same(answers[..., :3, :], expected[..., :3, :], tolerance):
-        return find("last-row-missing")
+def _changed_as_wholes(answers, expected, tolerance):
+    """The answers are the right poses, changed as wholes, whatever program made them."""
+    for change in changes(PoseChange):
+        if _same(answers, change.change(expected), tolerance):
+            return find(change.mistake)
     return None
 
 
-def _entries(answers, expected):
-    """One or two wrong entries in an otherwise right matrix."""
-    wrong = np.argwhere((np.abs(answers - expected) > 1e-9 * (1 + np.abs(expected))).any(axis=0))
-    if 0 < len(wrong) <= 2:
-        return find(
-            "matrix-entry-mistyped", " and ".join(f"row {i + 1}, column {j + 1}" for i, j in wrong)
-        )
+def _symptom(answers, expected):
+    """What the answers look like, the right ones beside them first."""
+    for symptom in sorted(changes(Symptom), key=lambda symptom: symptom.alone):
+        place = symptom.look(answers, expected)
+        if place is not None:
+            return find(symptom.mistake, place)
     return None
-
-
-def _not_a_pose(answers):
-    fault = pose_fault(answers)
-    if fault is None:
-        return None
-    if "last row" in fault:
-        return find("last-row-missing")
-    return find("mirror") if "mirror" in fault else find("not-rigid")

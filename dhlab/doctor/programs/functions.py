@@ -10,6 +10,7 @@ from ...transform import pose_fault
 from ..catalogue import catalogue
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
+from ..mistakes.registry import only_seen
 from .calling import CallFault, call_all, is_stub
 from .cases import SPECIAL, general_chain, general_row
 from .explain import explain_all
@@ -22,7 +23,6 @@ NAMES = {"dh_transform": ("theta", "d", "a", "alpha"), "forward_kinematics": ("r
 RIGHT = {"dh_transform": standard, "forward_kinematics": product}
 SEED = 4
 CALLS = 16
-SEEN_ONLY = ("not-rigid",)  # says what is seen, not what made it
 LINKS = (
     2,
     3,
@@ -75,7 +75,9 @@ def diagnose_function(f, kind):
     Examples
     --------
     >>> from dhlab.doctor.programs.wrong.links import standard
-    >>> print(diagnose_function(lambda theta, d, a, alpha: standard(theta, d, a, -alpha), "dh_transform").headline)
+    >>> def wrong(theta, d, a, alpha):
+    ...     return standard(theta, d, a, -alpha)
+    >>> print(diagnose_function(wrong, "dh_transform").headline)
     One mistake explains what this program answers: alpha has the wrong sign.
     >>> bool(diagnose_function(standard, "dh_transform"))
     True
@@ -162,7 +164,7 @@ def _compared(answers, cases, kind):
     findings = explain_all(
         answers, right, cases, kind, _tolerance(answers) if answers[0].dtype == np.float32 else 1e-9
     )
-    if findings and findings[0].mistake not in SEEN_ONLY:
+    if findings and not only_seen(findings[0].mistake):
         return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
     return Diagnosis(
         UNEXPLAINED,

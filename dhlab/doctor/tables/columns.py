@@ -73,12 +73,8 @@ def misplaced(columns):
     for role, column in columns.items():
         values = [abs(cell.value) for cell in column if cell.value]
         kind = _kind(column) if values and role in ROLES else "any"
-        if (
-            role in ("d", "a")
-            and kind == "angle"
-            or role in ("theta", "alpha")
-            and kind == "length"
-            and max(values) < 1
+        if (role in ("d", "a") and kind == "angle") or (
+            role in ("theta", "alpha") and kind == "length" and max(values) < 1
         ):
             found.append(role)
     return found
@@ -91,12 +87,9 @@ def _fits(roles, columns, kinds):
         if kind not in ("any", "angle" if role in ("theta", "alpha") else "length"):
             return False
         if (
-            "theta" in variables
-            and role != "theta"
-            or "d" in variables
-            and role != "d"
-            or variables
-            and role not in ("theta", "d")
+            ("theta" in variables and role != "theta")
+            or ("d" in variables and role != "d")
+            or (variables and role not in ("theta", "d"))
         ):
             return False
         if "q" in variables and moving == 1 and role != "theta":
@@ -150,9 +143,7 @@ def angle_units(table, columns, given):
     small = [
         cell
         for cell in cells
-        if cell not in beyond
-        and cell.unit != "deg"
-        and snapped(cell.value)[1]
+        if (cell not in beyond and cell.unit != "deg" and snapped(cell.value)[1])
         or cell.unit == "rad"
     ]
     if beyond and small:

@@ -150,7 +150,7 @@ def _equivalent(right, readings):
         (("base", "tool"), "its base and tool"),
     ):
         for reading in readings:
-            if equivalent(right, reading.arm, **{end: "free" for end in free}):
+            if equivalent(right, reading.arm, **dict.fromkeys(free, "free")):
                 return [reading], (
                     (f"this reading is the right arm but for {words}",) if words else ()
                 )

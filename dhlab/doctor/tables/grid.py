@@ -1,5 +1,6 @@
 """The grid of a pasted table: which line is its header, what each column is, the rows' cells."""
 
+import itertools
 import math
 import re
 from dataclasses import dataclass, replace
@@ -71,7 +72,7 @@ def _role(cell):
         if previous
         else (
             re.sub(r"(?<=[a-z])[_ ]?\(?i\)?$", "", text)
-            if text not in ROLE_OF and not text == "i"
+            if text not in ROLE_OF and text != "i"
             else text
         )
     )
@@ -222,7 +223,7 @@ def _counts(cells):
     return (
         all(cell.is_constant for cell in cells)
         and values[0] in (0, 1)
-        and all(b - a == 1 for a, b in zip(values, values[1:]))
+        and all(b - a == 1 for a, b in itertools.pairwise(values))
     )
 
 

@@ -65,7 +65,7 @@ def _from_text(text):
     links = [
         (where, found, line)
         for where, found, line in keyed
-        if len(found) >= 2 or found and LINK_CLASS.search(line)
+        if len(found) >= 2 or (found and LINK_CLASS.search(line))
     ]
     if len(links) >= max(1, len(lines) // 2):
         return from_keys(links, said)

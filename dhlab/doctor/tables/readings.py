@@ -28,6 +28,13 @@ QUESTIONS = {
 class Reading:
     """One way to read a table: the arm, the way in words, what had to be assumed, and which answer
     to each question leads here.
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> found = dh.recognise_table("0 0.1 0 90\\n0 0 0.4 0")
+    >>> found.readings[0].arm.table.convention
+    'standard'
     """
 
     arm: Arm
@@ -79,7 +86,7 @@ def _extra_rows(table, columns, right):
     )
     if n < 2:
         return [""]
-    if named or sum(fixed) == 1 and (fixed[0] or fixed[-1]):
+    if named or (sum(fixed) == 1 and (fixed[0] or fixed[-1])):
         return [named or ("base" if fixed[0] else "tool")]
     if right is not None and n == len(right) + 1 and not any(moves):
         return ["base", "tool"]
@@ -140,10 +147,8 @@ def _scaled(cell, role, unit, metre, assumed):
                 cell.unit if cell.unit in ("mm", "cm", "m") else metre
             ]
         )
-    in_degrees = (
-        cell.unit == "deg"
-        or cell.unit != "rad"
-        and (unit == "deg" or unit == "mixed" and abs(cell.value) > 2 * np.pi)
+    in_degrees = cell.unit == "deg" or (
+        cell.unit != "rad" and (unit == "deg" or (unit == "mixed" and abs(cell.value) > 2 * np.pi))
     )
     if in_degrees:
         return np.deg2rad(cell.value)

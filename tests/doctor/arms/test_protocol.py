@@ -11,8 +11,8 @@ import pytest
 
 import dhlab as dh
 from dhlab.doctor import diagnose
-from dhlab.doctor.arms.faults import faults
 from dhlab.doctor.arms.protocol import protocol
+from dhlab.doctor.mistakes.faults import faults
 from dhlab.formats.posefile import read_poses
 from dhlab.transform import rot_x, trans
 

@@ -7,11 +7,12 @@ import pytest
 from wrong_programs import LINK, RIGHT, WRONG, program
 
 from dhlab.doctor import catalogue
-from dhlab.doctor.programs.entries import MONOMIALS, RIGHT_ENTRIES, closed_form
+from dhlab.doctor.mistakes.entries import MONOMIALS, RIGHT_ENTRIES
 from dhlab.doctor.programs.explain import explain_all, explain_function
 from dhlab.doctor.programs.functions import diagnose_function
 from dhlab.doctor.programs.wrong.links import standard
 from dhlab.doctor.programs.wrong.products import product
+from dhlab.kinematics import link_matrices
 from dhlab.transform import rot_y
 
 CHAIN = (
@@ -72,12 +73,16 @@ def _chains(rng, m=6):
 def test_every_mistyped_entry_is_found_at_its_place(entry):
     rows = np.random.default_rng(3).uniform(0.2, 1.2, (8, 4))
     for monomial in MONOMIALS:
-        answers = closed_form(*rows.T)
+        answers = link_matrices("standard", *rows.T)
         answers[(slice(None), *entry)] = monomial(*rows.T)
         if monomial == RIGHT_ENTRIES[entry]:
-            assert explain_all(answers, closed_form(*rows.T), rows, "dh_transform") == ()
+            assert (
+                explain_all(answers, link_matrices("standard", *rows.T), rows, "dh_transform") == ()
+            )
             continue
-        finding = explain_function(answers, closed_form(*rows.T), rows, "dh_transform")
+        finding = explain_function(
+            answers, link_matrices("standard", *rows.T), rows, "dh_transform"
+        )
         alike = (
             finding.mistake != "matrix-entry-mistyped"
             and "matrix-entry-mistyped" in finding.look_alikes
@@ -97,7 +102,8 @@ def test_garbage_is_not_explained():
         assert explain_all(other, right, cases, "forward_kinematics") == ()
     for noise in (0.05, 0.3):
         answer = diagnose_function(
-            lambda *row: standard(*row) @ rot_y(noise * np.sin(7 * sum(row))), "dh_transform"
+            lambda *row, noise=noise: standard(*row) @ rot_y(noise * np.sin(7 * sum(row))),
+            "dh_transform",
         )
         assert answer.verdict == "unexplained" and not answer.findings and answer.before[1] > 1
 

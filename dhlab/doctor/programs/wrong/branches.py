@@ -9,8 +9,8 @@ Each entry of :data:`WRONG_BRANCHES` is ``(mistake, place, function of T)``; a f
 import numpy as np
 
 from ....transform import rot_x, rot_z, trans_x, trans_z
-from .links import distinct
 from .solvers import wrapped
+from .versions import Versions
 
 __all__ = ["branches", "arm_angles", "wrist_angles", "in_order", "WRONG_BRANCHES"]
 
@@ -136,83 +136,78 @@ def _unordered(T):
         )
 
 
-WRONG_BRANCHES = distinct(
-    [
-        (
-            "wrist-flip-incomplete",
-            "θ5 turned round, θ4 and θ6 left",
-            _made(wrist=_second(0, -1, 0)),
-        ),
-        ("wrist-flip-incomplete", "θ6 was not turned by 180°", _made(wrist=_second(np.pi, -1, 0))),
-        ("wrist-flip-incomplete", "θ4 was not turned by 180°", _made(wrist=_second(0, -1, np.pi))),
-        ("wrist-flip-incomplete", "θ5 kept its sign", _made(wrist=_second(np.pi, 1, np.pi))),
-        (
-            "joint-reversed",
-            "θ5: the turn in the middle is Ry(−θ5)",
-            _made(wrist=_read(lambda w: w * [1, -1, 1])),
-        ),
-        ("joint-reversed", "θ4 and θ6", _made(wrist=_read(lambda w: w * [-1, 1, -1]))),
-        ("joint-reversed", "all three of the wrist", _made(wrist=_read(lambda w: -w))),
-        (
-            "joint-index-off-by-one",
-            "θ4 and θ6 have changed places",
-            _made(wrist=_read(lambda w: w[:, ::-1])),
-        ),
-        (
-            "joint-index-off-by-one",
-            "θ4 and θ6 have changed places, and θ5 has the other sign",
-            _made(wrist=_read(lambda w: (w * [1, -1, 1])[:, ::-1])),
-        ),
-        ("branch-missing", "both wrists are the same", _doubled([0, 2, 4, 6])),
-        ("branch-missing", "both elbows are the same", _doubled([0, 1, 4, 5])),
-        ("branch-missing", "both shoulders are the same", _doubled([0, 1, 2, 3])),
-        ("branch-missing", "all eight are the same", _doubled([0])),
-        (
-            "rotation-transposed",
-            "R_03, where R_03ᵀ takes off the first three joints",
-            _made(rest=lambda R_03, R: R_03 @ R),
-        ),
-        ("pose-inverted", "this is R_63, not R_36", _made(rest=lambda R_03, R: R.T @ R_03)),
-        ("product-reversed", "R R_03ᵀ", _made(rest=lambda R_03, R: R @ R_03.T)),
-        (
-            "wrong-frame-compared",
-            "the wrist's angles were read off R_06, with the first three joints still in it",
-            _made(rest=lambda R_03, R: R),
-        ),
-        ("atan-for-atan2", "θ4 and θ6", _made(wrist=_by_atan)),
-        ("atan-for-atan2", "θ1 and θ2", _made(arm=lambda c: arm_angles(c, angle=_by_tangent))),
-        (
-            "tool-missing",
-            "the tool point was taken for the wrist's centre",
-            _made(centre=lambda T: T[:3, 3]),
-        ),
-        (
-            "length-sign",
-            "d6: the wrist's centre lies behind the tool point",
-            _made(centre=lambda T: T[:3, 3] + D6 * T[:3, 2]),
-        ),
-        ("length-sign", "d4", _made(arm=lambda c: arm_angles(c, d4=-D4))),
-        (
-            "rotation-block-misread",
-            "d6 was taken off along the tool's x arrow",
-            _made(centre=lambda T: T[:3, 3] - D6 * T[:3, 0]),
-        ),
-        (
-            "translations-not-rotated",
-            "d6 was taken off along z0, not along the tool's z",
-            _made(centre=lambda T: T[:3, 3] - [0, 0, D6]),
-        ),
-        ("base-height-missing-or-twice", "d1", _made(arm=lambda c: arm_angles(c, d1=0.0))),
-        (
-            "degrees-for-radians",
-            "the answer is in degrees",
-            lambda T: in_order(DEG * _unordered(T)),
-        ),
-    ],
-    np.block(
-        [
-            [_R_03(0.3, 0.5, 0.9) @ _R_03(0.4, -0.8, 0.2), np.array([[0.3], [0.25], [0.35]])],
-            [np.zeros((1, 3)), 1],
-        ]
+_ALL = [
+    ("wrist-flip-incomplete", "θ5 turned round, θ4 and θ6 left", _made(wrist=_second(0, -1, 0))),
+    ("wrist-flip-incomplete", "θ6 was not turned by 180°", _made(wrist=_second(np.pi, -1, 0))),
+    ("wrist-flip-incomplete", "θ4 was not turned by 180°", _made(wrist=_second(0, -1, np.pi))),
+    ("wrist-flip-incomplete", "θ5 kept its sign", _made(wrist=_second(np.pi, 1, np.pi))),
+    (
+        "joint-reversed",
+        "θ5: the turn in the middle is Ry(−θ5)",
+        _made(wrist=_read(lambda w: w * [1, -1, 1])),
     ),
-)
+    ("joint-reversed", "θ4 and θ6", _made(wrist=_read(lambda w: w * [-1, 1, -1]))),
+    ("joint-reversed", "all three of the wrist", _made(wrist=_read(lambda w: -w))),
+    (
+        "joint-index-off-by-one",
+        "θ4 and θ6 have changed places",
+        _made(wrist=_read(lambda w: w[:, ::-1])),
+    ),
+    (
+        "joint-index-off-by-one",
+        "θ4 and θ6 have changed places, and θ5 has the other sign",
+        _made(wrist=_read(lambda w: (w * [1, -1, 1])[:, ::-1])),
+    ),
+    ("branch-missing", "both wrists are the same", _doubled([0, 2, 4, 6])),
+    ("branch-missing", "both elbows are the same", _doubled([0, 1, 4, 5])),
+    ("branch-missing", "both shoulders are the same", _doubled([0, 1, 2, 3])),
+    ("branch-missing", "all eight are the same", _doubled([0])),
+    (
+        "rotation-transposed",
+        "R_03, where R_03ᵀ takes off the first three joints",
+        _made(rest=lambda R_03, R: R_03 @ R),
+    ),
+    ("pose-inverted", "this is R_63, not R_36", _made(rest=lambda R_03, R: R.T @ R_03)),
+    ("product-reversed", "R R_03ᵀ", _made(rest=lambda R_03, R: R @ R_03.T)),
+    (
+        "wrong-frame-compared",
+        "the wrist's angles were read off R_06, with the first three joints still in it",
+        _made(rest=lambda R_03, R: R),
+    ),
+    ("atan-for-atan2", "θ4 and θ6", _made(wrist=_by_atan)),
+    ("atan-for-atan2", "θ1 and θ2", _made(arm=lambda c: arm_angles(c, angle=_by_tangent))),
+    (
+        "tool-missing",
+        "the tool point was taken for the wrist's centre",
+        _made(centre=lambda T: T[:3, 3]),
+    ),
+    (
+        "length-sign",
+        "d6: the wrist's centre lies behind the tool point",
+        _made(centre=lambda T: T[:3, 3] + D6 * T[:3, 2]),
+    ),
+    ("length-sign", "d4", _made(arm=lambda c: arm_angles(c, d4=-D4))),
+    (
+        "rotation-block-misread",
+        "d6 was taken off along the tool's x arrow",
+        _made(centre=lambda T: T[:3, 3] - D6 * T[:3, 0]),
+    ),
+    (
+        "translations-not-rotated",
+        "d6 was taken off along z0, not along the tool's z",
+        _made(centre=lambda T: T[:3, 3] - [0, 0, D6]),
+    ),
+    ("base-height-missing-or-twice", "d1", _made(arm=lambda c: arm_angles(c, d1=0.0))),
+    ("degrees-for-radians", "the answer is in degrees", lambda T: in_order(DEG * _unordered(T))),
+]
+
+
+def _sample():
+    """A pose in reach."""
+    T = np.eye(4)
+    T[:3, :3] = _R_03(0.3, 0.5, 0.9) @ _R_03(0.4, -0.8, 0.2)
+    T[:3, 3] = 0.3, 0.25, 0.35
+    return (T,)
+
+
+WRONG_BRANCHES = Versions(lambda: _ALL, _sample)

@@ -7,8 +7,9 @@ when one thing is wrong.
 
 import numpy as np
 
-from ..stages import ARGUMENTS, EACH_LINK, LINK, PRODUCT, READING, RESULT, run_chain
-from .links import TYPICAL_ENTRIES, distinct, standard
+from ..steps import run_chain, slips
+from .links import standard, typical_entries
+from .versions import Versions
 
 __all__ = ["product", "WRONG_PRODUCTS"]
 
@@ -33,9 +34,12 @@ def product(rows, q, link=standard):
     return T
 
 
-def _with(slip):
-    return lambda rows, q: run_chain((slip,), rows, q)
+STEPS = ("reading", "arguments", "product", "result", "each link", "link")
 
 
-SLIPS = READING + ARGUMENTS + PRODUCT + RESULT + EACH_LINK + LINK + TYPICAL_ENTRIES
-WRONG_PRODUCTS = distinct([(slip.mistake, slip.place, _with(slip)) for slip in SLIPS], *SAMPLE)
+def _made():
+    for slip in [*(slip for step in STEPS for slip in slips(step)), *typical_entries()]:
+        yield slip.mistake, slip.place, lambda rows, q, slip=slip: run_chain((slip,), rows, q)
+
+
+WRONG_PRODUCTS = Versions(_made, lambda: SAMPLE)

@@ -9,10 +9,10 @@ standard convention.
 import numpy as np
 
 from ....kinematics import frames, link_matrices
-from ..stages import rounded
-from .jacobians import WRONG_ERRORS, WRONG_JACOBIANS, geometric_jacobian, pose_error
-from .links import distinct
+from .errors import WRONG_ERRORS, pose_error
+from .jacobians import WRONG_JACOBIANS, geometric_jacobian
 from .products import product
+from .versions import Versions
 
 __all__ = ["chain", "damped_step", "inverse_kinematics", "wrapped", "WRONG_SOLVERS"]
 
@@ -111,7 +111,7 @@ def _one(J):
     return np.eye(len(J))
 
 
-_ALL = [
+_OWN = [
     (
         "error-sign",
         "the step is subtracted",
@@ -192,16 +192,24 @@ _ALL = [
         "each step is in degrees",
         _stepping(lambda J, e, damping: DEG * damped_step(J, e, damping)),
     ),
-    ("pi-rounded", "the answer, 2 decimals", lambda *task: rounded(wrapped(_solved(*task)))),
-    *(
-        (mistake, f"the Jacobian: {place}" if place else "the Jacobian", _with_jacobian(version))
-        for mistake, place, version in WRONG_JACOBIANS
-    ),
-    *(
-        (mistake, f"the pose error: {place}" if place else "the pose error", _with_error(version))
-        for mistake, place, version in WRONG_ERRORS
-    ),
+    ("pi-rounded", "the answer, 2 decimals", lambda *task: np.round(wrapped(_solved(*task)), 2)),
 ]
+
+
+def _made():
+    yield from _OWN
+    for mistake, place, version in WRONG_JACOBIANS:
+        yield (
+            mistake,
+            f"the Jacobian: {place}" if place else "the Jacobian",
+            _with_jacobian(version),
+        )
+    for mistake, place, version in WRONG_ERRORS:
+        yield (
+            mistake,
+            f"the pose error: {place}" if place else "the pose error",
+            _with_error(version),
+        )
 
 
 def _sample():
@@ -211,6 +219,5 @@ def _sample():
     return rows, product(rows, q + 0.2), q, 0.1, 3
 
 
-WRONG_SOLVERS = distinct([("", "", inverse_kinematics), *_ALL], *_sample())[
-    1:
-]  # without those that are right for turning joints and no tool
+# without those that are right for turning joints and no tool
+WRONG_SOLVERS = Versions(_made, _sample, inverse_kinematics)

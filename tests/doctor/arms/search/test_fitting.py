@@ -6,7 +6,9 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.doctor.arms.fitting import Measured, carried, misfit
+from dhlab.doctor.arms.search.ends import carried
+from dhlab.doctor.arms.search.fitting import misfit
+from dhlab.doctor.arms.search.measured import Measured
 
 
 def test_carried_points_against_align_vectors():

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
-from .armsearch import singles
-from .fitting import limit, misfit, rotation_vectors
+from .search.fitting import misfit
+from .search.measured import limit, rotation_vectors
+from .search.singles import singles
 
-__all__ = ["all_but_one", "leads"]
+__all__ = ["all_but_one", "still_right"]
 
 MOST_POSES = 40  # beyond these a line is looked for by eye
 SUSPECTS = 3  # a search for each of them left out
@@ -66,55 +67,73 @@ def _without(data, k):
     return replace(data, q=data.q[keep], p=data.p[keep], R=None if data.R is None else data.R[keep])
 
 
-def leads(arm, data):
+def still_right(arm, data):
     """Sentences on what is right although something is wrong, and on what would make the table
     agree.
     """
     now = misfit(arm, data)
-    T = now.arm.forward(data.q)
-    position = np.linalg.norm(T[:, :3, 3] - data.p, axis=1)
-    found = []
+    found = (*_of_ends_and_units(arm, data), *_right_part(now, data))
+    return found or _louder(now, data) or _pose_by_pose(now, data)
+
+
+def _of_ends_and_units(arm, data):
     if not (data.base_free and data.tool_free):
         freed = replace(data, base_free=True, tool_free=True)
         if misfit(arm, freed).explains(freed):
-            found.append(
+            yield (
                 "With another base and another tool than the table's the measurements agree: give"
                 ' --free-base and --free-tool (base="free", tool="free") to have both found.'
             )
     if np.abs(arm.table.rows[:, [0, 3]]).max() > TWO_TURNS:
-        found.append(
+        yield (
             "An angle of the table is more than two full turns: is the file in degrees, base and"
             " tool too, where its units say rad?"
         )
-    if data.R is not None:
-        turn = np.linalg.norm(rotation_vectors(np.swapaxes(T[:, :3, :3], -1, -2) @ data.R), axis=1)
-        if (turn**2).sum() / data.noise[1] ** 2 < limit(3 * len(turn)):
-            found.append(
-                "The rotation is right at every pose, so q, the angles of the table and the senses"
-                " are: look at the lengths, their unit, and the position of base and tool."
-            )
-        elif (position**2).sum() / data.noise[0] ** 2 < limit(3 * len(position)):
-            found.append(
-                "The position is right at every pose: look at the columns of the orientation, their"
-                " order and their unit."
-            )
+
+
+def _right_part(now, data):
+    """Whether rotation, or position, is right at every pose."""
+    if data.R is None:
+        return
+    T = now.arm.forward(data.q)
+    turn = np.linalg.norm(rotation_vectors(np.swapaxes(T[:, :3, :3], -1, -2) @ data.R), axis=1)
+    if (turn**2).sum() / data.noise[1] ** 2 < limit(3 * len(turn)):
+        yield (
+            "The rotation is right at every pose, so q, the angles of the table and the senses"
+            " are: look at the lengths, their unit, and the position of base and tool."
+        )
+    elif (_apart(now, data) ** 2).sum() / data.noise[0] ** 2 < limit(3 * len(turn)):
+        yield (
+            "The position is right at every pose: look at the columns of the orientation, their"
+            " order and their unit."
+        )
+
+
+def _apart(now, data):
+    """How far the positions are off, m."""
+    return np.linalg.norm(now.arm.forward(data.q)[:, :3, 3] - data.p, axis=1)
+
+
+def _louder(now, data):
+    """How much noise would explain it."""
     louder = np.sqrt(now.chi2 / limit(data.count))
-    if not found and louder < LOUDER:
-        words = (
-            number(1e3 * louder * data.noise[0], 1)
-            + " mm"
-            + ("" if data.R is None else f", {number(np.rad2deg(louder * data.noise[1]), 2)}°")
-        )
-        found.append(
-            f"With {louder:.1f} times the noise ({words}) the table would agree: was it measured"
-            " that coarsely?"
-        )
-    if not found:
-        apart = ", ".join(number(1e3 * x, 0 if x > 0.1 else 1) for x in position[:MOST_POSES])
-        found.append(
-            f"Off by, pose by pose (mm): {apart}. Check that q and poses belong together, in order"
-            " and in unit, and that every joint was really where it was read; rows copied from"
-            " another program may have their columns in its order (dhlab.recognise_table reads"
-            " those)."
-        )
-    return tuple(found)
+    if louder >= LOUDER:
+        return ()
+    words = number(1e3 * louder * data.noise[0], 1) + " mm"
+    if data.R is not None:
+        words += f", {number(np.rad2deg(louder * data.noise[1]), 2)}°"
+    return (
+        f"With {louder:.1f} times the noise ({words}) the table would agree: was it measured"
+        " that coarsely?",
+    )
+
+
+def _pose_by_pose(now, data):
+    millimetres = 1e3 * _apart(now, data)[:MOST_POSES]
+    apart = ", ".join(number(x, 0 if x > 100 else 1) for x in millimetres)
+    return (
+        f"Off by, pose by pose (mm): {apart}. Check that q and poses belong together, in order"
+        " and in unit, and that every joint was really where it was read; rows copied from"
+        " another program may have their columns in its order (dhlab.recognise_table reads"
+        " those).",
+    )

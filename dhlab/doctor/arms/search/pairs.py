@@ -7,10 +7,14 @@ from itertools import combinations
 
 import numpy as np
 
-from .armsearch import STARTS, Explanation, entries_of, length_columns, turned, turns
-from .faults import ALPHA, THETA, A, D
-from .fitting import fit, limit, misfit, place_ends, with_rows
+from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
+from .angles import STARTS, turned, turns
+from .ends import place_ends
+from .fitting import fit, misfit
+from .measured import limit
 from .repairs import discrete_repairs
+from .signs import entries_of, length_columns
+from .singles import Explanation
 
 __all__ = ["pairs"]
 
@@ -67,7 +71,7 @@ class _Ends:
     def __init__(self, data):
         self.data = data
         self.few = slice(0, 2 if data.R is not None else 4)
-        self.open = data.tool_free or data.R is not None and data.base_free
+        self.open = data.tool_free or (data.R is not None and data.base_free)
         self.pairs = np.triu_indices(len(data.q[self.few]), 1)
         self.sides = self._between(data.p[self.few])
 

@@ -1,5 +1,5 @@
-"""The entries of the closed form of the link matrix, and what people type in their place: monomials
-in cos, sin, a and d.
+"""The entries of the closed form of the standard link matrix, and what people type in their place:
+monomials in cos, sin, a and d.
 """
 
 from dataclasses import dataclass
@@ -8,23 +8,9 @@ from itertools import product
 
 import numpy as np
 
-__all__ = ["closed_form", "Monomial", "MONOMIALS", "RIGHT_ENTRIES", "typed", "slips_of_the_pen"]
+__all__ = ["Monomial", "MONOMIALS", "RIGHT_ENTRIES", "slips_of_the_pen", "typed", "wrong_entries"]
 
 FACTORS = (("", "cos θ", "sin θ"), ("", "cos α", "sin α"), ("", "a", "d"))
-
-
-def closed_form(theta, d, a, alpha):
-    """The standard link matrix Rz(theta) Tz(d) Tx(a) Rx(alpha) in closed form, for arrays of one
-    shape; returns (..., 4, 4).
-
-    Siciliano et al., Robotics, eq. 2.52.
-    """
-    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    T = np.zeros(np.shape(c) + (4, 4))
-    T[..., 0, 0], T[..., 0, 1], T[..., 0, 2], T[..., 0, 3] = c, -s * ca, s * sa, a * c
-    T[..., 1, 0], T[..., 1, 1], T[..., 1, 2], T[..., 1, 3] = s, c * ca, -c * sa, a * s
-    T[..., 2, 1], T[..., 2, 2], T[..., 2, 3], T[..., 3, 3] = sa, ca, d, 1
-    return T
 
 
 @dataclass(frozen=True)
@@ -61,7 +47,7 @@ MONOMIALS = (
     Monomial(0),
     *(Monomial(sign, parts) for sign in (1, -1) for parts in product(range(3), repeat=3)),
 )
-RIGHT_ENTRIES = {
+RIGHT_ENTRIES = {  # Siciliano et al., Robotics, eq. 2.52
     (0, 0): Monomial(1, (1, 0, 0)),
     (0, 1): Monomial(-1, (2, 1, 0)),
     (0, 2): Monomial(1, (2, 2, 0)),
@@ -113,6 +99,16 @@ def _difference(right, found):
     )
 
 
+def wrong_entries():
+    """Every wrong Monomial of each entry, as ((row, column), Monomial)."""
+    return [
+        (entry, monomial)
+        for entry, right in RIGHT_ENTRIES.items()
+        for monomial in MONOMIALS
+        if monomial != right
+    ]
+
+
 @cache
 def slips_of_the_pen():
     """The likeliest wrong Monomials of each entry: its sign, a factor lost, cos for sin, a for d;
@@ -123,7 +119,7 @@ def slips_of_the_pen():
         for other in MONOMIALS:
             changed = sum(p != r for p, r in zip(other.parts, right.parts))
             if other != right and (
-                changed <= 1 and other.sign == right.sign or changed == 0 or other.sign == 0
+                (changed <= 1 and other.sign == right.sign) or changed == 0 or other.sign == 0
             ):
                 found.append((entry, other))
     return tuple(found)

@@ -1,0 +1,173 @@
+"""How far a model is from the measured poses, in units of their noise, and small fits of its
+numbers to them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ....arm import Arm
+from ...mistakes.remade import A, D, with_rows
+from .ends import place_ends, rigid
+from .measured import limit
+
+__all__ = ["Fit", "misfit", "fit"]
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A model fitted to measurements: the Arm, its χ², how many numbers were fitted, their values'
+    standard deviations.
+    """
+
+    arm: Arm
+    chi2: float
+    fitted: int = 0
+    sigma: np.ndarray = None
+
+    def explains(self, data):
+        """Whether the misfit is no larger than the noise makes it."""
+        return self.chi2 <= limit(data.count - self.fitted)
+
+
+def _hopeless(data):
+    """A χ² that neither another base or tool nor slow steps of a fit will bring down to the noise;
+    exact data may begin far off.
+    """
+    return 100 * limit(data.count) + 1e6
+
+
+def misfit(arm, data):
+    """The Fit of an arm as it is; base and tool put in place where they are free.
+
+    One end is placed in closed form: to the end where only positions were measured, otherwise near
+    enough to see that a fit is hopeless.
+    """
+    placed = place_ends(arm, data)
+    chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
+    ends = data.base_free + data.tool_free
+    if ends == 0 or (ends == 1 and (data.R is None or chi2 > _hopeless(data))):
+        return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
+    return fit(placed, data, ())
+
+
+def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
+    """Fit some of an arm's numbers by damped Gauss-Newton steps.
+
+    Parameters
+    ----------
+    arm : Arm
+        Where the fit starts; angles should be within some 60° of the answer.
+    data : Measured
+    free : sequence of (row, column)
+        0-based row, column 0 to 3 for theta, d, a, alpha.
+    base, tool : bool, optional
+        Fit the base (tool) pose as well; as the data say when left out.
+    prior : (float, float), optional
+        Hold lengths (m) and angles (rad) to where they start, with this standard deviation; the
+        cost is in the χ².
+
+    Returns
+    -------
+    Fit
+    """
+    base, tool = data.base_free if base is None else base, data.tool_free if tool is None else tool
+    free = list(free)
+    size = len(free) + 6 * base + 6 * tool
+    best = (data.residual(arm.forward(data.q)) ** 2).sum()
+    if size == 0:
+        return Fit(arm, float(best))
+    held = _Held(arm, free, prior)
+    damping, far = 1e-9, _hopeless(data)
+    for _ in range(steps):
+        J, r = _jacobian(arm, data, free, base, tool)
+        trial = _moved(arm, held.step(arm, J, r, damping), free, base, tool)
+        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + held.cost(trial)
+        if chi2 < best:
+            done = best - chi2 < (1e-2 if chi2 > far else 1e-7) * (1 + chi2)
+            arm, best, damping = trial, chi2, damping / 10
+            if done:
+                break
+        else:
+            damping = max(damping * 30, 1e-5)
+            if damping > 1e4:
+                break
+    J, _ = _jacobian(arm, data, free, base, tool)
+    sigma = np.sqrt(np.clip(np.diag(np.linalg.pinv(J.T @ J, rcond=1e-10, hermitian=True)), 0, None))
+    rank = np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300))
+    return Fit(arm, float(best), rank, sigma)
+
+
+class _Held:
+    """Numbers held to where they start by springs; without a prior the springs have no force."""
+
+    def __init__(self, arm, free, prior):
+        self.free, self.start = free, np.array([arm.table.rows[entry] for entry in free])
+        self.stiff = np.zeros(len(free))
+        if prior:
+            self.stiff[:] = [1 / prior[0 if column in (D, A) else 1] for _, column in free]
+
+    def _pulled(self, arm):
+        return np.array([arm.table.rows[entry] for entry in self.free]) - self.start
+
+    def cost(self, arm):
+        """What the springs add to χ²."""
+        return ((self.stiff * self._pulled(arm)) ** 2).sum()
+
+    def step(self, arm, J, r, damping):
+        """The damped Gauss-Newton step from an arm."""
+        H, g, n = J.T @ J, J.T @ r, len(self.free)
+        H[range(n), range(n)] += self.stiff**2
+        g[:n] += self.stiff**2 * self._pulled(arm)
+        return np.linalg.lstsq(H + damping * np.diag(np.diag(H) + 1e-12), -g, rcond=1e-13)[0]
+
+
+def _jacobian(arm, data, free, base, tool):
+    """Residuals' derivatives: each number of a row turns or shifts what is behind it, like a joint
+    of its own.
+    """
+    F = arm.frames(data.q)
+    end = F[:, -1] @ arm.tool
+    axes, origins, turns = [], [], []
+    standard = arm.table.convention == "standard"
+    for i, column in free:
+        of_z = column < 2
+        frame = F[
+            :, i if of_z == standard else i + 1
+        ]  # standard: z of frame i-1, x of frame i; Craig: the other way round
+        axes.append(frame[:, :3, 2 if of_z else 0])
+        origins.append(frame[:, :3, 3])
+        turns.append(column in (0, 3))
+    for frame, wanted in ((np.broadcast_to(np.eye(4), end.shape), base), (end, tool)):
+        for k in range(6 * wanted):
+            axes.append(frame[:, :3, k % 3])
+            origins.append(frame[:, :3, 3])
+            turns.append(k < 3)
+    axes, origins, turns = np.stack(axes, 1), np.stack(origins, 1), np.array(turns)[:, None]
+    v = np.where(turns, np.cross(axes, end[:, None, :3, 3] - origins), axes) / data.noise[0]
+    r = data.residual(end)
+    if data.R is not None:
+        omega = np.where(turns, -axes @ end[:, :3, :3], 0.0) / data.noise[1]
+        v = np.concatenate([v, omega], axis=-1)
+    return np.swapaxes(v, 1, 2).reshape(-1, v.shape[1]), r.reshape(-1)
+
+
+def _moved(arm, step, free, base, tool):
+    rows = arm.table.rows
+    for (i, column), value in zip(free, step):
+        rows[i, column] += value
+    parts, rest = {}, step[len(free) :]
+    if base:
+        parts["base"] = rigid(_pose(rest[:6]) @ arm.base)
+        rest = rest[6:]
+    if tool:
+        parts["tool"] = rigid(arm.tool @ _pose(rest))
+    return with_rows(arm, rows, **parts)
+
+
+def _pose(twist):
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_rotvec(twist[:3]).as_matrix()
+    T[:3, 3] = twist[3:]
+    return T

@@ -1,0 +1,48 @@
+"""What was measured, and how far a model may be from it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+from scipy.special import chdtri
+
+__all__ = ["Measured", "limit", "rotation_vectors"]
+
+FALSE_ALARM = 1e-7  # how often right data may look wrong
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What was measured: ``q`` (m, n), positions ``p`` (m, 3) in m, rotations ``R`` (m, 3, 3) or
+    None, the noise per axis (m, rad), what is free.
+    """
+
+    q: np.ndarray
+    p: np.ndarray
+    R: np.ndarray | None
+    noise: tuple
+    base_free: bool = False
+    tool_free: bool = False
+
+    @property
+    def count(self):
+        """How many numbers were measured."""
+        return self.p.size * (1 if self.R is None else 2)
+
+    def residual(self, T):
+        """(m, 3 or 6): predicted minus measured, in units of the noise."""
+        position = (T[..., :3, 3] - self.p) / self.noise[0]
+        if self.R is None:
+            return position
+        turn = rotation_vectors(np.swapaxes(T[..., :3, :3], -1, -2) @ self.R) / self.noise[1]
+        return np.concatenate([position, turn], axis=-1)
+
+
+def limit(freedom):
+    """The χ² that noise alone passes once in ten million draws."""
+    return chdtri(max(freedom, 1), FALSE_ALARM)
+
+
+def rotation_vectors(R):
+    """Rotation vectors (..., 3) of rotation matrices (..., 3, 3)."""
+    return Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(R.shape[:-1])

@@ -1,0 +1,95 @@
+"""The search for the one change that repairs an arm: every mistake taken back, every number of the
+table, signs, offsets, ends, data.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...mistakes.remade import A, D
+from .angles import STARTS, all_offsets, rounded_angles, turned, turns
+from .data import data_repairs
+from .ends import place_ends
+from .fitting import Fit, fit, misfit
+from .measured import Measured
+from .repairs import discrete_repairs
+from .signs import entries_of, signs_of_lengths, signs_of_twists
+
+__all__ = ["Explanation", "singles", "calibrated"]
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A repaired arm that may explain the data.
+
+    ``chain`` holds the arms on the way: the candidate, after the first change, (after the second).
+    ``entries`` are the (row, column) that were fitted, ``ends`` names "base" or "tool" when one
+    was, ``data_fault`` the mistake when the data were changed instead, to ``changed``. ``odd``
+    counts fitted entries that are no number one would have guessed.
+    """
+
+    fit: Fit
+    chain: tuple
+    entries: tuple = ()
+    ends: tuple = ()
+    data_fault: tuple = None
+    changed: Measured = None
+    odd: int = 0
+
+    @property
+    def changes(self):
+        """How many mistakes it supposes."""
+        return len(self.chain) - 1 + (self.data_fault is not None)
+
+
+def singles(arm, data):
+    """Every explanation by one change, fitting or not; the caller keeps those that fit."""
+    for repair in discrete_repairs(arm):
+        found = (
+            fit(place_ends(repair.arm, data), data, repair.free)
+            if repair.free
+            else misfit(repair.arm, data)
+        )
+        yield Explanation(found, (arm, found.arm), repair.free)
+    placed = place_ends(arm, data)
+    for i, column in entries_of(arm):
+        for found in _entry_fits(placed, data, i, column):
+            yield Explanation(found, (arm, found.arm), ((i, column),))
+    for twisted in [arm, *signs_of_twists(arm, data)]:
+        if twisted is not arm:
+            found = misfit(twisted, data)
+            yield Explanation(found, (arm, found.arm))
+        for found in signs_of_lengths(twisted, data):
+            yield Explanation(found, (arm, found.arm))
+    for found, free in all_offsets(arm, data):
+        yield Explanation(found, (arm, found.arm), free)
+    for found in rounded_angles(placed, data):
+        yield Explanation(found, (arm, found.arm))
+    for end in ("base", "tool"):
+        if not getattr(data, f"{end}_free"):
+            found = misfit(arm, replace(data, **{f"{end}_free": True}))
+            yield Explanation(found, (arm, found.arm), ends=(end,))
+    for fault, changed in data_repairs(data):
+        yield Explanation(misfit(arm, changed), (arm,), data_fault=fault, changed=changed)
+
+
+def _entry_fits(placed, data, i, column):
+    """Fits of one entry; an angle is begun where it is best, or all round, since a fit only sees
+    the nearest valley.
+    """
+    entry = i, column
+    if column in (D, A):
+        return [fit(placed, data, (entry,))]
+    if not data.base_free and not data.tool_free:
+        turn = next(turn for e, turn, _ in turns(placed, data) if e == entry)
+        return [fit(turned(placed, entry, turn), data, (entry,), steps=4)]
+    trials = [misfit(turned(placed, entry, start), data) for start in STARTS]
+    order = np.argsort([trial.chi2 for trial in trials])[:2]
+    return [fit(trials[k].arm, data, (entry,)) for k in order]
+
+
+def calibrated(arm, data, prior=None):
+    """The fit of every entry at once, begun at the arm: what a factory calibration does; ``prior``
+    as in ``fit``.
+    """
+    return fit(place_ends(arm, data), data, entries_of(arm), steps=25, prior=prior)

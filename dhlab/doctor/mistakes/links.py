@@ -1,0 +1,88 @@
+"""One link's matrix: the order of its four moves, their directions, and its entries."""
+
+import numpy as np
+
+from ...kinematics import link_matrices
+from ...transform import rot_x, rot_z, trans_x, trans_z
+from .changes import RowChange, Slip, Symptom, of_numbers
+from .entries import typed, wrong_entries
+from .registry import mistake
+
+__all__ = ["MOVES", "in_another_order", "in_order", "mistyped"]
+
+STANDARD, CRAIG = ("Rz", "Tz", "Tx", "Rx"), ("Rx", "Tx", "Rz", "Tz")
+X_BEFORE_Z, ALPHA_BEFORE_D = ("Tx", "Rz", "Tz", "Rx"), ("Rz", "Tx", "Rx", "Tz")
+
+
+MOVES = {
+    "Rz": lambda row: rot_z(row[0]),
+    "Tz": lambda row: trans_z(row[1]),
+    "Tx": lambda row: trans_x(row[2]),
+    "Rx": lambda row: rot_x(row[3]),
+}
+
+
+def in_order(names, *row):
+    """The four moves multiplied in any order, such as ``("Rx", "Tx", "Rz", "Tz")``."""
+    first, second, third, fourth = (MOVES[name](row) for name in names)
+    return first @ second @ third @ fourth
+
+
+def in_another_order(names, step="link", place=""):
+    """The slip of multiplying the moves so."""
+    return Slip(step, place, lambda *row: in_order(names, *row))
+
+
+@mistake("shift-not-turned-by-theta")
+def shift_not_turned_by_theta():
+    yield in_another_order(X_BEFORE_Z)
+
+
+@mistake("alpha-before-d")
+def alpha_before_d():
+    yield in_another_order(ALPHA_BEFORE_D)
+
+
+@mistake("sin-cos-exchanged")
+def sin_cos_exchanged():
+    for name in ("alpha", "theta"):
+        change = of_numbers((name,), lambda x: np.pi / 2 - x)
+        yield RowChange(change, rows=(), argument=name)
+    yield Slip("link", "cos alpha is 1 everywhere", _half_exchanged)
+
+
+def _half_exchanged(theta, d, a, alpha):
+    """cos(alpha) kept as 1, as if alpha were 0 there and 90° in the sine."""
+    T = link_matrices("standard", theta, d, a, alpha)
+    T[..., :3, 1] = np.stack([-np.sin(theta), np.cos(theta), np.sin(alpha)], axis=-1)
+    T[..., 2, 2] = 1
+    return T
+
+
+MISTYPED = "matrix-entry-mistyped"
+
+
+@mistake(MISTYPED)
+def matrix_entry_mistyped():
+    for entry, monomial in wrong_entries():
+        yield mistyped(entry, monomial)
+    yield Symptom(_one_or_two_entries)
+
+
+def mistyped(entry, monomial):
+    """The slip that puts a Monomial into an entry (row, column) of the link matrix."""
+
+    def change(T, *row):
+        T = T.copy()
+        T[(..., *entry)] = monomial(*row)
+        return T
+
+    return Slip("entry", typed(entry, monomial), change, mistake=MISTYPED)
+
+
+def _one_or_two_entries(answers, right):
+    off = (np.abs(answers - right) > 1e-9 * (1 + np.abs(right))).any(axis=0)
+    wrong = np.argwhere(off)
+    if len(wrong) > 2 or not off[:3].any():
+        return None
+    return " and ".join(f"row {i + 1}, column {j + 1}" for i, j in wrong)
