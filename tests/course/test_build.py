@@ -13,7 +13,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from dhlab.course.building import faults, notebooks, reading
+from dhlab.course.building import faults, notebooks, reading, runs
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Option, Said
 
@@ -288,12 +288,12 @@ def fail(cell):
 
 def refused(path, solution, handed_out):
     with pytest.raises(ValueError) as refused:
-        faults.refuse_runs(path, solution, handed_out)
+        runs.refuse_runs(path, solution, handed_out)
     return str(refused.value)
 
 
 def test_a_lesson_whose_checks_say_what_they_must_is_built():
-    faults.refuse_runs(*after_a_run())
+    runs.refuse_runs(*after_a_run())
 
 
 WRONG = "✗ 05.2  Not yet: A turn about x."
@@ -351,7 +351,7 @@ def test_a_cell_that_fails_is_named_before_its_checks(which, what):
     say(checks(notebook)["05.2"], "✓ 05.2  Right" if which == "solution" else "○ 05.2  Not yet")
     fail(shown)
     shown.metadata["tags"] = ["raises-exception"]
-    faults.refuse_runs(path, solution, handed_out)
+    runs.refuse_runs(path, solution, handed_out)
 
 
 # ---- a sheet of one's own, built in a copy

@@ -265,7 +265,7 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
         ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"),
         ([(0, 1, 0.4)], "length-value", "d1 has another value"),
         ([(2, 2, 300)], "length-unit", "millimetres"),
-        ([(1, 0, -90), (0, 3, -90)], None, "another α1, θ2"),
+        ([(1, 0, -90), (0, 3, -90)], "x-flip-incomplete", "An x axis was turned round"),
     ],
 )
 @pytest.mark.parametrize("variant", [0, 7])

@@ -103,7 +103,7 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
     assert build.stale() == []
     source = tmp_path / "solutions" / "01-frames.md"
     source.write_text(
-        source.read_text(encoding="utf-8").replace("Keep those numbers.", "Keep these numbers."),
+        source.read_text(encoding="utf-8").replace("In lesson 07 you", "In lesson 08 you"),
         encoding="utf-8",
     )
     sheet = tmp_path / "solutions" / "teacher" / "01-frames.md"

@@ -403,8 +403,6 @@ class CraigsMatrix(Function):
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
     ) -> Known | None:
-        if mistake not in (None, "matrix-entry-mistyped"):
-            return None
         for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):
             without = [
                 craig(*(0 if i == k else value for i, value in enumerate(case))) for case in cases

@@ -89,6 +89,7 @@ def environment(work: str) -> dict[str, str]:
         "PYTHONHASHSEED": "0",
         "PYTHONDONTWRITEBYTECODE": "1",
         "PYDEVD_DISABLE_FILE_VALIDATION": "1",
+        "DHLAB_NUMBA": "0",  # nothing is compiled for a notebook that runs once
         **dict.fromkeys(BLAS, "1"),
     }
 
