@@ -33,7 +33,7 @@ test: check
 	$(PYTEST) -m "$(COSTLY)" --nbval --nbval-sanitize-with tests/nbval.cfg tests solutions
 
 # A seed that is given shows again what was found with it: make fuzz DHLAB_SEED=20261122
-fuzz: export DHLAB_SEED ?= $(shell date +%s)
+fuzz: export DHLAB_SEED := $(or $(DHLAB_SEED),$(shell date +%s))
 fuzz: .venv/test
 	$(PYTEST) -m "not ($(COSTLY))" --hypothesis-seed=$(DHLAB_SEED) tests
 

@@ -115,13 +115,15 @@ def pytest_collection_modifyitems(items):
 
 
 def _group(item):
-    """The tests that must run in one process: cells of a notebook, and users of a fixture that
-    lives longer than a test.
+    """The tests that must run in one process: the cells of a notebook, the examples of a module,
+    and the users of a fixture that lives longer than a test.
     """
-    fixtures = getattr(getattr(item, "_fixtureinfo", None), "name2fixturedefs", {})
+    if not isinstance(item, pytest.Function):
+        return str(item.path)
+    fixtures = item._fixtureinfo.name2fixturedefs
     shared = [name for name in SHARED if name in fixtures]
     long_lived = any(each[-1].scope == "module" for each in fixtures.values())
-    return shared[0] if shared else str(item.path) if long_lived or not fixtures else None
+    return shared[0] if shared else str(item.path) if long_lived else None
 
 
 # ---- fixtures

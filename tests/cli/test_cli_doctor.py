@@ -92,6 +92,7 @@ def test_json_for_a_program(wrong, positions):
     )
 
 
+@pytest.mark.slow
 def test_millimetres_degrees_and_stated_noise(wrong, tmp_path):
     q = general(6, 12)
     p = dh.load("article-6r").forward(q)[:, :3, 3] + np.random.default_rng(1).normal(

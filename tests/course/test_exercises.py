@@ -124,6 +124,7 @@ def remembering(function):
     return remembered
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", FUNCTIONS)
 def test_wrong_versions_fail_and_are_named(key, monkeypatch):
     """Each is compared with all, so that each is remembered."""
@@ -299,6 +300,7 @@ def test_every_right_table_passes():
         assert check("06.6", answer).status == "right"
 
 
+@pytest.mark.slow
 def test_wrong_tables_fail_and_are_named():
     exercise = SCORED["06.6"]
     assert isinstance(exercise, Table)

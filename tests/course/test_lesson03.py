@@ -358,6 +358,7 @@ def test_from_craig_to_standard(variant):
     assert seen == named == 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_the_half_converted_table(variant):
     exercise = EXERCISES["03.9"]
@@ -378,6 +379,7 @@ def test_the_half_converted_table(variant):
     assert seen == named >= 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", ["03.7", "03.8", "03.9"])
 def test_wrong_tables_are_named(key):
     exercise = EXERCISES[key]

@@ -106,6 +106,7 @@ def slips(rows, axes):
                 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", FRAMES)
 @pytest.mark.parametrize("variant", [0, 3])
 def test_wrong_placements_fail_and_are_named(key, variant):

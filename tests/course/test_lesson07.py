@@ -71,6 +71,7 @@ def test_the_broken_table_itself_is_no_attempt(key):
             assert EX[key].judge(answer, variant).status == "not attempted"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", REPAIRS)
 def test_wrong_repairs_fail_and_are_named_or_placed(key):
     right = dh.Arm(dh.DHTable.standard(REPAIRS[key], angle="deg"))
@@ -118,6 +119,7 @@ def test_the_place_of_a_single_change_is_told(key):
     assert "right before you changed it" in verdict.headline and verdict.place == "row 2, a"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variant", range(12))
 def test_the_tasks_can_be_solved_by_hand_and_by_the_doctor(variant):
     task = EX["07.3"].given(variant)
@@ -251,6 +253,7 @@ def test_the_program_from_two_sources():
     assert len({mistake for mistake, _, _ in WRONG_VERSIONS[exercise.family]}) >= 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_offsets_bring_the_points_back_and_nothing_else_does(variant):
     exercise = EX["07.7"]

@@ -283,6 +283,7 @@ def _loop(step, geometric_jacobian=geometric_jacobian):
     return solve
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", UNDAMPED)
 @pytest.mark.parametrize("variant", range(3))
 def test_undamped_steps_are_named_however_they_are_made(name, variant):
@@ -436,6 +437,7 @@ def test_without_the_libraries_the_same_numbers_are_shown_and_the_column_says_so
     assert all(" 30 60 -80 -30 40 0 " in line for line in shown.splitlines()[1:])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "module, name",
     [("roboticstoolbox", "Robotics Toolbox"), ("pybullet", "PyBullet"), ("trac_ik", "TRAC-IK")],

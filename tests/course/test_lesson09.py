@@ -152,6 +152,7 @@ def test_the_piper_passes_in_any_description():
     assert all(exercises()["09.4"].judge(arm).status == "right" for arm in right)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", ["09.2", "09.4"])
 def test_wrong_axes_fail_and_are_named(key):
     exercise, seen, named = exercises()[key], 0, set()
@@ -176,6 +177,7 @@ def test_wrong_axes_fail_and_are_named(key):
         assert exercise.judge(stranger).status == "wrong"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key, right", [("09.3", REPAIRED), ("09.7", KR6)])
 def test_tables_pass_in_three_dresses_and_wrong_ones_are_named(key, right):
     exercise = exercises()[key]

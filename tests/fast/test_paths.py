@@ -82,6 +82,7 @@ def test_the_plain_product_is_the_judges(arm, seed):
     assert np.allclose(plain(arm, "jacobian", q), judged_jacobian(arm, q), atol=1e-7)
 
 
+@pytest.mark.slow
 @given(arms(coupled=st.just(False)), seeds)
 @settings(max_examples=40, deadline=None)
 def test_rows_are_the_product_of_exponentials(arm, seed):

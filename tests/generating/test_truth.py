@@ -14,6 +14,7 @@ from dhlab.transform import from_xyz_rpy
 TABLES = [f"{arm}.{table}" for arm in dh.robots() for table in entry(arm).tables]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_of_the_library_in_c(name, gcc, tmp_path):
     arm = dh.load(name)

@@ -132,6 +132,7 @@ def test_whatever_was_noted_gets_a_mark(line, key):
     assert mark.points == 0 or mark.status == "right"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", [key for key, e in exercises().items() if isinstance(e, Function)])
 def test_what_a_function_gave_elsewhere_is_judged_as_the_function_itself(key):
     exercise = exercises()[key]

@@ -502,6 +502,7 @@ def test_gradebooks_refuse_over_an_existing_file_without_python(tmp_path):
     )
 
 
+@pytest.mark.slow
 def test_gradescope_asks_for_the_key_or_for_same(tmp_path):
     (tmp_path / "r.csv").write_text("student,email\nada,a@x.org\n")
     (tmp_path / "teacher.key").write_text(KEY.hex())

@@ -318,6 +318,7 @@ def test_joints_that_stay_together_cannot_be_told_apart():
     assert sorted(i for group in result.undetermined for i in group.joints) == [4, 5, 6]
 
 
+@pytest.mark.slow
 def test_noise_is_estimated_and_standard_deviations_are_honest():
     arm, wrong, scores, found = article(), np.deg2rad([4, -3, 2, 5, -6, 1]), [], []
     for trial in range(60):

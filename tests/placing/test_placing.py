@@ -147,6 +147,7 @@ def error(arm, axes, end):
     return max(pose_error(exponentials(axes, end, q), arm.forward(q)))
 
 
+@pytest.mark.slow
 @BOTH
 def test_every_valid_choice_gives_the_arm(convention):
     """200 sets of axes: skew, parallel, antiparallel, meeting, on one line, sliding; each solved by
@@ -260,6 +261,7 @@ def broken(task, i, z, o, x):
     return off
 
 
+@pytest.mark.slow
 def test_nothing_wrong_passes_and_nothing_right_is_refused():
     """Random candidates for the origin and x of one frame, judged by the definition of a row."""
     counts = {True: 0, False: 0}

@@ -77,6 +77,7 @@ def test_product_of_every_arm_of_the_library(name):
     assert worst(symbolic.product(arm), arm) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("convention", ["standard", "craig"])
 @pytest.mark.parametrize("joints", ["RRRRRR", "RPRRPR", "PRP", "RRRRRRR", "P", "PPPR", "RRP"])
 def test_product_of_random_arms_whole_and_with_joints_fixed(convention, joints):

@@ -54,6 +54,7 @@ def numbers(row):
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", dh.robots())
 def test_nothing_is_cut_off(name):
     arm = dh.load(name)

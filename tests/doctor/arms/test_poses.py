@@ -69,6 +69,7 @@ def told(answer):
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 def test_exact_singles(name):
     right = dh.load(name)
@@ -85,6 +86,7 @@ def test_exact_singles(name):
         assert answer.before[0] > 1 and answer.after[0] < 1e-3 and str(answer)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 def test_singles_with_noise(name):
     right = dh.load(name)
@@ -169,6 +171,7 @@ def test_a_calibrated_arm_is_no_mistake(name):
         assert answer.verdict in ("agrees", "calibrated") and not answer.findings, str(answer)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["article-6r", "panda"])
 def test_garbage_is_unexplained(name):
     right = dh.load(name)

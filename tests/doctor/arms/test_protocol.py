@@ -130,6 +130,7 @@ def test_what_cannot_be_is_refused(arguments, words):
         protocol(*arguments)
 
 
+@pytest.mark.slow
 def test_the_command_line(tmp_path):
     def doctor(*arguments):
         return subprocess.run(

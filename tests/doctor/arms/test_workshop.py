@@ -23,6 +23,7 @@ def turned_joint_and_offset(right):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("free", [False, True])
 @pytest.mark.parametrize(
     "wrong_of",
@@ -45,6 +46,7 @@ def test_two_mistakes_are_found_from_positions_alone(free, wrong_of):
     assert np.linalg.norm(repaired - (moved @ right.forward(fresh))[:, :3, 3], axis=1).max() < 5e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wrong", [False, True])
 def test_one_bad_measurement_is_pointed_out(wrong):
     right = dh.load("ur5e")
@@ -61,6 +63,7 @@ def test_one_bad_measurement_is_pointed_out(wrong):
     ) and answer.verdict == ("explained" if wrong else "unexplained")
 
 
+@pytest.mark.slow
 def test_what_is_right_all_the_same_is_said():
     right = dh.load("ur5e")
     q = general(right, 12, 1)

@@ -69,6 +69,7 @@ def _chains(rng, m=6):
         yield rows * [2.3, 1, 1, 2.3], rng.uniform(0.2, 1.4, n)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entry", RIGHT_ENTRIES)
 def test_every_mistyped_entry_is_found_at_its_place(entry):
     rows = np.random.default_rng(3).uniform(0.2, 1.2, (8, 4))

@@ -111,6 +111,7 @@ def test_with_a_header_one_reading_is_left_and_it_is_the_arm(name, separator):
             assert found.arm.table.joints == arm.table.joints
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 def test_without_a_header_the_right_arm_picks_the_reading(name):
     arm = plain_arm(name)

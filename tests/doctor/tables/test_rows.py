@@ -8,6 +8,7 @@ from dhlab.doctor import catalogue, explain_rows
 from dhlab.doctor.tables.rows import wrong_tables
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", dh.robots())
 def test_every_wrong_table_is_explained(name):
     right = dh.load(name)
