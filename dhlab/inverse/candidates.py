@@ -122,6 +122,10 @@ def _sorted_out(question, q, hold, method, complete, found=None):
     if free.sum() > 6:
         order = order[:SAMPLES]
     kept = arm.within_limits(q).all(axis=1) | (not question.limits)
+    # one member stands for its family: another one may keep the limits that this one breaks
+    complete = complete and not any(families[k] for k in order if not kept[k])
+    # one member stands for its family: another one may keep the limits that it breaks
+    complete = complete and not any(families[k] for k in order if not kept[k])
     return Candidates(
         q[[k for k in order if kept[k]]],
         q[[k for k in order if not kept[k]]],

@@ -10,6 +10,7 @@ from ..arm import Arm
 __all__ = ["bounds", "counted", "inside_by_turns", "nearest_by_turns", "variables", "wrapped"]
 
 TURN = 2 * np.pi
+ROUNDING = 1e-11  # rad, m
 
 
 def variables(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
@@ -78,7 +79,8 @@ def bounds(arm: Arm) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def inside_by_turns(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """``q`` (k, n) moved by whole turns until as little as possible of it is outside the limits.
+    """``q`` (k, n) moved by whole turns until as little as possible of it is outside the limits;
+    what only rounding puts outside is put onto the limit.
 
     Examples
     --------
@@ -96,4 +98,5 @@ def inside_by_turns(arm: Arm, q: NDArray[np.float64]) -> NDArray[np.float64]:
         tries = q[:, None, :] + np.array([0, -1, 1])[:, None] * turn
         over = (np.maximum(low - tries, 0) + np.maximum(tries - high, 0)).sum(axis=-1)
         q = tries[np.arange(len(q)), np.argmin(over, axis=1)]  # the first of equals: as it was
-    return q
+    inside = np.clip(q, low, high)
+    return np.where(np.abs(inside - q) < ROUNDING, inside, q)

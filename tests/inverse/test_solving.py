@@ -197,6 +197,14 @@ def test_limits_are_kept_on_demand_by_whole_turns():
     assert len(kept) == every.within_limits.sum() < len(every) == len(kept) + len(kept.outside)
 
 
+def test_a_solution_on_a_limit_keeps_it():
+    arm = dh.load("irb120")
+    low, high = np.transpose(arm.limits)
+    q = np.where([1, 0, 1, 0, 1, 0], low, high)
+    q[4] = 0.3
+    assert among(arm, q, arm.solve(arm.forward(q), limits=True))
+
+
 def test_a_singular_pose_names_the_family():
     arm = dh.load("puma560")
     q = np.array([0.1, 0.2, 0.3, 0.4, 0.0, 0.6])
