@@ -59,7 +59,7 @@ def test_every_untouched_lesson_runs_and_earns_nothing(name, site):
     (ran,) = (site.parent / "executed" / "lessons").glob(f"{name}.*.ipynb")
     notebook = nbformat.read(ran, as_version=4)
     rows = earned(notebook, name[:2])
-    assert {(status, points) for status, points, _ in rows.values()} == {("not attempted", 0)}
+    assert {(status, points) for status, points, _ in rows.values()} == {("not attempted yet", 0)}
     said = said_by_checks(notebook)
     assert len(said) == len(rows)
     assert all("Not attempted yet" in text for text in said)

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
+from ...doctor.mistakes.registry import value_mistake
 from ...doctor.programs.wrong.craig import craig, in_order
 from ...doctor.programs.wrong.links import standard
 from ...robots import load
-from ...table import DHTable
+from ...table import COLUMNS, DHTable
 from ..kinds import Function, Known, Mistakes, Said, numbers
 
 __all__ = [
@@ -403,12 +404,15 @@ class CraigsMatrix(Function):
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
     ) -> Known | None:
+        values = "joint-values-unused", *map(value_mistake, COLUMNS)
+        if mistake not in (None, "matrix-entry-mistyped", *values):
+            return None
         for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):
             without = [
                 craig(*(0 if i == k else value for i, value in enumerate(case))) for case in cases
             ]
             if np.allclose(answers, without, rtol=0, atol=1e-9):
-                return None, Said(
+                return mistake if mistake in values else None, Said(
                     f"{name} has no effect", next=f"Is {move} missing in the product?"
                 )
         return None
