@@ -14,7 +14,8 @@ __all__ = ["library"]
 
 ROOT = os.path.dirname(dhlab.__file__) + os.sep
 # rooms and modules that know the right programs
-CLOSED = ("kinematics.py", "fast", "symbolic", "geometry", "placing", "doctor", "inverse")
+FAST = os.path.join(ROOT, "fast") + os.sep
+CLOSED = ("kinematics.py", "symbolic", "geometry", "placing", "doctor", "inverse")
 # a function that calls these wants to be unseen
 BLINDING = (sys.setprofile, threading.setprofile.__code__)
 # a room that loads while a function is watched would look like a call
@@ -38,7 +39,11 @@ def library(own: Sequence[str] | None) -> Iterator[set[str]]:
     def see(frame, event, argument):
         if event == "call":
             file, name = frame.f_code.co_filename, frame.f_code.co_name
-            if file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in written_here):
+            if file.startswith(FAST):
+                caller = frame.f_back.f_code  # the arm's method, told instead of what is behind it
+                if not caller.co_filename.startswith(FAST) and not caller.co_name.startswith("_"):
+                    used.add(caller.co_name)
+            elif file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in written_here):
                 used.add(name)
         called = frame.f_code if event == "call" else argument if event == "c_call" else None
         watching = library.__wrapped__.__code__  # type: ignore[attr-defined]
