@@ -30,7 +30,8 @@ lint: .venv/test
 
 test: check
 	@$(MAKE) --no-print-directory test-deps
-	$(PYTEST) -m "$(COSTLY)" --nbval --nbval-sanitize-with tests/nbval.cfg tests solutions
+	$(PYTEST) -m "$(COSTLY)" tests
+	$(BIN)/python -m pytest --numprocesses logical --dist loadfile -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
 
 # A seed that is given shows again what was found with it: make fuzz DHLAB_SEED=20261122
 fuzz: export DHLAB_SEED := $(or $(DHLAB_SEED),$(shell date +%s))
