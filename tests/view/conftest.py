@@ -70,6 +70,7 @@ def opened(new_page):
     def get(*explorers, script="", stills=False, **settings):
         page = new_page(offline=True, viewport={"width": 1280, "height": 900}, **settings)
         page.add_init_script(script)
+        page.goto("about:blank")  # where the script is run for the first time
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on(
             "console",
