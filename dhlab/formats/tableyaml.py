@@ -152,35 +152,30 @@ def yaml_text(arm: Arm, angle: str, length: str) -> str:
     ]
     for row, letter in zip(units.written_rows(arm.table, angle, length), arm.table.joints):
         kind = "type: prismatic, " if letter == "P" else ""
-        lines.append(
-            "  - {"
-            + kind
-            + ", ".join(f"{name}: {value}" for name, value in zip(COLUMNS, row))
-            + "}"
-        )
+        cells = ", ".join(f"{name}: {value}" for name, value in zip(COLUMNS, row))
+        lines.append(f"  - {{{kind}{cells}}}")
     for key in ("base", "tool"):
         pose = getattr(arm, key)
         if not np.array_equal(pose, np.eye(4)):
-            xyz, rpy = to_xyz_rpy(pose)
-            lines.append(
-                f"{key}: {{xyz: [{', '.join(units.written(v, length) for v in xyz)}], rpy:"
-                f" [{', '.join(_near(v, angle) for v in rpy)}]}}"
-            )
+            lines.append(f"{key}: {_pose_text(pose, angle, length)}")
     if arm.limits:
-        lines.append(
-            "limits: ["
-            + ", ".join(
-                _limit(pair, angle if letter == "R" else length)
-                for pair, letter in zip(arm.limits, arm.table.joints)
-            )
-            + "]"
+        limits = (
+            _limit(pair, angle if letter == "R" else length)
+            for pair, letter in zip(arm.limits, arm.table.joints)
         )
+        lines.append(f"limits: [{', '.join(limits)}]")
     if (arm.sign < 0).any():
         lines.append("sign: [" + ", ".join(str(int(sign)) for sign in arm.sign) + "]")
     if arm.coupling is not None:
         lines.append("coupling:")
         lines += [f"  - [{', '.join(row)}]" for row in _coupling_rows(arm, angle, length)]
     return "\n".join(lines) + "\n"
+
+
+def _pose_text(pose, angle, length):
+    xyz, rpy = to_xyz_rpy(pose)
+    shift = ", ".join(units.written(v, length) for v in xyz)
+    return f"{{xyz: [{shift}], rpy: [{', '.join(_near(v, angle) for v in rpy)}]}}"
 
 
 def _coupling_rows(arm, angle, length):
