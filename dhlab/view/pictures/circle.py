@@ -57,13 +57,10 @@ def circle(arm: Arm, q: ArrayLike, points: ArrayLike, *, title: str | None = Non
     >>> q[:, 1] = np.linspace(-1, 1, 9)
     >>> print(view.circle(arm, q, arm.forward(q) @ dh.transform.trans_z(0.1)).table)
     Joint 2 moved alone
-     circle       axis                centre (m)            radius (m)  first point (m)
-     last point (m)
-     measured     (0.296, -0.955, 0)  0.0663, -0.2143, 0.1  0.5497      0.1754, -0.1805, -0.4377
-     0.4879, -0.0839, 0.4276
-     the table's  (0.296, -0.955, 0)  0.0479, -0.1549, 0.1  0.6271      0.1842, -0.1128, -0.5107
-     0.5217, -0.0084, 0.4838
-    """
+     circle       axis                centre (m)            radius (m)  first point (m)           last point (m)
+     measured     (0.296, -0.955, 0)  0.0663, -0.2143, 0.1  0.5497      0.1754, -0.1805, -0.4377  0.4879, -0.0839, 0.4276
+     the table's  (0.296, -0.955, 0)  0.0479, -0.1549, 0.1  0.6271      0.1842, -0.1128, -0.5107  0.5217, -0.0084, 0.4838
+    """  # noqa: E501  (a printed table)
     require_arm(arm, "view.circle")
     found = _only_circle(fit_circles(q, points, arm))
     q, points = np.asarray(q, dtype=float), np.asarray(points, dtype=float)

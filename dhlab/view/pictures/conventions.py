@@ -64,15 +64,11 @@ def conventions(arm: Arm, q: ArrayLike | None = None) -> Picture:
     >>> arm = dh.Arm(table, name="two links")
     >>> print(view.conventions(arm).table)
     The frames of both conventions, in the world frame
-     frame  standard: x, y, z (m)  its z axis  is the axis of  Craig: x, y, z (m)  its z axis  is
-     the axis of
-     {0}    0, 0, 0                (0, 0, 1)   joint 1         0, 0, 0             (0, 0, 1)   no
-     joint
-     {1}    0, 0, 0.1              (0, -1, 0)  joint 2         0, 0, 0.1           (0, 0, 1)   joint
-     1
-     {2}    0.4, 0, 0.1            (0, -1, 0)  no joint        0, 0, 0.1           (0, -1, 0)  joint
-     2
-    """
+     frame  standard: x, y, z (m)  its z axis  is the axis of  Craig: x, y, z (m)  its z axis  is the axis of
+     {0}    0, 0, 0                (0, 0, 1)   joint 1         0, 0, 0             (0, 0, 1)   no joint
+     {1}    0, 0, 0.1              (0, -1, 0)  joint 2         0, 0, 0.1           (0, 0, 1)   joint 1
+     {2}    0.4, 0, 0.1            (0, -1, 0)  no joint        0, 0, 0.1           (0, -1, 0)  joint 2
+    """  # noqa: E501  (a printed table)
     q, _ = given_arm_at(arm, q)
     arms = {name: arm.to(name) for name in NAMES}
     chains = {name: one.frames(q) for name, one in arms.items()}
