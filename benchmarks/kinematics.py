@@ -119,6 +119,11 @@ def started(names, folder, arm):
 
 
 typical = statistics.median
+PICTURES = """
+![Cost of a pose over how many are asked at once](benchmarks/cost-by-size.svg)
+
+![Cost of a pose over the number of joints](benchmarks/cost-by-joints.svg)
+"""
 
 
 def in_turns(workers, questions, rounds):
@@ -169,13 +174,18 @@ def writing(worker, n, rounds):
 
 def by_size(workers, path, rounds):
     """A picture: cost of a pose over how many are asked at once."""
-    largest = {
-        worker.name: 100_000 if worker.name in PEERS[1:3] else SIZES[-1] for worker in workers
+    # more would take minutes, or more memory than there is
+    most = {
+        "pinocchio": 1e5,
+        "MuJoCo": 1e5,
+        "usual numpy": 1e6,
+        "JAX": 1e6,
+        "Robotics Toolbox": 1e6,
     }
     curves = {worker.name: [] for worker in workers}
     for size in SIZES:
         for worker in workers:
-            if size <= largest[worker.name]:
+            if size <= most.get(worker.name, SIZES[-1]):
                 times = [worker.ask("forward", size) for _ in range(rounds)]
                 curves[worker.name].append((size, typical(times)))
     _drawn(curves, "poses asked at once", "One pose of a 6R arm costs", path)
@@ -254,6 +264,7 @@ def main():
             (PAGES / "kinematics.md").write_text(text)
             by_size(workers, PAGES / "cost-by-size.svg", 3)
             by_joints(given.envs, PAGES / "cost-by-joints.svg", 3)
+            (PAGES / "kinematics.md").write_text(text + PICTURES)
         for worker in workers:
             worker.end()
 

@@ -83,24 +83,16 @@ class RoboticsToolbox:
 
 
 class OneByOne:
-    """A library that takes one configuration a call."""
+    """A library that takes one configuration a call. Its answers are kept in its own form."""
 
     def forward(self, q):
-        return self.pose(q) if q.ndim == 1 else self._all(self.pose, q, (4, 4))
+        return self.pose(q) if q.ndim == 1 else [self.pose(row) for row in q]
 
     def frames(self, q):
-        n = q.shape[-1]
-        return self.chain(q) if q.ndim == 1 else self._all(self.chain, q, (n + 1, 4, 4))
+        return self.chain(q) if q.ndim == 1 else [self.chain(row) for row in q]
 
     def jacobian(self, q):
-        n = q.shape[-1]
-        return self.columns(q) if q.ndim == 1 else self._all(self.columns, q, (6, n))
-
-    def _all(self, one, q, shape):
-        out = np.empty((len(q), *shape))
-        for i, row in enumerate(q):
-            out[i] = one(row)
-        return out
+        return self.columns(q) if q.ndim == 1 else [self.columns(row) for row in q]
 
 
 class Pinocchio(OneByOne):
@@ -130,11 +122,7 @@ class Pinocchio(OneByOne):
 
     def chain(self, q):
         self.pin.framesForwardKinematics(self.model, self.data, q)
-        out = np.empty((len(q) + 1, 4, 4))
-        out[0] = np.eye(4)
-        for i, k in enumerate(self.ids, 1):
-            out[i] = self.data.oMf[k].homogeneous
-        return out
+        return [self.data.oMf[k].homogeneous for k in self.ids]
 
     def columns(self, q):
         world = self.pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
@@ -166,26 +154,19 @@ class Mujoco(OneByOne):
     def pose(self, q):
         self.data.qpos[:] = q
         self.mujoco.mj_kinematics(self.model, self.data)
-        T = np.eye(4)
-        T[:3, :3] = self.data.site_xmat[self.last].reshape(3, 3)
-        T[:3, 3] = self.data.site_xpos[self.last]
-        return T
+        return self.data.site_xpos[self.last].copy(), self.data.site_xmat[self.last].copy()
 
     def chain(self, q):
         self.data.qpos[:] = q
         self.mujoco.mj_kinematics(self.model, self.data)
-        out = np.zeros((len(q) + 1, 4, 4))
-        out[0], out[1:, 3, 3] = np.eye(4), 1.0
-        out[1:, :3, :3] = self.data.site_xmat.reshape(-1, 3, 3)
-        out[1:, :3, 3] = self.data.site_xpos
-        return out
+        return self.data.site_xpos.copy(), self.data.site_xmat.copy()
 
     def columns(self, q):
         self.data.qpos[:] = q
         self.mujoco.mj_kinematics(self.model, self.data)
         self.mujoco.mj_comPos(self.model, self.data)
         self.mujoco.mj_jacSite(self.model, self.data, self.v, self.omega, self.last)
-        return np.concatenate([self.v, self.omega])
+        return self.v.copy(), self.omega.copy()
 
 
 class Jax:
@@ -261,6 +242,25 @@ LIBRARIES = {
 }
 
 
+def as_matrices(question, answers):
+    """Answers to some q as dhlab gives them: matrices from positions and rotations or from columns,
+    the base before the frames.
+    """
+    if isinstance(answers, list) and isinstance(answers[0], tuple):
+        first, second = (np.array(parts) for parts in zip(*answers))
+        if question == "jacobian":
+            return np.concatenate([first, second], axis=1)
+        T = np.zeros((*first.shape[:-1], 4, 4))
+        T[..., :3, 3], T[..., :3, :3] = first, second.reshape(*first.shape[:-1], 3, 3)
+        T[..., 3, 3] = 1.0
+        answers = T
+    found = np.asarray(answers)
+    if question == "frames":
+        base = np.broadcast_to(np.eye(4), (len(found), 1, 4, 4))
+        return np.concatenate([base, found], axis=1)
+    return found
+
+
 def measured(f, *given):
     """Seconds of one call, the mean of as many as last a while."""
     began, calls = time.perf_counter(), 0
@@ -280,7 +280,10 @@ def answered(library, arm, question, poses, check=False, rest=()):
     if f is None or (poses > 1_000_000 and isinstance(library, OneByOne)):
         return None
     if check:
-        return float(np.abs(np.asarray(f(arm["q"])) - arm[question]).max())
+        answers = f(arm["q"])
+        whole = not isinstance(library, OneByOne)
+        found = np.asarray(answers) if whole else as_matrices(question, answers)
+        return float(np.abs(found - arm[question]).max())
     q = np.random.default_rng(1).uniform(-3, 3, (poses, arm["rows"].shape[0]))
     q = q[0] if poses == 1 else q
     f(q, *rest)  # what is compiled on the first call is compiled now
