@@ -41,11 +41,11 @@ def cases(count):
     rng = np.random.default_rng(0)
     arm, turn = dh.load("article-6r"), np.pi
     shape = (count, 6)
-    yield "|q| up to π", arm, rng.uniform(-turn, turn, shape)
+    yield "q up to ±π", arm, rng.uniform(-turn, turn, shape)
     near = rng.choice([-turn, turn, turn / 2], shape)
     yield "θ within 1e-9 of ±180° and 90°", arm, near + rng.uniform(-1e-9, 1e-9, shape)
     yield "θ exactly ±180°, 90°", arm, near
-    yield "|q| up to 1e4", arm, rng.uniform(-1e4, 1e4, shape)
+    yield "q up to ±1e4", arm, rng.uniform(-1e4, 1e4, shape)
     for scale, name in ((1e-9, "a nanometre"), (1e6, "a thousand kilometres")):
         yield f"lengths of {name}", random_arm(6, rng, scale), rng.uniform(-turn, turn, shape)
     mixed = random_arm(6, rng).table.rows
