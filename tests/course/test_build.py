@@ -272,8 +272,10 @@ def after_a_run():
 
 
 def checks(notebook):
-    found = (re.match(r'check\("([^"]+)"', cell.source) for cell in notebook.cells)
-    return {match[1]: cell for match, cell in zip(found, notebook.cells) if match}
+    """The cells that must say something: {exercise or prediction: cell}."""
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    found = (re.search(r'\b(?:check|predict)\("([^"]+)"', cell.source) for cell in code)
+    return {match[1]: cell for match, cell in zip(found, code) if match}
 
 
 def say(cell, text):
