@@ -37,9 +37,12 @@ WANTED = {
 
 # ---- draws: the same in every run, and others under ``make fuzz``
 
-settings.register_profile("same", derandomize=True, database=None, deadline=None)
+settings.register_profile("same", max_examples=40, derandomize=True, database=None, deadline=None)
 settings.register_profile(
-    "fuzz", database=DirectoryBasedExampleDatabase(FOUND / "hypothesis"), deadline=None
+    "fuzz",
+    max_examples=400,
+    database=DirectoryBasedExampleDatabase(FOUND / "hypothesis"),
+    deadline=None,
 )
 settings.load_profile("fuzz" if SEED else "same")
 

@@ -4,7 +4,7 @@ finite differences.
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from oracles import elementary_pose, exponential_pose, pose_errors, shift, turn
 from scipy.spatial.transform import Rotation
@@ -25,7 +25,6 @@ def tables(draw, largest=8):
 
 
 @given(tables(), st.integers(0, 2**32 - 1))
-@settings(max_examples=150, deadline=None)
 def test_forward_is_the_product_of_exponentials(table, seed):
     q = np.random.default_rng(seed).uniform(-3, 3, len(table))
     position, angle = pose_errors(dh.Arm(table).forward(q), exponential_pose(table, q))
@@ -33,7 +32,6 @@ def test_forward_is_the_product_of_exponentials(table, seed):
 
 
 @given(tables(), st.integers(0, 2**32 - 1))
-@settings(max_examples=100, deadline=None)
 def test_signs_base_and_tool_enter_where_they_belong(table, seed):
     rng = np.random.default_rng(seed)
     n = len(table)
@@ -50,7 +48,6 @@ def test_signs_base_and_tool_enter_where_they_belong(table, seed):
 
 
 @given(tables(), st.integers(0, 2**32 - 1))
-@settings(max_examples=100, deadline=None)
 def test_jacobian_is_the_derivative_of_the_pose(table, seed):
     rng = np.random.default_rng(seed)
     n = len(table)

@@ -51,6 +51,7 @@ def positions(tmp_path):
     return write_positions(tmp_path / "poses.csv", q, dh.load("article-6r").forward(q)[:, :3, 3])
 
 
+@pytest.mark.slow
 def test_a_wrong_sign_is_found_and_the_joint_named(wrong, positions, tmp_path):
     answer = doctor(wrong, positions, "--repair", str(tmp_path / "right.yaml"))
     assert answer.returncode == 0 and answer.stdout.startswith(
@@ -67,6 +68,7 @@ def test_a_wrong_sign_is_found_and_the_joint_named(wrong, positions, tmp_path):
     assert again.returncode == 2 and "found one that exists" in again.stderr and again.stdout == ""
 
 
+@pytest.mark.slow
 def test_json_for_a_program(wrong, positions):
     answer = json.loads(doctor(wrong, positions, "--json").stdout)
     assert {
@@ -108,6 +110,7 @@ def test_millimetres_degrees_and_stated_noise(wrong, tmp_path):
     assert right.returncode == 0 and "agrees" in right.stdout
 
 
+@pytest.mark.slow
 def test_another_base_frame(wrong, tmp_path):
     q = general(6, 12)
     moved = trans([0.3, -0.2, 0.5]) @ rot_z(0.7)

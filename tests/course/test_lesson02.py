@@ -192,6 +192,7 @@ def test_the_reasons_for_a_misjudged_pose():
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_a_printed_table_in_our_columns(variant):
     exercise = EXERCISES["02.7"]
@@ -216,6 +217,7 @@ def test_a_printed_table_in_our_columns(variant):
     )
 
 
+@pytest.mark.slow
 def test_wrong_tables_of_a_printed_one_are_named():
     exercise = EXERCISES["02.7"]
     q = exercise.poses_at(0)

@@ -303,6 +303,7 @@ def test_why_the_published_pairs_differ():
     assert np.allclose(other_way, other_way[0], atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_from_standard_to_craig(variant):
     rows = EXERCISES["03.7"].given(variant)["rows"]

@@ -182,6 +182,7 @@ def test_impostors_pass(changes):
         assert verdict.status == "right" and "mm" in verdict.headline
 
 
+@pytest.mark.slow
 def test_what_is_no_impostor_fails_and_is_named():
     exercise, seen, named = EX["07.4"], 0, 0
     for _, _, table in wrong_tables(exercise.right_arm().table):
@@ -381,6 +382,7 @@ def test_pybullet_answers_what_is_stored():
     pybullet.disconnect()
 
 
+@pytest.mark.slow
 def test_without_pybullet_the_simulator_says_none_and_with_it_says_nothing(tmp_path):
     code = "from dhlab.course import simulator; print(simulator.pybullet is None)"
     quiet = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

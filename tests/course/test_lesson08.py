@@ -450,6 +450,7 @@ def test_where_a_library_is_installed_its_answer_is_the_stored_one(judge, module
     )
 
 
+@pytest.mark.slow
 def test_another_task_without_libraries_has_no_answer(none_installed):
     arm = dh.load("ur5e")
     shown = other_solvers(arm, arm.forward([0.5] * 6), np.zeros(6))

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 from cases import arms
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import dhlab as dh
@@ -34,7 +34,6 @@ def machine(arm, kind):
 
 
 @given(arms(), st.integers(0, 2**32 - 1))
-@settings(max_examples=60, deadline=None)
 @pytest.mark.parametrize("kind", range(3))
 def test_kernels_are_the_plain_product(numba, kind, arm, seed):
     q = np.random.default_rng(seed).uniform(-4, 4, (130, len(arm)))

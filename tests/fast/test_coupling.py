@@ -30,7 +30,6 @@ def test_joint_angles_are_coupling_times_what_is_counted():
 
 
 @given(coupled_arms, seeds)
-@settings(max_examples=40, deadline=None)
 def test_every_rewriting_keeps_the_pose(arm, seed):
     rng = np.random.default_rng(seed)
     q, offset = rng.uniform(-2, 2, (2, len(arm)))
@@ -72,7 +71,7 @@ def test_equivalence_asks_for_the_coupling():
 
 
 @given(coupled_arms)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @pytest.mark.parametrize("length", ["m", "mm"])
 def test_a_table_file_holds_it(tmp_path_factory, length, arm):
     path = tmp_path_factory.mktemp("coupled") / "arm.yaml"

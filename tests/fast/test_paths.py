@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from cases import arms, judged_jacobian, judged_pose
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from oracles import exponential_pose
 
@@ -65,7 +65,6 @@ def _or_plain(answer, arm, question, row):
 
 
 @given(arms(), seeds)
-@settings(max_examples=60, deadline=None)
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_every_path_is_the_plain_product(question, arm, seed):
     q = np.random.default_rng(seed).uniform(-4, 4, (5, len(arm)))
@@ -75,7 +74,6 @@ def test_every_path_is_the_plain_product(question, arm, seed):
 
 
 @given(arms(largest=5), seeds)
-@settings(max_examples=60, deadline=None)
 def test_the_plain_product_is_the_judges(arm, seed):
     q = np.random.default_rng(seed).uniform(-3, 3, len(arm))
     assert np.allclose(plain(arm, "forward", q), judged_pose(arm, q), atol=1e-12)
@@ -84,7 +82,6 @@ def test_the_plain_product_is_the_judges(arm, seed):
 
 @pytest.mark.slow
 @given(arms(coupled=st.just(False)), seeds)
-@settings(max_examples=40, deadline=None)
 def test_rows_are_the_product_of_exponentials(arm, seed):
     q = np.random.default_rng(seed).uniform(-3, 3, (4, len(arm)))
     right = [arm.base @ exponential_pose(arm.table, arm.sign * row) @ arm.tool for row in q]
@@ -92,7 +89,6 @@ def test_rows_are_the_product_of_exponentials(arm, seed):
 
 
 @given(arms(), seeds)
-@settings(max_examples=40, deadline=None)
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_the_program_of_an_arm_does_what_floats_do(question, arm, seed):
     q = np.random.default_rng(seed).uniform(-4, 4, (5, len(arm)))

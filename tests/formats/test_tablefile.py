@@ -5,7 +5,7 @@ import stat
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -67,7 +67,6 @@ def test_every_arm_comes_back(tmp_path, options):
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from([".yaml", ".csv"]))
-@settings(max_examples=100, deadline=None)
 def test_random_tables_come_back_exactly(tmp_path_factory, seed, ending):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(1, 9))
@@ -83,7 +82,6 @@ def test_random_tables_come_back_exactly(tmp_path_factory, seed, ending):
 
 
 @given(st.integers(0, 2**32 - 1))
-@settings(max_examples=100, deadline=None)
 def test_bases_come_back_even_at_the_gimbal(tmp_path_factory, seed):
     rng = np.random.default_rng(seed)
     base = np.eye(4)

@@ -21,12 +21,14 @@ def test_every_table_of_the_library_in_c(name, gcc, tmp_path):
     assert worst(InC(gcc, arm, tmp_path), arm) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_of_the_library_in_python(name):
     arm = dh.load(name)
     assert worst(InPython(arm), arm) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("convention", ["standard", "craig"])
 @pytest.mark.parametrize("n", [1, 2, 3, 4, 6, 7, 9])
 def test_random_arms_with_every_part(n, convention):
@@ -102,6 +104,7 @@ def evaluated(some, q):
     return np.array([[eval(text, names) for text in row] for row in lines.rows])
 
 
+@pytest.mark.slow
 def test_a_chain_of_a_hundred_joints(gcc, tmp_path):
     arm = random_arm(5, 100, "craig")
     assert worst(InC(gcc, arm, tmp_path), arm, trials=3, reach=100) < 1e-12

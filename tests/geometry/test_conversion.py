@@ -5,7 +5,7 @@ matrices written out here.
 import numpy as np
 import pytest
 from geometry_cases import pose_error, random_arm
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import dhlab as dh
@@ -43,7 +43,6 @@ def by_hand(arm, q):
 
 @pytest.mark.parametrize("first, second", [("standard", "craig"), ("craig", "standard")])
 @given(seed=SEEDS)
-@settings(max_examples=80, deadline=None)
 def test_both_ways_keep_every_pose(first, second, seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng, first)
@@ -86,7 +85,6 @@ def test_an_unknown_convention(convention):
 
 
 @given(seed=SEEDS)
-@settings(max_examples=60, deadline=None)
 def test_moves_keep_every_pose(seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -105,7 +103,6 @@ def test_moves_keep_every_pose(seed):
 
 
 @given(seed=SEEDS)
-@settings(max_examples=60, deadline=None)
 def test_two_flips_give_the_table_back(seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)

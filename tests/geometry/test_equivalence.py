@@ -21,7 +21,7 @@ from geometry_cases import (
     true_change,
     with_rows,
 )
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import dhlab as dh
@@ -47,7 +47,6 @@ def freed(arm, rng, base, tool):
 
 @FREE
 @given(seed=SEEDS)
-@settings(max_examples=60)
 def test_twelve_free_moves_are_accepted(base, tool, seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -60,7 +59,6 @@ def test_twelve_free_moves_are_accepted(base, tool, seed):
 @FREE
 @given(seed=SEEDS)
 @example(seed=212)
-@settings(max_examples=40)
 def test_one_true_change_is_rejected(base, tool, seed):
     """1e-6 m or rad in any entry; whether it shows when base or tool are free is for the sampled
     poses to say. What they show may be less than the tolerance: then either word is right.
@@ -94,7 +92,6 @@ def test_a_change_of_which_little_shows_is_rejected():
 
 @given(seed=SEEDS)
 @example(seed=5078)  # all lengths are 0, and the base's are not
-@settings(max_examples=60)
 def test_every_single_move_keeps_the_pose_and_is_named(seed):
     rng = np.random.default_rng(seed)
     arm = random_arm(rng)
@@ -127,7 +124,6 @@ def rounded(arm, rng):
 
 
 @given(seed=SEEDS)
-@settings(max_examples=60)
 def test_the_named_choices_lead_from_one_table_to_the_other(seed):
     """Slides, twists and flips made in the order told give table b, entry by entry, up to base and
     tool.
@@ -247,7 +243,6 @@ def test_the_stanford_arms_prismatic_shift():
 
 @pytest.mark.filterwarnings("ignore::dhlab.geometry.frames.NearlyParallelWarning")
 @given(seed=SEEDS)
-@settings(max_examples=40)
 def test_a_sliding_axis_placed_anywhere_is_one_arm(seed):
     rng = np.random.default_rng(seed)
     axes = [
@@ -358,7 +353,6 @@ def test_the_zeros_told_are_right(one, other):
 
 
 @given(seed=SEEDS)
-@settings(max_examples=40)
 def test_zeros_and_signs_are_found(seed):
     rng = np.random.default_rng(seed)
     n = rng.integers(4, 8)

@@ -18,7 +18,7 @@ from geometry_cases import (
     random_axes,
     read_chain,
 )
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import dhlab as dh
@@ -52,7 +52,6 @@ def test_urdf_chains(path, convention):
 
 @BOTH
 @given(seed=st.integers(0, 10**6))
-@settings(max_examples=150, deadline=None)
 def test_random_axes_with_special_cases(convention, seed):
     axes, end, _ = random_axes(np.random.default_rng(seed))
     with warnings.catch_warnings():
@@ -65,7 +64,6 @@ def test_random_axes_with_special_cases(convention, seed):
 
 @BOTH
 @given(seed=st.integers(0, 10**6), data=st.data())
-@settings(max_examples=100, deadline=None)
 def test_every_choice_gives_the_same_arm(convention, seed, data):
     rng = np.random.default_rng(seed)
     axes, end, _ = random_axes(rng)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -110,14 +110,12 @@ JSON = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None)
 @given(JSON)
 def test_whatever_comes_out_is_read_or_refused(sent):
     with contextlib.suppress(judge.DECODED):
         decode(sent)
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.dictionaries(
         st.sampled_from(["value", "calls", "again", "fault", "used", "stopped"]), JSON, max_size=4

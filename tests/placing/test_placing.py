@@ -175,6 +175,7 @@ def test_every_valid_choice_gives_the_arm(convention):
     } and signs == {1.0, -1.0}
 
 
+@pytest.mark.slow
 @BOTH
 @pytest.mark.parametrize(
     "n, letter, scale", [(1, None, 1), (2, None, 1), (5, "P", 1), (4, None, 1e-3), (4, None, 1e3)]
@@ -191,6 +192,7 @@ def test_short_sliding_tiny_and_huge_arms(convention, n, letter, scale):
         assert error(arm, axes, end) < 1e-11 * max(1, np.abs(arm.table.rows[:, 1:3]).max()), seed
 
 
+@pytest.mark.slow
 @BOTH
 def test_a_hand_may_be_a_little_off_and_the_arm_is_exact(convention):
     for seed in range(60):

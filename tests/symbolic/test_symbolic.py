@@ -71,6 +71,7 @@ def test_steps_multiply_up_to_the_link_matrix(convention):
     assert found._repr_latex_().count("so far") == 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", robots())
 def test_product_of_every_arm_of_the_library(name):
     arm = load(name)

@@ -270,6 +270,7 @@ def test_errors_are_sentences(call, words):
         call(dh.load("article-6r"))
 
 
+@pytest.mark.slow
 def test_pyplot_never_hears_of_it():
     view.arm(dh.load("article-6r"))
     if "matplotlib.pyplot" in sys.modules:

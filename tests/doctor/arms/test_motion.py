@@ -58,6 +58,7 @@ def words_of(answer, joint):
     return next(note for note in answer.notes if note.startswith(f"Joint {joint}:"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [0, 1e-3])
 @pytest.mark.parametrize("name", ["article-6r", "ur5e", "irb120"])
 def test_injected_mistakes(name, noise):
@@ -220,6 +221,7 @@ def test_bad_input_is_refused_in_one_sentence(arguments, words):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_the_command_line(tmp_path):
     arm = dh.load("article-6r")
     changed(arm, 2, 2, 0.05).save(tmp_path / "wrong.yaml")

@@ -101,6 +101,7 @@ def test_singles_with_noise(name):
     assert diagnose(right, q, right.forward(q)).verdict == "agrees"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["article-6r", "irb120"])
 def test_positions_in_another_base_frame(name):
     right = dh.load(name)
@@ -117,6 +118,7 @@ def test_positions_in_another_base_frame(name):
     assert diagnose(right, q, p, noise=1e-3).verdict == "explained"  # the base is what differs
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("free", [True, False])
 @pytest.mark.parametrize("name", ["ar4", "panda", "iiwa14"])
 def test_lost_signs_and_a_lost_tool_show_in_positions(name, free):

@@ -88,6 +88,7 @@ def close(a, b):
     return len(a) == len(b) and np.allclose(a.forward(q), b.forward(q), rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 @pytest.mark.parametrize("separator", [" | ", "\t", ", ", ";"])
 def test_with_a_header_one_reading_is_left_and_it_is_the_arm(name, separator):
