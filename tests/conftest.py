@@ -47,10 +47,17 @@ settings.register_profile(
 settings.load_profile("fuzz" if SEED else "same")
 
 
-def pytest_configure():
-    """Under ``make fuzz``, seeds in the tests' own files mean other numbers."""
+def pytest_configure(config):
+    """Under ``make fuzz``, seeds in the tests' own files mean other numbers. A pytest in which
+    xdist leaves the groups out, which it does without a word, is refused.
+    """
     if SEED:
         np.random.default_rng = _shifted(np.random.default_rng)
+    if config.getoption("dist", "no") == "loadgroup" and not hasattr(pytest.Item, "_nodeid"):
+        raise pytest.UsageError(
+            f"expected pytest before 9.2, found {pytest.__version__}, where pytest-xdist does not"
+            " keep groups together; install what constraints.txt names, as make does"
+        )
 
 
 def _shifted(default_rng):
