@@ -173,7 +173,9 @@ class ArmChange(Change):
     parameter : str, optional
         ``"sign"``, ``"base"``, ``"tool"``, or a number of the row.
     undo : callable, optional
-        Yields (right Arm, entries left to be fitted) of a wrong Arm.
+        Yields (right Arm, entries (row, column) left to be fitted) of a wrong Arm.
+    twice : bool
+        Made twice it takes itself back, so that no ``undo`` is needed.
     only : "arm" or "typed", optional
         It is made on arms only, or in typed tables only.
     """
@@ -181,7 +183,15 @@ class ArmChange(Change):
     make: Callable
     parameter: str | None = None
     undo: Callable | None = None
+    twice: bool = False
     only: str | None = None
+
+    def taken_back(self, arm):
+        """Yields (right Arm, entries left to be fitted) of a wrong Arm."""
+        if self.twice:
+            yield from ((right, ()) for _, _, right in self.make(arm))
+        elif self.undo is not None:
+            yield from self.undo(arm)
 
 
 @dataclass(frozen=True)

@@ -111,7 +111,7 @@ def repairs(arm):
     """
     for change in changes(RowChange, ArmChange):
         if isinstance(change, ArmChange):
-            yield from change.undo(arm) if change.undo else ()
+            yield from change.taken_back(arm)
         elif change.undone is not None:
             for i in which_rows(change.rows, arm):
                 if (i is None or change.parameter is None) and _may_be(change, arm):

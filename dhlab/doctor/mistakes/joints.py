@@ -39,7 +39,7 @@ def offset_in_degrees():
 
 @mistake("offset-on-wrong-joint")
 def offset_on_wrong_joint():
-    yield ArmChange(_offset_moved, "theta", undo=lambda arm: _only_arms(_offset_moved(arm)))
+    yield ArmChange(_offset_moved, "theta", twice=True)
 
 
 def _offset_moved(arm):
@@ -54,18 +54,12 @@ def _offset_moved(arm):
                 yield i + 1, place, with_rows(arm, rows)
 
 
-def _only_arms(made):
-    """The repairs of a mistake that takes itself back."""
-    for _, _, arm in made:
-        yield arm, ()
-
-
 # ---- senses
 
 
 @mistake("joint-reversed", preference=SENSE, value_of=("sign",))
 def joint_reversed():
-    yield ArmChange(_each_sense, "sign", undo=lambda arm: _only_arms(_each_sense(arm)))
+    yield ArmChange(_each_sense, "sign", twice=True)
 
 
 def _each_sense(arm):
@@ -80,7 +74,7 @@ def all_joints_left_handed():
         yield None, "", with_parts(arm, sign=-arm.sign)
         yield None, "", with_rows(arm, arm.table.rows * [-1, 1, 1, 1], sign=-arm.sign)
 
-    yield ArmChange(make, "sign", undo=lambda arm: _only_arms(make(arm)))
+    yield ArmChange(make, "sign", twice=True)
     yield Slip("reading", "", lambda rows, q: (rows * [-1, 1, 1, 1], -q))
 
 
@@ -172,9 +166,10 @@ def joints_coupled():
 
 @mistake("prismatic-variable-in-theta")
 def prismatic_variable_in_theta():
-    yield ArmChange(
-        lambda arm: _relettered(arm, "P"), undo=lambda arm: _only_arms(_relettered(arm, "RP"))
-    )
+    def undo(arm):
+        yield from ((right, ()) for _, _, right in _relettered(arm, "RP"))
+
+    yield ArmChange(lambda arm: _relettered(arm, "P"), undo=undo)
     yield ArmChange(lambda arm: _relettered(arm, "R"), only="typed")
 
 

@@ -91,12 +91,12 @@ def test_what_takes_an_arm_s_mistake_back_gives_its_poses(name):
     right, tried = arm.forward(q), set()
     for fault in faults(arm):
         change = fault.change
-        if not isinstance(change, ArmChange) or change.undo is None:
+        if not isinstance(change, ArmChange) or not (change.undo or change.twice):
             continue
         tried.add(fault.mistake)
         assert any(
             np.allclose(_filled(repaired, free, arm).forward(q), right, atol=1e-9)
-            for repaired, free in change.undo(fault.arm)
+            for repaired, free in change.taken_back(fault.arm)
         ), (fault.mistake, fault.place)
     assert {"joint-reversed", "all-joints-left-handed", "x-flip-incomplete"} <= tried
 
