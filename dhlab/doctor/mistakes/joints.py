@@ -78,6 +78,17 @@ def all_joints_left_handed():
     yield Slip("reading", "", lambda rows, q: (rows * [-1, 1, 1, 1], -q))
 
 
+@mistake("other-hand")
+def other_hand():
+    """Mirrored in the plane of x and z, turns about x and z change their sign and shifts stay."""
+
+    def make(arm):
+        sense = np.where(arm.table.prismatic, 1, -1)
+        yield None, "", with_rows(arm, arm.table.rows * [-1, 1, 1, -1], sign=arm.sign * sense)
+
+    yield ArmChange(make, "sign", twice=True)
+
+
 # ---- whose value it is
 
 
