@@ -112,11 +112,11 @@ def _order(fault, wrong, slack):
 
 
 def _scaled_to_nothing(fault, wrong):
-    """Whether a number would have been multiplied where 0 stands: then it is missing, whatever a
+    """Whether a length would have been multiplied where 0 stands: then it is missing, whatever a
     thousandth of it is.
     """
     change = getattr(fault.change, "change", None)
-    if fault.joint is None or fault.parameter not in COLUMNS or not isinstance(change, Scaled):
+    if fault.joint is None or fault.parameter not in ("d", "a") or not isinstance(change, Scaled):
         return False
     column = COLUMNS.index(fault.parameter)
     return change.factors[column] != 0 and abs(wrong.table.rows[fault.joint - 1, column]) < 1e-9

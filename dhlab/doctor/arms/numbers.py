@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...table import COLUMNS
-from ..mistakes.changes import EACH, RowChange
+from ..mistakes.changes import EACH, RowChange, Scaled
 from ..mistakes.faults import which_rows
 from ..mistakes.registry import changes, preference, value_mistake
 from ..mistakes.remade import ALPHA, THETA
@@ -59,8 +59,8 @@ def _makes(change, was, should, column):
     row = np.zeros(4)
     row[column] = should
     wrong = float(change.change(*row)[column])
-    if wrong == 0 or not np.isfinite(wrong):
-        return wrong == 0 and abs(was) < NOTHING
+    if isinstance(change.change, Scaled) and wrong == 0:
+        return abs(was) < NOTHING
     if column not in (THETA, ALPHA):
         return abs(was - wrong) < change.within * abs(wrong)
     apart = was - wrong
