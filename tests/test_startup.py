@@ -12,7 +12,7 @@ import sys
 import pytest
 
 PACKAGE = pathlib.Path(__file__).parents[1] / "dhlab"
-LAZY = ("dhlab", "dhlab.doctor", "dhlab.view")
+LAZY = ("dhlab", "dhlab.doctor", "dhlab.doctor.programs", "dhlab.view")
 POSES = """
 import numpy as np, dhlab as dh
 arm = dh.load("ur5e")

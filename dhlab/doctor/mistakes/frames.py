@@ -121,7 +121,7 @@ def _flipped_x(arm, i, kept):
 
 def _rest_of_flip_x(arm):
     """What is left to do of a flip, or the part that was done taken back: up to two of the four
-    changes, or both thetas.
+    changes.
     """
     for i in range(1, len(arm)):
         for kept in product((0, 1), repeat=4):

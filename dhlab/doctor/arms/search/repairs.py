@@ -52,7 +52,7 @@ def _all(arm):
 
 
 def _of_two(arm):
-    """Two mistakes that are often made together, and one column in inches."""
+    """Two mistakes that are often made together, offsets halved, one column in inches."""
     rows = arm.table.rows
     yield Repair(with_rows(arm, rows * [-1, 1, 1, -1]))
     yield Repair(with_rows(arm, rows * [2, 1, 1, 1]))
