@@ -7,16 +7,7 @@ import sys
 
 import numpy as np
 import pytest
-
-
-def dhlab(*arguments, **options):
-    return subprocess.run(
-        [sys.executable, "-m", "dhlab", *arguments],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        **options,
-    )
+from terminal import dhlab
 
 
 def test_fk_gives_the_articles_numbers():
@@ -104,8 +95,12 @@ def test_help_and_version():
 
 
 def test_a_terminal_without_greek_letters_gets_an_answer():
-    answer = dhlab("robots", "iiwa14", env={**os.environ, "PYTHONIOENCODING": "ascii"})
-    assert answer.returncode == 0
+    done = subprocess.run(
+        [sys.executable, "-m", "dhlab", "robots", "iiwa14"],
+        capture_output=True,
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+    )
+    assert done.returncode == 0
 
 
 def test_a_closed_pipe_is_no_traceback():

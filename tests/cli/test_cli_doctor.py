@@ -1,12 +1,11 @@
 """``dhlab doctor`` as a user types it."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from terminal import dhlab
 
 import dhlab as dh
 from dhlab.cli.doctor import _noise
@@ -14,12 +13,7 @@ from dhlab.transform import from_xyz_rpy, rot_z, trans
 
 
 def doctor(*arguments):
-    return subprocess.run(
-        [sys.executable, "-m", "dhlab", "doctor", *arguments],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-    )
+    return dhlab("doctor", *arguments)
 
 
 def general(n, m=8, seed=3):

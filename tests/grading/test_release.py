@@ -10,6 +10,7 @@ import nbformat
 import numpy as np
 import pytest
 from judging import marks_of
+from terminal import dhlab
 
 from dhlab.course.exercises import exercises
 from dhlab.course.workspace import handed_out, prepare
@@ -25,16 +26,6 @@ CLASS = (Student("ada"), Student("bo"), Student("李"))
 def out(tmp_path):
     assert release(tmp_path / "out", CLASS, KEY, ("05",))[1] == 0
     return tmp_path / "out"
-
-
-def dhlab(*arguments, **options):
-    return subprocess.run(
-        [sys.executable, "-m", "dhlab", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        **options,
-    )
 
 
 def test_everybody_gets_the_own_number_and_nothing_else_differs(out):

@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from terminal import dhlab
 
 import dhlab as dh
 from dhlab.transform import from_xyz_rpy
@@ -14,12 +15,7 @@ POSE = ["--pose", "400,100,300,180,0,0", "--units", "mm,deg"]
 
 
 def run(*arguments):
-    return subprocess.run(
-        [sys.executable, "-m", "dhlab", "ik", *arguments],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-    )
+    return dhlab("ik", *arguments)
 
 
 def test_every_solution_reaches_the_pose_that_was_typed():

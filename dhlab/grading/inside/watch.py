@@ -40,9 +40,7 @@ def library(own: Sequence[str] | None) -> Iterator[set[str]]:
         if event == "call":
             file, name = frame.f_code.co_filename, frame.f_code.co_name
             if file.startswith(FAST):
-                caller = frame.f_back.f_code  # the arm's method, told instead of what is behind it
-                if not caller.co_filename.startswith(FAST) and not caller.co_name.startswith("_"):
-                    used.add(caller.co_name)
+                used.update(_asked_by(frame))
             elif file.startswith(ROOT) and (_closed(file[len(ROOT) :]) or name in written_here):
                 used.add(name)
         called = frame.f_code if event == "call" else argument if event == "c_call" else None
@@ -67,3 +65,13 @@ def library(own: Sequence[str] | None) -> Iterator[set[str]]:
 
 def _closed(path):
     return path.split(os.sep)[0] in CLOSED
+
+
+def _asked_by(frame):
+    """The arm's method that asked for what the fast room does, told instead of what is behind it.
+    A frame of compiled code has nobody behind it.
+    """
+    caller = frame.f_back and frame.f_back.f_code
+    if caller is None or caller.co_filename.startswith(FAST) or caller.co_name.startswith("_"):
+        return ()
+    return (caller.co_name,)
