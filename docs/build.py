@@ -38,6 +38,7 @@ NOTE = """:::{admonition} Read it here, do it in Jupyter
 This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted
 yet*. To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
 :::"""
+PARTS = ("", "reference/", "benchmarks/")  # where pages, and what pages include, stand
 # what furo leaves to be named, so that somebody who listens to the page can tell its parts
 LANDMARKS = [
     (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),
@@ -97,7 +98,7 @@ def pages(cache):
     after a run.
     """
     plain, notebooks = {}, {}
-    for path in sorted([*DOCS.glob("*.md"), *DOCS.glob("reference/*.md")]):
+    for path in sorted(path for part in PARTS for path in DOCS.glob(f"{part}*.md")):
         text = path.read_text(encoding="utf-8")
         if "{code-cell}" in text:
             notebooks[path.stem] = jupytext.reads(text, fmt="md:myst")
