@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from draws import variants
 from right_ways_08 import RIGHT_WAYS
 
 import dhlab as dh
@@ -20,7 +21,7 @@ from dhlab.doctor.tables.rows import wrong_tables
 SCORED = {key: e for key, e in exercises().items() if not isinstance(e, Prediction)}
 VALUES = [key for key, e in SCORED.items() if isinstance(e, Value)]
 FUNCTIONS = [key for key, e in SCORED.items() if isinstance(e, Function)]
-VARIANTS = range(6)
+VARIANTS = variants(6)
 
 
 @pytest.mark.parametrize("key", SCORED)
@@ -239,6 +240,7 @@ RIGHT_FUNCTIONS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", FUNCTIONS)
 def test_three_right_ways_pass(key):
     for f in RIGHT_FUNCTIONS[key]:

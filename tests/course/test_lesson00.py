@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 import pytest
+from draws import variants
 
 import dhlab as dh
 from dhlab.course import session, then_and_now, workspace
@@ -23,7 +24,7 @@ def by_hand(R, v):
     return [sum(R[i][k] * v[k] for k in range(3)) for i in range(3)]
 
 
-@pytest.mark.parametrize("variant", range(20))
+@pytest.mark.parametrize("variant", variants(20))
 def test_the_warm_up_takes_right_answers_and_names_wrong_ones(variant):
     exercise = exercises()["00.1"]
     R, v = exercise.given(variant).values()

@@ -6,6 +6,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 import pytest
+from draws import variants
 
 import dhlab as dh
 from dhlab.course.building import reading
@@ -13,7 +14,7 @@ from dhlab.course.exercises import exercises
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.transform import from_xyz_rpy, trans
 
-VARIANTS = range(20)
+VARIANTS = variants(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("01.")}
 LATER = (
     "loop",

@@ -7,6 +7,7 @@ from itertools import permutations, product
 
 import numpy as np
 import pytest
+from draws import variants
 from oracles import shift, turn
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
@@ -16,7 +17,7 @@ from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
 from dhlab.doctor.tables.rows import wrong_tables
 
-VARIANTS = range(20)
+VARIANTS = variants(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("02.")}
 
 
@@ -142,7 +143,7 @@ def test_whole_turns_make_no_difference(key, variant):
     assert exercise.judge(row + [180, 0, 0, 0], variant).status == "wrong"
 
 
-@pytest.mark.parametrize("variant", range(4))
+@pytest.mark.parametrize("variant", variants(4))
 def test_slips_of_a_row_are_said_as_they_are(variant):
     exercise = EXERCISES["02.3"]
     T = exercise.given(variant)["T_01"]

@@ -7,6 +7,7 @@ from itertools import permutations, product
 
 import numpy as np
 import pytest
+from draws import variants
 from oracles import elementary_pose, shift, turn
 from scipy.spatial.transform import Rotation
 
@@ -18,7 +19,7 @@ from dhlab.doctor.programs.wrong.craig import MOVES as CRAIG_MOVES
 from dhlab.doctor.programs.wrong.craig import in_order
 from dhlab.doctor.tables.rows import wrong_tables
 
-VARIANTS = range(20)
+VARIANTS = variants(20)
 EXERCISES = {key: e for key, e in exercises().items() if key.startswith("03.")}
 MOVES = {
     "a": turn([0, 0, 0.3]),

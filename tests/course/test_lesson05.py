@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from draws import variants
 
 from dhlab.course.exercises import exercises
 from dhlab.transform import rot_x, rot_z, trans_x, trans_z
 
-VARIANTS = range(4)
+VARIANTS = variants(4)
 E = {key: e for key, e in exercises().items() if key.startswith("05.")}
 HALF = np.pi / 2
 

@@ -5,6 +5,7 @@ from itertools import permutations, product
 
 import numpy as np
 import pytest
+from draws import variants
 
 from dhlab.arm import Arm
 from dhlab.course.building import reading
@@ -117,7 +118,7 @@ def test_06_9_names_the_arm_and_the_numbers_to_read():
     assert "AR4" in judge("cacb").headline and "α2 and α3" in judge("cacb").next
 
 
-@pytest.mark.parametrize("variant", range(4))
+@pytest.mark.parametrize("variant", variants(4))
 def test_two_slips_of_the_loop_have_words_of_their_own(variant):
     def link(row, x):
         theta, d, a, alpha = row
@@ -186,7 +187,7 @@ def test_06_6_says_how_the_arm_stands(variant):
     )
 
 
-@pytest.mark.parametrize("variant", range(4))
+@pytest.mark.parametrize("variant", variants(4))
 def test_the_rows_of_06_10_converted_twice(variant):
     exercise = exercises()["06.10"]
     q = np.deg2rad(exercise.given(variant)["q"])

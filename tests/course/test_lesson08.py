@@ -7,6 +7,7 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from draws import variants
 from oracles import elementary_pose, pose_errors
 from right_ways_08 import RIGHT_WAYS, frames_of
 from scipy.linalg import expm
@@ -135,7 +136,7 @@ def test_the_numbers_in_the_text_are_true():
 
 
 def test_values_by_another_way_pass():
-    for variant in range(6):
+    for variant in variants(6):
         q = np.deg2rad(LESSON["08.1"].given(variant)["q"])
         column = by_differences(lambda x: elementary_pose(ARM.table, x), q)[:, 2]
         assert all(
@@ -155,7 +156,7 @@ def test_values_by_another_way_pass():
 @pytest.mark.parametrize("key", ["08.1", "08.9"])
 def test_ten_wrong_values_and_more_are_named(key):
     exercise = LESSON[key]
-    for variant in range(6):
+    for variant in variants(6):
         given = exercise.given(variant)
         right = exercise.answer(**given)
         wrong = [
@@ -201,7 +202,7 @@ def _stanford(variant):
     )
 
 
-@pytest.mark.parametrize("variant", range(8))
+@pytest.mark.parametrize("variant", variants(8))
 def test_another_end_point_is_seen_in_the_joint_speeds(variant):
     frames, _, sliding, twist = _stanford(variant)
     for end in (
@@ -216,7 +217,7 @@ def test_another_end_point_is_seen_in_the_joint_speeds(variant):
         assert verdict.mistake == "lever-arm-wrong" and "another end point" in verdict.headline
 
 
-@pytest.mark.parametrize("variant", range(8))
+@pytest.mark.parametrize("variant", variants(8))
 def test_wrong_ways_to_joint_speeds_are_told_their_own_next_step(variant):
     frames, T_end, sliding, twist = _stanford(variant)
     J, turning = (
@@ -247,7 +248,7 @@ def _all_through_deg2rad(variant, twist):
     return np.linalg.solve(arm.jacobian(q), twist)
 
 
-@pytest.mark.parametrize("variant", range(8))
+@pytest.mark.parametrize("variant", variants(8))
 def test_a_column_of_what_is_still_in_memory_is_told_so(variant):
     bent, q = np.deg2rad([0, 40, -60, 50, 40, 0]), np.deg2rad(LESSON["08.1"].given(variant)["q"])
     for words, at, to in (

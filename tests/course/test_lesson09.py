@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from draws import variants
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
@@ -239,7 +240,7 @@ def test_one_order_of_the_work_and_every_other_is_named():
     )
 
 
-@pytest.mark.parametrize("variant", range(12))
+@pytest.mark.parametrize("variant", variants(12))
 def test_what_lies_between_two_axes_by_geometry(variant):
     exercise = exercises()["09.6"]
     table, joint = exercise.given(variant).values()

@@ -136,6 +136,7 @@ def test_an_identifier_is_one(name):
     assert plain(name).isprintable()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["c", "python"])
 def test_the_same_arm_gives_the_same_bytes_in_every_process(language):
     program = (

@@ -56,6 +56,7 @@ def test_twelve_free_moves_are_accepted(base, tool, seed):
     assert result and str(result).startswith("The same arm"), kinds
 
 
+@pytest.mark.slow
 @FREE
 @given(seed=SEEDS)
 @example(seed=212)
@@ -90,6 +91,7 @@ def test_a_change_of_which_little_shows_is_rejected():
     assert not equivalent(arm, changed, tool="free")
 
 
+@pytest.mark.slow
 @given(seed=SEEDS)
 @example(seed=5078)  # all lengths are 0, and the base's are not
 def test_every_single_move_keeps_the_pose_and_is_named(seed):

@@ -66,6 +66,7 @@ def right(variant, lessons=LESSONS):
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lessons", [("05",), LESSONS], ids=["lesson 05", "all"])
 def test_in_a_class_of_strangers_hardly_anybody_is_named(lessons):
     """Every answer is right for numbers that nobody in the class has: what looks like a copy is an
@@ -89,6 +90,7 @@ def test_in_a_class_of_strangers_hardly_anybody_is_named(lessons):
     )
 
 
+@pytest.mark.slow
 def test_who_hands_in_anothers_answers_is_named():
     for key in range(4):
         of = course(key, 200)

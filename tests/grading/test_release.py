@@ -116,6 +116,7 @@ def test_the_key_is_nowhere_in_what_is_handed_out(tmp_path):
             key_of(place, tmp_path / "out")
 
 
+@pytest.mark.slow
 def test_a_release_that_is_refused_leaves_no_key(tmp_path):
     """The roster was moved away from its key: the lessons there have other numbers, and no new key
     may look like theirs.
@@ -158,6 +159,7 @@ def test_a_folder_that_cannot_be_made(tmp_path):
         release(tmp_path / "file" / "out", CLASS, KEY)
 
 
+@pytest.mark.slow
 def test_the_command(tmp_path):
     (tmp_path / "class.csv").write_text("student,name\nada,Ada\nbo,Bo\n")
     (tmp_path / "course.yaml").write_text('lessons:\n  "05": {due: 2026-11-20 23:59}\n')

@@ -42,6 +42,7 @@ def agree(first, second):
     return len(first) == len(second) and all(among(first.arm, q, second) for q in first)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CLOSED)
 def test_closed_form(judge, name):
     judge("ssik")
@@ -55,6 +56,7 @@ def test_closed_form(judge, name):
         assert answer.residuals.max() < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TURNING + SLIDING)
 def test_search(name):
     arm = dh.load(name)

@@ -7,6 +7,7 @@ import sys
 import matplotlib
 import numpy as np
 import pytest
+from draws import few
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
@@ -55,7 +56,7 @@ def numbers(row):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", dh.robots())
+@pytest.mark.parametrize("name", few(dh.robots(), 6))
 def test_nothing_is_cut_off(name):
     arm = dh.load(name)
     for seed in range(3):

@@ -85,6 +85,7 @@ def test_an_arm_that_is_one_point_and_sliding_joints_can_be_drawn():
     assert "0.5 m" in view.conventions(dh.load("stanford"), [0, 0.2, 0.5, 0, 0.4, 0]).alt
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["article-6r", "panda", "stanford", "xarm6"])
 def test_nothing_is_cut_off(name):
     arm = dh.load(name)

@@ -142,6 +142,7 @@ def test_q_is_added_where_the_joint_moves():
     assert "theta_1 = 70°" in view.link(STANDARD, 1, np.deg2rad(30)).alt
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["article-6r", "panda", "stanford", "jaco6"])
 def test_nothing_is_cut_off(name):
     table = dh.load(name).table

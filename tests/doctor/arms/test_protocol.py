@@ -17,6 +17,7 @@ from dhlab.formats.posefile import read_poses
 from dhlab.transform import rot_x, trans
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["article-6r", "panda", "stanford", "cobra600"])
 def test_the_poses_are_drivable(name):
     arm = dh.load(name)
@@ -99,6 +100,7 @@ def test_the_sheet_is_read_back_and_leads_to_the_mistake(tmp_path):
     assert diagnose(right, q, points, noise=4e-3).verdict == "agrees"
 
 
+@pytest.mark.slow
 def test_odd_arms():
     lying = dh.Arm(dh.load("ur5e").table, base=rot_x(np.pi / 2))
     assert protocol(lying, 6).q.shape == (6, 6)

@@ -111,6 +111,7 @@ def test_a_table_in_another_unit_is_named(wrong_of, mistake):
     assert [f.mistake for f in answer.findings] == ([mistake] if mistake else [])
 
 
+@pytest.mark.slow
 def test_a_missing_length_is_no_unit_and_a_small_repair_keeps_its_own_name():
     rows = dh.load("article-6r").table.rows
     rows[2, 2], rows[5, 0] = 0.045, np.pi  # the sign of an offset of 180° says nothing

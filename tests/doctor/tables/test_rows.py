@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from draws import few
 
 import dhlab as dh
 from dhlab.doctor import catalogue, explain_rows
@@ -9,7 +10,7 @@ from dhlab.doctor.tables.rows import wrong_tables
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", dh.robots())
+@pytest.mark.parametrize("name", few(dh.robots(), 6))
 def test_every_wrong_table_is_explained(name):
     right = dh.load(name)
     q = np.random.default_rng(2).uniform(0.2, 1.3, (5, len(right)))

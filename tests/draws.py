@@ -1,0 +1,22 @@
+"""How much of what is endless, or the same for every arm, a run looks at: a few each time, and all
+that a test names under ``make fuzz``.
+"""
+
+import os
+
+__all__ = ["few", "variants"]
+
+ALL = bool(os.environ.get("DHLAB_SEED"))
+
+
+def few(items, most):
+    """At most ``most`` of the items, spread evenly over them; all under ``make fuzz``."""
+    items = list(items)
+    if ALL or len(items) <= most:
+        return items
+    return [items[k * len(items) // most] for k in range(most)]
+
+
+def variants(most):
+    """The numbers of the variants of an exercise that are drawn."""
+    return range(most if ALL else min(most, 3))
