@@ -50,8 +50,8 @@ lessons: .venv/test
 
 bench: .venv/test
 	$(BIN)/python benchmarks/accuracy.py
-	$(BIN)/python benchmarks/inverse.py --quick
-	$(BIN)/python benchmarks/kinematics.py --quick
+	$(BIN)/python benchmarks/inverse.py $(if $(QUICK),--quick)
+	$(BIN)/python benchmarks/kinematics.py $(if $(QUICK),--quick)
 
 .venv/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "dhlab needs Python 3.11 or newer; found: $$($(PYTHON) --version 2>&1). Say which to use: make lab PYTHON=python3.12"; exit 1; }
