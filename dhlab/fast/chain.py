@@ -50,7 +50,8 @@ class Chain:
     ``steps[0]`` is X_0 and ``steps[i]`` is X_i (the one that the convention lacks is no step at
     all); ``end`` is X_n · tool, multiplied once here instead of for every pose. ``theta`` and ``d``
     are the zero offsets, ``slides`` says which joints are prismatic. The joint variables are
-    ``rates · q`` + offset: (n,), or a matrix (n, n) where the joints are coupled.
+    ``rates · q`` + offset: (n,), or a matrix (n, n) where the joints are coupled. Without coupling
+    the rates are the signs, which cost one product a joint, with or without it.
     """
 
     standard: bool
@@ -87,7 +88,8 @@ class Chain:
     @cached_property
     def halved(self) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
         """``rates`` (n, n or 1) and offsets (n, 1), None where all are 0, as ``many.py`` wants
-        them: d where a joint slides, and half the angle, turned round, where it turns.
+        them: d where a joint slides, and minus half the angle where it turns, so that
+        ``many.phases`` of it is exp(-i·angle). Sign, halving and minus are one product.
         """
         unit = np.where(self.slides, 1.0, -0.5)[:, None]
         offsets = np.where(self.slides, self.d, self.theta)[:, None] * unit

@@ -2,10 +2,10 @@
 
 To load numba takes half a second, to compile the kernels for the first time on a machine several;
 they are kept on disk from then on. Who asks for one pose, or for a million, must not wait for that.
-So numba is loaded by the first batch that finds that batches have kept numpy busy for as long as
-loading takes (``PATIENCE``), and arms use it from their next batch on; arms that are made later use
-it for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it at once, ``DHLAB_NUMBA=0``
-never. Results differ from those of the other paths by rounding alone.
+So numba is loaded by the first batch that finds that batches have kept numpy busy for longer than
+loading takes (``PATIENCE``). From then on an arm uses it from its next batch on, and one that is
+made later from the start, both for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it
+at once, ``DHLAB_NUMBA=0`` never. Results differ from those of the other paths by rounding alone.
 """
 
 import os

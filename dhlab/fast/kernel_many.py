@@ -1,8 +1,8 @@
 """The walk for many poses, as numba compiles it. Only ``compiled.py`` imports this file, when numba
 is wanted.
 
-It is the walk of ``walk.py`` with the tricks of ``many.py``, and with three that a compiler makes
-worth while:
+It is the walk of ``walk.py``, with parallel axes turned once and zeros skipped; and it has three
+tricks that a compiler makes worth while:
 
 * *A block of poses stays in the first-level cache* (``BLOCK``), and every loop over it is so small
   that the compiler turns it into vector instructions, eight poses at a time.
@@ -21,7 +21,7 @@ import numpy as np
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, MOST, ROW, SLIDES,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, OPTIONS, MOST, ROW, SLIDES,
     STANDARD, THETA, A, C, D, S, cos_sin, fast, per_count,
 )  # fmt: skip
 
@@ -48,7 +48,7 @@ def within(row, most, m):
 
 
 @fast
-def phases(angle, c, s, m):
+def cos_sin_rows(angle, c, s, m):
     """The same for every size of angle: the library's functions where the parts of pi / 2 run
     out of digits.
     """
@@ -88,7 +88,7 @@ def turn(F, m):
 
 
 @fast
-def lean(F, c, s, m):
+def tilt(F, c, s, m):
     """About x by alpha; the frame's y and z only change places where that is a right angle."""
     for k in range(len(F) // 6):
         y, z = F[Y + k], F[Z + k]
@@ -123,19 +123,19 @@ def add_row(F, p, x, lengths, m):
 
 
 @fast
-def enter(q, numbers, i, F, m):
+def enter(q, packed, i, F, m):
     """Joint i (from 1): along z by its d; its angle joins the run."""
     n, of = q.shape[1], JOINTS + 6 * i
     rates = JOINTS + 6 * (n + 1) + n * (i - 1)
     moved, angle = F[MOVED], F[ANGLE]
     fill(moved, 0.0, m)
     for k in range(n):
-        rate = numbers[rates + k]
+        rate = packed[rates + k]
         if rate != 0.0:
             for j in range(m):
                 moved[j] += rate * q[j, k]
-    theta, d = numbers[of + THETA], numbers[of + D]
-    if numbers[of + SLIDES] != 0.0:
+    theta, d = packed[of + THETA], packed[of + D]
+    if packed[of + SLIDES] != 0.0:
         for j in range(m):
             moved[j] += d
             angle[j] += theta
@@ -180,14 +180,14 @@ def write_frames(frames, out, m):
 
 
 @fast
-def go_to_end(F, numbers, m):
+def go_to_end(F, packed, m):
     """p becomes the end point."""
     for axis in range(3):
-        add(F, P, X + 3 * axis, numbers[END + 4 * axis + 3], m)
+        add(F, P, X + 3 * axis, packed[END + 4 * axis + 3], m)
 
 
 @fast
-def no_turn(end):
+def turns_nothing(end):
     """Whether the constant pose ``end`` (12 numbers) has no rotation."""
     turned = 0.0
     for k in range(3):
@@ -211,14 +211,14 @@ def write_behind(F, end, out, m):
 
 
 @fast
-def moments(F, numbers, axes, m):
+def moments(F, packed, axes, m):
     """Of every axis: rows 0 to 2 are z, rows 3 to 5 a point, which becomes the lever from there to
     the end; rows 6 to 8 become z × lever, or z where the joint slides, whose z becomes 0.
     """
     n = len(axes)
     for i in range(n):
-        axis, slides = axes[i], numbers[JOINTS + 6 * (i + 1) + SLIDES] != 0.0
-        rate = 1.0 if numbers[COUPLED] != 0.0 else numbers[JOINTS + 6 * (n + 1) + n * i + i]
+        axis, slides = axes[i], packed[JOINTS + 6 * (i + 1) + SLIDES] != 0.0
+        rate = 1.0 if packed[COUPLED] != 0.0 else packed[JOINTS + 6 * (n + 1) + n * i + i]
         for k in range(len(F) // 6):
             z, lever, end = axis[k], axis[3 + k], F[P + k]
             for j in range(m):
@@ -246,27 +246,27 @@ def write_columns(axes, out, m):
 
 
 @fast
-def carry(q, numbers, joined, F, kept, m):
+def carry(q, packed, joined, F, kept, m):
     """Carry a block of frames along the chain: ``along_the_joints`` and ``frame_by_frame`` of
     ``walk.py`` in one. ``kept`` takes the frames, or axes and points of the joints.
     """
-    n, kind, laid = q.shape[1], numbers[KIND], False
-    standard = numbers[STANDARD] != 0.0
+    n, kind, laid = q.shape[1], packed[KIND], False
+    standard = packed[STANDARD] != 0.0
     for r in range(ROWS):
-        fill(F[r], numbers[BASE + r] if r < ANGLE else 0.0, m)
+        fill(F[r], packed[BASE + r] if r < ANGLE else 0.0, m)
     for i in range(n + 1):
         of = JOINTS + 6 * i
-        a, c, s = numbers[of + A], numbers[of + C], numbers[of + S]
-        level = c == 1.0 and s == 0.0
+        a, c, s = packed[of + A], packed[of + C], packed[of + S]
+        parallel = c == 1.0 and s == 0.0
         if i > 0:
-            enter(q, numbers, i, F, m)
-            runs_on = joined and kind != FRAMES and level and i < n
+            enter(q, packed, i, F, m)
+            runs_on = joined and kind != FRAMES and parallel and i < n
             if laid and (kind == JACOBIAN or not runs_on):
                 settle(F, m)
                 laid = False
             if kind == JACOBIAN:
                 keep(F, Z, ANGLE, kept[i - 1], m)
-            phases(F[ANGLE], F[COS], F[SIN], m)
+            cos_sin_rows(F[ANGLE], F[COS], F[SIN], m)
             if runs_on:
                 if a != 0.0:
                     lay(F, a, m)
@@ -280,41 +280,41 @@ def carry(q, numbers, joined, F, kept, m):
             return  # its step is in the end
         if a != 0.0:
             add(F, P, X, a, m)
-        if not level:
-            lean(F, c, s, m)
+        if not parallel:
+            tilt(F, c, s, m)
         if kind == FRAMES and i > 0 and standard:
             keep(F, X, ANGLE, kept[i], m)
 
 
-@njit(TYPES, cache=True, **LOOSE)
-def answer(q, numbers, out):
+@njit(TYPES, cache=True, **OPTIONS)
+def answer(q, packed, out):
     """The end poses, frames or Jacobians of ``q`` (m, n) into ``out`` (m, ...), a row of numbers
     each; False where a number of q is NaN or infinite.
     """
-    n, kind = q.shape[1], numbers[KIND]
+    n, kind = q.shape[1], packed[KIND]
     size = BLOCK // 2 if kind == FRAMES else BLOCK
     F = np.empty((ROWS, size))
     kept = np.empty((n + 1, 12, size) if kind == FRAMES else (n, 9, size))
-    upright = no_turn(numbers[END:])
+    unturned = turns_nothing(packed[END:])
     for start in range(0, len(q), size):
         m = min(size, len(q) - start)
         part, result = q[start : start + m], out[start : start + m]
-        joined = within(part.reshape(-1), numbers[MOST], m * n)
+        joined = within(part.reshape(-1), packed[MOST], m * n)
         if not joined and not within(part.reshape(-1), np.inf, m * n):
             return False
-        carry(part, numbers, joined, F, kept, m)
+        carry(part, packed, joined, F, kept, m)
         if kind == FRAMES:
             write_frames(kept, result, m)
             continue
-        go_to_end(F, numbers, m)
-        if kind == FORWARD and upright:
+        go_to_end(F, packed, m)
+        if kind == FORWARD and unturned:
             write_frames(F.reshape(1, ROWS, size), result, m)
             continue
         if kind == FORWARD:
-            write_behind(F, numbers[END:], result, m)
+            write_behind(F, packed[END:], result, m)
             continue
-        moments(F, numbers, kept, m)
+        moments(F, packed, kept, m)
         write_columns(kept, result, m)
-        if numbers[COUPLED] != 0.0:
-            per_count(result, numbers[JOINTS + 6 * (n + 1) :], n, m)
+        if packed[COUPLED] != 0.0:
+            per_count(result, packed[JOINTS + 6 * (n + 1) :], n, m)
     return True

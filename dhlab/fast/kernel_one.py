@@ -11,7 +11,7 @@ import math
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LOOSE, MOST, ROW, SLIDES,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, OPTIONS, MOST, ROW, SLIDES,
     STANDARD, THETA, A, C, D, S, cos_sin, fast, per_count,
 )  # fmt: skip
 
@@ -48,45 +48,45 @@ def write_one(x, y, z, p, out, at):
 
 
 @fast
-def behind(x, y, z, p, numbers, column):
+def behind(x, y, z, p, packed, column):
     """p and a column of the end's pose, seen from the frame."""
     at = END + column
-    p = summed(p, x, numbers[at])
-    return summed(summed(p, y, numbers[at + 4]), z, numbers[at + 8])
+    p = summed(p, x, packed[at])
+    return summed(summed(p, y, packed[at + 4]), z, packed[at + 8])
 
 
-@njit(TYPES, cache=True, **LOOSE)
-def answer_one(q, numbers, result):
+@njit(TYPES, cache=True, **OPTIONS)
+def answer_one(q, packed, result):
     """The end pose, frames or Jacobian of ``q`` (n,) into ``result``; False where q is not n finite
     numbers.
     """
-    n, kind, out = len(q), numbers[KIND], result.reshape(-1)
+    n, kind, out = len(q), packed[KIND], result.reshape(-1)
     rates = JOINTS + 6 * (n + 1)
-    if len(numbers) != rates + n * n:
+    if len(packed) != rates + n * n:
         return False
-    standard, coupled = numbers[STANDARD] != 0.0, numbers[COUPLED] != 0.0
-    x = (numbers[BASE], numbers[BASE + 1], numbers[BASE + 2])
-    y = (numbers[BASE + 3], numbers[BASE + 4], numbers[BASE + 5])
-    z = (numbers[BASE + 6], numbers[BASE + 7], numbers[BASE + 8])
-    p = (numbers[BASE + 9], numbers[BASE + 10], numbers[BASE + 11])
+    standard, coupled = packed[STANDARD] != 0.0, packed[COUPLED] != 0.0
+    x = (packed[BASE], packed[BASE + 1], packed[BASE + 2])
+    y = (packed[BASE + 3], packed[BASE + 4], packed[BASE + 5])
+    z = (packed[BASE + 6], packed[BASE + 7], packed[BASE + 8])
+    p = (packed[BASE + 9], packed[BASE + 10], packed[BASE + 11])
     angle = along = across = 0.0
     joined = True
     for i in range(n):
-        joined = joined and abs(q[i]) < numbers[MOST]
+        joined = joined and abs(q[i]) < packed[MOST]
     for i in range(n + 1):
         of = JOINTS + 6 * i
-        a, step_c, step_s = numbers[of + A], numbers[of + C], numbers[of + S]
+        a, step_c, step_s = packed[of + A], packed[of + C], packed[of + S]
         if i > 0:
-            moved = numbers[rates + (n + 1) * (i - 1)] * q[i - 1]
+            moved = packed[rates + (n + 1) * (i - 1)] * q[i - 1]
             if coupled:
                 moved = 0.0
                 for k in range(n):
-                    moved += numbers[rates + n * (i - 1) + k] * q[k]
+                    moved += packed[rates + n * (i - 1) + k] * q[k]
             if moved - moved != 0.0:  # NaN
                 return False
-            slides = numbers[of + SLIDES] != 0.0
-            angle += numbers[of + THETA] + (0.0 if slides else moved)
-            p = summed(p, z, numbers[of + D] + (moved if slides else 0.0))
+            slides = packed[of + SLIDES] != 0.0
+            angle += packed[of + THETA] + (0.0 if slides else moved)
+            p = summed(p, z, packed[of + D] + (moved if slides else 0.0))
             runs_on = joined and kind != FRAMES and i < n and step_c == 1.0 and step_s == 0.0
             if kind == JACOBIAN or not runs_on:
                 p = summed(summed(p, x, along), y, across)
@@ -113,21 +113,21 @@ def answer_one(q, numbers, result):
             write_one(x, y, z, p, out, 16 * i)
     if kind == FRAMES:
         return True
-    p = behind(x, y, z, p, numbers, 3)
+    p = behind(x, y, z, p, packed, 3)
     if kind == FORWARD:
         origin = (0.0, 0.0, 0.0)
         u, v, w = (
-            behind(x, y, z, origin, numbers, 0),
-            behind(x, y, z, origin, numbers, 1),
-            behind(x, y, z, origin, numbers, 2),
+            behind(x, y, z, origin, packed, 0),
+            behind(x, y, z, origin, packed, 1),
+            behind(x, y, z, origin, packed, 2),
         )
         write_one(u, v, w, p, out, 0)
         return True
     for i in range(n):
-        rate = 1.0 if coupled else numbers[rates + (n + 1) * i]
+        rate = 1.0 if coupled else packed[rates + (n + 1) * i]
         lx, ly, lz = p[0] - out[i], p[1] - out[n + i], p[2] - out[2 * n + i]
         x0, x1, x2 = rate * out[3 * n + i], rate * out[4 * n + i], rate * out[5 * n + i]
-        if numbers[JOINTS + 6 * (i + 1) + SLIDES] != 0.0:
+        if packed[JOINTS + 6 * (i + 1) + SLIDES] != 0.0:
             out[i], out[n + i], out[2 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
             out[3 * n + i] = out[4 * n + i] = out[5 * n + i] = 0.0
         else:
@@ -135,5 +135,5 @@ def answer_one(q, numbers, result):
             out[2 * n + i] = x0 * ly - x1 * lx + 0.0
             out[3 * n + i], out[4 * n + i], out[5 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
     if coupled:
-        per_count(out.reshape(1, -1), numbers[rates:], n, 1)
+        per_count(out.reshape(1, -1), packed[rates:], n, 1)
     return True

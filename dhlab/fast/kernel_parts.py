@@ -9,7 +9,7 @@ import numpy as np
 from numba import float64, njit
 
 __all__ = [
-    "BASE", "COUPLED", "END", "FAR", "FORWARD", "FRAMES", "JACOBIAN", "JOINTS", "KIND", "LOOSE",
+    "BASE", "COUPLED", "END", "FAR", "FORWARD", "FRAMES", "JACOBIAN", "JOINTS", "KIND", "OPTIONS",
     "MOST", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast",
     "per_count",
 ]  # fmt: skip
@@ -19,8 +19,8 @@ STANDARD, COUPLED, KIND, MOST, BASE, END, JOINTS = 0, 1, 2, 3, 4, 16, 28  # in a
 THETA, D, SLIDES, A, C, S = range(6)  # of joint i, and of step i
 
 # products and sums may be fused into one instruction; nothing else is left to the compiler
-LOOSE = {"nogil": True, "fastmath": {"contract"}, "error_model": "numpy"}
-fast = njit(**LOOSE)
+OPTIONS = {"nogil": True, "fastmath": {"contract"}, "error_model": "numpy"}
+fast = njit(**OPTIONS)
 ROW = float64[::1]
 
 # pi / 2 in three parts of 33 bits: k times the first two is exact for k below a million
@@ -32,8 +32,8 @@ FAR = 1e6  # radians; beyond it the library's cosine and sine are called
 @fast
 def cos_sin(angle):
     """Cosine and sine: what is left of the angle beside quarter turns, less than 45°, goes into the
-    polynomials of fdlibm (k_cos.c, k_sin.c), which are exact to the last bit; the number of quarter
-    turns says which of the two is which, and with which sign.
+    polynomials of fdlibm (k_cos.c, k_sin.c), which are right to less than a unit in the last place;
+    the number of quarter turns says which of the two is which, and with which sign.
     """
     k = np.floor(angle * TO_QUARTERS + 0.5)
     r = ((angle - k * QUARTER[0]) - k * QUARTER[1]) - k * QUARTER[2]

@@ -4,16 +4,17 @@ What makes it fast, beside the walk itself (``walk.py``):
 
 * *Numbers of one kind lie together.* The poses are held as rows: all x components, then all y
   components and so on, so that every numpy call runs over thousands of neighbouring numbers. Only
-  the result is turned round into (..., 4, 4), in one copy (``_write``).
-* *A chunk stays in the cache.* All that is done to a thousand poses is done before the next ones
-  are touched, so that numpy's intermediate arrays never travel to memory (``_chunks``).
+  the result is transposed into (..., 4, 4), in one copy (``_write``).
+* *A chunk stays in the cache.* All that is done to some thousand poses is done before the next
+  ones are touched, so that numpy's intermediate arrays never travel to memory (``_chunks``).
 * *Cosine and sine come from one tangent.* With t = tan(angle / 2) and r = 2 / (1 + t²) they are
-  r - 1 and t·r. numpy's tan is vectorised for doubles on processors with AVX-512, its sin and cos
-  are not; elsewhere one tangent still costs less than both (``phases``).
-* *x and y are one complex row.* With w = x + i·y, turning a frame about z is the one product
-  w·exp(-i·angle), where real numbers take four products and two sums (``Frames.turn``).
-* *A right angle costs no product.* At alpha = ±90° y and z change places (``Frames.tilt``).
-* *What is 0 is skipped*: zero d and a, an alpha of 0, the zeros of base and tool.
+  r - 1 and t·r. numpy's tan (as of 2.4) is vectorised for doubles on processors with AVX-512, its
+  sin and cos are not; elsewhere one tangent still costs less than both (``phases``).
+* *x and y are one complex row.* With w = x + i·y, turning a frame about z is w·exp(-i·angle): the
+  same arithmetic in one call of numpy and one intermediate array instead of six (``Frames.turn``).
+* *At a right angle y and z change places*: alpha = ±90° takes two products by ±1, not four and two
+  sums (``Frames.tilt``).
+* *What is 0 is skipped*: zero d and a, an alpha of 0, the zeros of the tool.
 * *The last row is never computed.* It is 0 0 0 1 and stands ready (``_poses``).
 
 Where rows are stored, 0.0 is added instead of copying them: that costs the same, and -0.0, which
@@ -31,7 +32,7 @@ from .walk import along_the_joints, frame_by_frame, to_the_end
 
 __all__ = ["forward", "frames", "jacobian", "phases"]
 
-CACHE = 1 << 21  # bytes; half of a usual L2 cache
+CACHE = 1 << 21  # bytes; about what the L2 cache of one core holds
 LINE = 8  # doubles in a line of the cache
 
 
@@ -169,7 +170,7 @@ def _sum(terms):
 
 
 def _variables(chain, q):
-    """Per joint its d (a row where it slides), and a row of half its angle each, turned round: the
+    """Per joint its d (a row where it slides), and a row of half its angle each, negated, since the
     phase of a turn is exp(-i·angle).
     """
     rates, offsets = chain.halved
@@ -213,6 +214,10 @@ def _chunks(chain, q, out, block):
 
 
 def _size(chain, q, doubles):
+    """How many poses a chunk has: a pose needs ``doubles`` for its result, about five a joint for
+    angles, phases and d, and some 30 for the frame and numpy's intermediate arrays. The odd line of
+    the cache keeps rows from lying at distances of a power of two, which share places in it.
+    """
     size = CACHE // (8 * (5 * len(chain) + 30 + doubles))
     return min(len(q), max(size // 64, 1) * 64 + LINE)
 
@@ -237,5 +242,5 @@ def _per_count(chain, J):
 
 
 def _write(rows, result):
-    """Rows (..., m) turned round into poses (m, ...)."""
+    """Rows (..., m) transposed into poses (m, ...)."""
     result.transpose(*range(1, result.ndim), 0)[...] = rows

@@ -38,24 +38,24 @@ class Floats:
         return value
 
 
-def forward(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
+def forward(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
     """The end pose of ``q`` (n numbers): 16 numbers."""
-    return to_the_end(chain, Frame(chain, q, numbers)).behind(chain.end.tolist())
+    return to_the_end(chain, Frame(chain, q, math_of)).behind(chain.end.tolist())
 
 
-def frames(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
+def frames(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
     """Every frame: (n + 1)·16 numbers."""
-    frame, found = Frame(chain, q, numbers), []
+    frame, found = Frame(chain, q, math_of), []
     for _ in frame_by_frame(chain, frame):
         found += frame.rows()
     return found
 
 
-def jacobian(chain: Chain, q: Sequence, numbers: Any = Floats) -> list:
+def jacobian(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
     """The Jacobian at the end point, 6·n numbers: column i is z × (end - p) over z, or z over 0
     where the joint slides; by the chain rule they are added up per unit of what is counted.
     """
-    frame = Frame(chain, q, numbers)
+    frame = Frame(chain, q, math_of)
     axes = [(frame.z, frame.p) for _ in along_the_joints(chain, frame)]
     end = frame.point([row[3] for row in chain.end.tolist()])
     columns = [
@@ -73,9 +73,9 @@ class Frame:
     ``walk.py``.
     """
 
-    def __init__(self, chain: Chain, q: Sequence, numbers: Any) -> None:
+    def __init__(self, chain: Chain, q: Sequence, math_of: Any) -> None:
         self.x, self.y, self.z, self._p = zip(*chain.base[:3].tolist())
-        self.numbers = numbers
+        self.math = math_of
         rates = chain.rates.tolist()
         moved = (
             [weighed(row, q) for row in rates]
@@ -100,7 +100,7 @@ class Frame:
     def enter(self, i: int) -> None:
         theta, d = self.variables[i]
         begins = self.angle is None
-        self.angle = self.numbers.keep(theta) if begins else self.numbers.added(self.angle, theta)
+        self.angle = self.math.keep(theta) if begins else self.math.added(self.angle, theta)
         self._p = self._shifted((d,), (self.z,))
 
     def lay(self, a: float) -> None:
@@ -146,15 +146,15 @@ class Frame:
 
     def _direction(self):
         """Cosine and sine of the run's angle."""
-        keep = self.numbers.keep
-        return keep(self.numbers.cos(self.angle)), keep(self.numbers.sin(self.angle))
+        keep = self.math.keep
+        return keep(self.math.cos(self.angle)), keep(self.math.sin(self.angle))
 
     def _shifted(self, lengths, axes):
         weights = (1.0, *lengths)
         return self._kept(weighed(weights, row) for row in zip(self._p, *axes))
 
     def _kept(self, values):
-        return tuple(self.numbers.keep(value) for value in values)
+        return tuple(self.math.keep(value) for value in values)
 
 
 def weighed(weights: Iterable[float], terms: Iterable) -> Any:

@@ -7,10 +7,13 @@ one pose               the arm's straight-line program (``straight.py``); to wri
                        (``one.py``), with the same bits
 a few dozen            the plain product (``plain.py``): so few are no slower by it, and an arm
                        that is asked once, as in a search over tables, prepares nothing
-more                   rows of a thousand in the cache (``many.py``)
-one or more, with      the same walk as machine code (``kernel_*.py``); ``compiled.py`` says when
-numba
+more                   a chunk of some thousand at a time, in the cache (``many.py``)
+any number, once       the same walk as machine code (``kernel_*.py``); ``compiled.py`` says when
+numba is loaded        that is
 =====================  =========================================================================
+
+All compute in double precision. Where q or ``out`` is of single precision the result is rounded to
+it when it is written; one pose that goes to ``out`` costs a copy.
 """
 
 import time
@@ -98,7 +101,7 @@ class Path:
     def _batch(self, q, result):
         if q.size == self.of.n:
             result[...] = self.take(q.ravel().astype(float))
-        elif q.size <= DOZENS * self.of.n:
+        elif q.size <= DOZENS * self.of.n and not self.compiled:
             require_finite(q)
             result[...] = self.plain(q.astype(float))
         else:

@@ -3,10 +3,11 @@
 The walk is run once on symbols in place of the joint angles. A sum or a product of symbols is
 noted down as text; what is multiplied by 0 or added to 0 vanishes, what is multiplied by 1 stays as
 it is, and what is constant is worked out at once. What was noted is a straight line of Python with
-neither loops nor zeros, and no call but cos and sin. For the first joints of an arm it reads ::
+neither loops nor zeros; cos and sin are all that it calls, beside what writes the result down. For
+the first joints of an arm it reads ::
 
-    c1 = cos(q1)
-    s1 = sin(q1)
+    v0 = cos(q1)
+    v1 = sin(q1)
     ...
 """
 

@@ -253,7 +253,19 @@ class MeasuredChange(Change):
 
 @dataclass(frozen=True)
 class Slip(Change):
-    """One wrong step of a program: ``change`` is what the step computes instead."""
+    """One wrong step of a program (a slip).
+
+    Parameters
+    ----------
+    step : str
+        One of the steps named at the top of this file.
+    place : str
+        Which part of the step it is, as the reader of a verdict is told.
+    change : callable
+        For ``"reading"``, ``"arguments"``, ``"link"`` and ``"product"``: what is computed there
+        instead. For ``"entry"``, ``"each link"`` and ``"result"``: what becomes of the right value.
+        ``doctor/programs/steps.py`` calls it and says with which arguments.
+    """
 
     step: str
     place: str
