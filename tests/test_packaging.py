@@ -219,6 +219,8 @@ def test_the_lab_from_the_wheel(python, tmp_path):
     finally:
         process.terminate()
         process.wait(60)
+    with socket.socket() as asked:
+        assert asked.connect_ex(("127.0.0.1", port)) != 0, "the lab outlives its command"
     names = {path.name for path in (tmp_path / "course").glob("*.ipynb")}
     assert names == {path.name for path in (ROOT / "lessons").glob("*.ipynb")}
 

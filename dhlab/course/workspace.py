@@ -5,6 +5,7 @@ on it.
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -164,7 +165,11 @@ def open_lab(folder: str | Path, *, port: int | None = None, browser: bool = Tru
         print(sentence)
     write_settings(folder)
     print(f"Your course is in {folder}; close JupyterLab with Ctrl + C.")
+    lab = subprocess.Popen(lab_command(folder, port=port, browser=browser))
+    signal.signal(signal.SIGTERM, lambda *_: lab.terminate())  # who ends this ends the lab
     try:
-        return subprocess.call(lab_command(folder, port=port, browser=browser))
+        return lab.wait()
     except KeyboardInterrupt:
+        lab.terminate()  # on Ctrl + C alone it would ask first
+        lab.wait()
         return 0

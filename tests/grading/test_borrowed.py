@@ -6,6 +6,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from draws import few
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Value
@@ -73,7 +74,7 @@ def test_in_a_class_of_strangers_hardly_anybody_is_named(lessons):
     accident.
     """
     accused = tried = would_be = 0
-    for key in range(3):
+    for key in few(range(3), 1):
         of = course(key, 200, lessons)
         for k, student in enumerate(list(of.variants)[:60]):
             values = right(10**6 + 1000 * key + k, lessons)
@@ -84,8 +85,8 @@ def test_in_a_class_of_strangers_hardly_anybody_is_named(lessons):
                 if e.id in values
             )
             would_be += max(fitting) >= 2
-    assert tried == 180 and accused <= 3 * CHANCE * tried
-    assert would_be > 20, (
+    assert tried >= 60 and accused <= 3 * CHANCE * tried
+    assert would_be > tried / 9, (
         "two fitting exercises alone are an accident often enough for this test to see"
     )
 

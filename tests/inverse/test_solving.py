@@ -4,6 +4,7 @@ dhlab's.
 
 import numpy as np
 import pytest
+from draws import few
 from oracles import exponential_pose, pose_errors
 
 import dhlab as dh
@@ -43,7 +44,7 @@ def agree(first, second):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CLOSED)
+@pytest.mark.parametrize("name", few(CLOSED, 6))
 def test_closed_form(judge, name):
     judge("ssik")
     arm = dh.load(name)
@@ -57,7 +58,7 @@ def test_closed_form(judge, name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", TURNING + SLIDING)
+@pytest.mark.parametrize("name", few(TURNING + SLIDING, 6))
 def test_search(name):
     arm = dh.load(name)
     q = random_q(arm, 2, 2)
