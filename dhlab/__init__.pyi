@@ -7,6 +7,7 @@ from .formats.posefile import read_poses as read_poses
 from .formats.urdf import read_urdf as read_urdf
 from .formats.urdf import to_urdf as to_urdf
 from .generating import generate as generate
+from .geometry.comparing.compare import compare as compare
 from .geometry.equivalence import equivalent as equivalent
 from .geometry.frames import NearlyParallelWarning as NearlyParallelWarning
 from .geometry.frames import assign_frames as assign_frames

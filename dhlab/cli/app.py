@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from .. import __version__
+from .compare import compare
 from .convert import convert
 from .doctor import doctor
 from .export import export
@@ -50,6 +51,7 @@ app.command()(fk)
 app.command()(ik)
 app.command(name="from-urdf")(from_urdf)
 app.command()(convert)
+app.command()(compare)
 app.command()(generate)
 app.command(name="robots")(list_robots)
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import sys
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from ..arm import Arm
+from ..robots import load
 from ..units import ANGLE, LENGTH
 
 if TYPE_CHECKING:
@@ -22,6 +25,7 @@ __all__ = [
     "Json",
     "NewTable",
     "Roster",
+    "arm_of",
     "described",
     "give",
     "class_of",
@@ -31,7 +35,10 @@ __all__ = [
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")]
 ArmName = Annotated[
-    str, typer.Argument(metavar="ARM", help="A name of the library, or a .yaml or .csv table file.")
+    str,
+    typer.Argument(
+        metavar="ARM", help="A name of the library, a .yaml or .csv table file, or a URDF."
+    ),
 ]
 Convention = Annotated[str, typer.Option("--to", help="standard or craig.")]
 NewTable = Annotated[
@@ -47,6 +54,16 @@ Roster = Annotated[
 Course = Annotated[
     str, typer.Option(metavar="FILE.yaml", help="Lessons, due dates, points, lateness, limits.")
 ]
+
+
+def arm_of(name: str | Path) -> Arm:
+    """The arm of that name, or in that file; what has to be said of it goes to standard error."""
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        model = load(name)
+    for warning in noted:
+        print(f"Note: {warning.message}", file=sys.stderr)
+    return model
 
 
 def described(arm: Arm) -> dict[str, Any]:

@@ -11,9 +11,8 @@ from typing import Annotated
 import typer
 
 from ..formats.files import read_text
-from ..robots import load
 from ..units import ANGLE, LENGTH
-from .common import units_of
+from .common import arm_of, units_of
 
 __all__ = ["doctor"]
 
@@ -25,7 +24,10 @@ def doctor(
         str,
         typer.Argument(
             metavar="ARM",
-            help="The table that is doubted: a name of the library, or a .yaml or .csv table file.",
+            help=(
+                "The table that is doubted: a name of the library, a .yaml or .csv table file, or a"
+                " URDF."
+            ),
         ),
     ],
     poses: Annotated[
@@ -102,7 +104,7 @@ def doctor(
     lengths, angles = (
         (None, None) if protocol else units_of(units or _written_units(poses), "doctor")
     )
-    model = load(arm)
+    model = arm_of(arm)
     if protocol:
         _give_protocol(model, sheet, as_json)
         return

@@ -8,9 +8,8 @@ import numpy as np
 import typer
 
 from ..printing import matrix_text, number
-from ..robots import load
 from ..transform import to_xyz_rpy
-from .common import ArmName, Json
+from .common import ArmName, Json, arm_of
 
 __all__ = ["fk"]
 
@@ -36,7 +35,7 @@ def fk(
     as_json: Json = False,
 ) -> None:
     """Forward kinematics: where the end is, tool included."""
-    model = load(arm)
+    model = arm_of(arm)
     values = _joint_values(q, model, deg)
     pose = model.forward(values)
     if as_json:

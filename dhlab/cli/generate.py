@@ -4,8 +4,7 @@ from typing import Annotated
 
 import typer
 
-from ..robots import load
-from .common import ArmName
+from .common import ArmName, arm_of
 
 __all__ = ["generate"]
 
@@ -28,7 +27,7 @@ def generate(
     from ..generating import CHECKS
     from ..generating import generate as source_of
 
-    text = source_of(load(arm), to, name=name or None)
+    text = source_of(arm_of(arm), to, name=name or None)
     if not out:
         print(text, end="")
         return

@@ -8,10 +8,9 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from ..robots import load
 from ..transform import from_xyz_rpy
 from ..units import ANGLE, LENGTH
-from .common import ArmName, Json, units_of
+from .common import ArmName, Json, arm_of, units_of
 
 __all__ = ["ik"]
 
@@ -54,7 +53,7 @@ def ik(
     """Inverse kinematics: every configuration that brings the end to a pose, or why there is none;
     exit status 1 when there is none.
     """
-    model = load(arm)
+    model = arm_of(arm)
     if prepare:
         _prepare(model)
         if not pose:

@@ -19,7 +19,9 @@ from .files import write_text
 if TYPE_CHECKING:
     from ..geometry.frames import PlacedArm
 
-__all__ = ["read_urdf", "to_urdf"]
+__all__ = ["ENDINGS", "read_urdf", "to_urdf"]
+
+ENDINGS = (".urdf", ".xacro")
 
 FREE = 1e6  # m or rad; URDF wants limits on every sliding joint, and no arm goes further than this
 DUST = 1e-16  # what a cosine of 90° leaves in a length

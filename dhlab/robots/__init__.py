@@ -16,6 +16,8 @@ from ..formats import plainyaml
 from ..formats.plainyaml import fields, number, text
 from ..formats.tablefile import read_arm
 from ..formats.tableyaml import ARM_KEYS, arm_from_item, read_limits
+from ..formats.urdf import ENDINGS as URDF
+from ..formats.urdf import read_urdf
 from .examples import example
 
 __all__ = ["load", "robots", "entry", "example", "Entry", "CheckPose"]
@@ -67,13 +69,14 @@ def robots() -> list[str]:
 
 
 def load(name: str | Path) -> Arm:
-    """A named arm of the library, or the arm in a table file.
+    """A named arm of the library, or the arm in a table file or a URDF.
 
     Parameters
     ----------
     name : str or path
         ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), or the path of a
-        ``.yaml`` or ``.csv`` table file.
+        ``.yaml`` or ``.csv`` table file or of a ``.urdf`` or ``.xacro`` file (as :func:`read_urdf`
+        takes it without further options).
 
     Returns
     -------
@@ -94,7 +97,10 @@ def load(name: str | Path) -> Arm:
     ValueError: load: expected an arm of the library or a table file, found no 'pipr'; did you mean
     piper?
     """
-    if isinstance(name, Path) or Path(str(name)).suffix.lower() in (".yaml", ".yml", ".csv"):
+    ending = Path(str(name)).suffix.lower()
+    if ending in URDF:
+        return read_urdf(name)
+    if isinstance(name, Path) or ending in (".yaml", ".yml", ".csv"):
         return read_arm(name)
     key, _, table = str(name).partition(".")
     if key not in robots():

@@ -10,4 +10,5 @@ from .pictures.compared import compared as compared
 from .pictures.condition import condition as condition
 from .pictures.conventions import conventions as conventions
 from .pictures.link import link as link
+from .pictures.together import two_arms as two_arms
 from .pictures.workspace import workspace as workspace

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from terminal import dhlab
 
+import dhlab as library
+
 
 def test_fk_gives_the_articles_numbers():
     zero = dhlab("fk", "article-6r")
@@ -153,3 +155,12 @@ def test_generate_prints_or_writes_a_source_that_checks_itself(tmp_path):
     assert "found one that exists" in again.stderr
     assert out.read_bytes() == before
     assert "--to" in dhlab("generate", "--help").stdout
+
+
+def test_two_arms_are_compared(tmp_path):
+    done = dhlab("compare", "piper", "piper.sdk_old", "--picture", tmp_path / "two.png")
+    assert done.stdout.startswith("The same lengths and angles; what differs: joint 2's zero")
+    assert (tmp_path / "two.png").stat().st_size > 1000
+    library.to_urdf(library.load("piper"), tmp_path / "piper.urdf")
+    done = dhlab("compare", "piper", tmp_path / "piper.urdf", "--json")
+    assert json.loads(done.stdout)["kind"] == "same"

@@ -1,0 +1,164 @@
+"""An arm's links as numbers that stay small where axes are nearly parallel, and that mean the same
+for two arms: which pairs of axes are taken as parallel is decided for both at once.
+
+Where two neighbouring axes are nearly parallel, the common normal runs away; there the link goes
+through the plane across the first axis (Hayati & Mirmirani, "Improving the absolute positioning
+accuracy of robot manipulators", J. Robotic Systems 2, 1985): d = 0, and a fifth number, beta, turns
+about y.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..canonical import JointAxes
+from ..lines import across, angle_about, common_normal, nearest_on, tilt, unit
+from ..normals import NEARLY
+
+__all__ = ["Link", "Walk", "Cases", "cases_of", "walk", "links_of"]
+
+COAXIAL = 1e-3  # × reach; parallel axes nearer than this do not say which way x points
+CLEAR = 0.9  # a direction with a larger part along z does not say which way x points
+
+
+@dataclass(frozen=True)
+class Link:
+    """The numbers of joint k and of the link behind it: ``theta``, ``alpha``, ``beta`` in radians,
+    ``d``, ``a`` in metres; ``beta`` is 0 where the axes are not nearly parallel. ``near`` says that
+    they are: then ``d`` is 0. Of the last joint ``a``, ``alpha`` and ``beta`` are 0.
+    """
+
+    theta: float
+    d: float
+    a: float
+    alpha: float
+    beta: float
+    near: bool
+
+
+@dataclass(frozen=True)
+class Cases:
+    """What must be decided alike for arms that are compared: which links join nearly parallel axes
+    (n - 1), which of these one line, and which axis of the base and of the end says where x is."""
+
+    parallel: tuple[bool, ...]
+    coaxial: tuple[bool, ...]
+    base: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Walk:
+    """Along the chain: where each axis is reached (``into``, (n, 3)) and left (``out``, (n, 3)),
+    and the directions x_0 … x_n ((n + 1, 3)); metres."""
+
+    into: NDArray[np.float64]
+    out: NDArray[np.float64]
+    x: NDArray[np.float64]
+
+
+def cases_of(*arms: JointAxes) -> Cases:
+    """What to take for parallel in all of these arms; they have the same letters."""
+    n = len(arms[0].letters)
+    parallel = tuple(any(tilt(A.z[k], A.z[k + 1]) < NEARLY for A in arms) for k in range(n - 1))
+    coaxial = tuple(
+        parallel[k] and any(_between(A, k, parallel) < COAXIAL * max(A.reach, 1e-3) for A in arms)
+        for k in range(n - 1)
+    )
+    return Cases(
+        parallel,
+        coaxial,
+        _clear([(np.eye(3), A.z[0]) for A in arms]),
+        _clear([(A.end[:3, :3], A.z[-1]) for A in arms]),
+    )
+
+
+def _between(A, k, parallel):
+    """How far parallel axes k and k + 1 are apart; 0 where one of them slides and has no place."""
+    there = A.p[k + 1]
+    if A.letters[k + 1] == "P":
+        if not _is_put_behind(A.letters, k + 1, parallel):
+            return 0.0
+        there = A.p[k + 2]
+    return 0.0 if A.letters[k] == "P" else np.linalg.norm(across(there - A.p[k], A.z[k]))
+
+
+def _is_put_behind(letters, k, parallel):
+    """Whether sliding axis k goes onto the next, which turns and is parallel to it."""
+    return k + 1 < len(letters) and letters[k + 1] == "R" and parallel[k]
+
+
+def _clear(pairs: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> int:
+    """The first column that is not along z in any of the pairs (matrix, z)."""
+    along = np.max([abs(R.T @ z) for R, z in pairs], axis=0)
+    return int(np.argmax(along < CLEAR)) if (along < CLEAR).any() else int(np.argmin(along))
+
+
+def walk(A: JointAxes, cases: Cases) -> Walk:
+    """The chain of an arm, from the point of its first axis nearest to the base's origin to the
+    point of its last axis nearest to the end."""
+    n, p, z = len(A.letters), A.p.copy(), A.z
+    into, out, x = np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n + 1, 3))
+    _locate(A, p, 0, np.zeros(3), cases)
+    into[0] = nearest_on(p[0], z[0], np.zeros(3))
+    x[0] = unit(across(np.eye(3)[cases.base], z[0]))
+    for k in range(n - 1):
+        _locate(A, p, k + 1, into[k], cases)
+        if not cases.parallel[k]:
+            N = common_normal(p[k], z[k], p[k + 1], z[k + 1])
+            out[k], into[k + 1] = p[k] + N.out * z[k], p[k + 1] + N.into * z[k + 1]
+            x[k + 1] = N.x
+            continue
+        # a sliding joint takes the whole way along itself, so that its zero is its own
+        out[k] = nearest_on(p[k], z[k], _left(A, p, cases, k)) if A.letters[k] == "P" else into[k]
+        reached = (out[k] - p[k + 1]) @ z[k] / (z[k + 1] @ z[k])
+        into[k + 1] = p[k + 1] + reached * z[k + 1]
+        gap = across(into[k + 1] - out[k], z[k])
+        x[k + 1] = unit(across(x[k] if cases.coaxial[k] else gap, z[k]))
+    out[-1] = nearest_on(p[-1], z[-1], A.end[:3, 3]) if A.letters[-1] == "R" else into[-1]
+    x[-1] = unit(across(A.end[:3, cases.end], z[-1]))
+    return Walk(into, out, x)
+
+
+def _left(A, p, cases, k):
+    """About where the chain leaves axis k, seen from what follows it."""
+    if k == len(A.letters) - 1:
+        return nearest_on(p[k], A.z[k], A.end[:3, 3])
+    if cases.parallel[k]:
+        return _left(A, p, cases, k + 1)
+    return p[k] + common_normal(p[k], A.z[k], p[k + 1], A.z[k + 1]).out * A.z[k]
+
+
+def _locate(A, p, k, here, cases):
+    """A place for axis k where that slides, and only its direction counts: on the turning axis
+    behind it when that is parallel, else where the chain already is."""
+    if A.letters[k] != "P":
+        return
+    p[k] = p[k + 1] if _is_put_behind(A.letters, k, cases.parallel) else here
+
+
+def links_of(
+    A: JointAxes, way: Walk, cases: Cases, senses: NDArray[np.float64], flips: NDArray[np.float64]
+) -> list[Link]:
+    """The numbers of every joint, with z_k times ``senses`` (n,) and x_1 … x_{n-1} times ``flips``
+    (n - 1,), each +1 or -1."""
+    n = len(A.letters)
+    z = A.z * senses[:, None]
+    x = way.x * np.r_[1.0, flips, 1.0][:, None]
+    found = []
+    for k in range(n):
+        d = float((way.out[k] - way.into[k]) @ z[k])
+        theta = float(angle_about(z[k], across(x[k], z[k]), across(x[k + 1], z[k])))
+        if k == n - 1:
+            found.append(Link(theta, d, 0.0, 0.0, 0.0, False))
+            continue
+        a = float((way.into[k + 1] - way.out[k]) @ x[k + 1])
+        y = np.cross(z[k], x[k + 1])
+        alpha = float(np.arctan2(-z[k + 1] @ y, z[k + 1] @ z[k]))
+        beta = float(np.arcsin(np.clip(z[k + 1] @ x[k + 1], -1, 1))) if cases.parallel[k] else 0.0
+        found.append(Link(theta, d, a, alpha, beta, cases.parallel[k]))
+    return found
