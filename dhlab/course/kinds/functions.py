@@ -8,12 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor import explain_function
-from ...doctor.programs.calling import Called, CallFault, call_all, is_stub
+from ...doctor.programs.answers import answers_in_time, single_precision
+from ...doctor.programs.calling import Called, CallFault, is_stub
+from ...doctor.programs.cases import where
 from ..verdict import NOT_ATTEMPTED, Verdict
 from .exercise import Exercise, Said
 
 __all__ = ["CASES", "Function"]
 
+SINGLE = 1e-5  # largest deviation of an answer in single precision, absolute and relative
 CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
 
 
@@ -52,6 +55,11 @@ class Function(Exercise):
             return super().judge(answer, variant)
         except NotImplementedError:
             return super().judge(None, variant)
+        except KeyboardInterrupt:
+            return self.wrong(
+                headline="you interrupted the check before it came to an end",
+                next="Run the cell again.",
+            )
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         if not callable(answer) and not isinstance(answer, Called):
@@ -61,9 +69,10 @@ class Function(Exercise):
             )
         cases = self.cases(variant)
         try:
-            answers = [
-                self.read(given) for given in call_all(answer, cases, self.shape, self.names)
-            ]
+            special = [id(case) for case in cases[CASES:]]
+            cases, given = answers_in_time(answer, cases, self.shape, self.names)
+            tolerance = SINGLE if single_precision(answer, given) else self.tolerance
+            answers = [self.read(one) for one in given]
         except CallFault as fault:
             return self.wrong(
                 fault.mistake, headline=fault.headline, place=fault.place, next=fault.next
@@ -76,30 +85,33 @@ class Function(Exercise):
                 "the program answers as it did when it was handed out",
                 next="If you have changed something, it makes no difference: look elsewhere.",
             )
-        return self._compared(answers, cases)
+        general = sum(id(case) not in special for case in cases)
+        return self._compared(answers, cases, general, tolerance)
 
-    def _compared(self, answers, cases):
-        """The Verdict on what the calls gave."""
+    def _compared(self, answers, cases, general, tolerance):
+        """The Verdict on what the calls gave, of which the first are ``general``."""
         expected = [self.answer(*case) for case in cases]
         off = [
-            not np.allclose(a, e, rtol=self.tolerance, atol=self.tolerance)
-            for a, e in zip(answers, expected)
+            not np.allclose(a, e, rtol=tolerance, atol=tolerance) for a, e in zip(answers, expected)
         ]
         if not any(off):
             return self.right()
-        if not any(off[:CASES]):
+        if not any(off[:general]):
+            wrong = [case for case, bad in zip(cases, off) if bad]
+            right = [case for case, bad in zip(cases, off) if not bad]
+            place = where(self.family, wrong, right)
             return self.wrong(
-                headline=(
-                    "right at general numbers, wrong where an angle is 0, 90° or 180°, or a length"
-                    " is 0"
-                ),
-                place=self._call(cases[off.index(True)]),
+                headline=f"right at general numbers, wrong {'where ' if place else 'in a special '}"
+                f"{place or 'case'}",
+                place=self._call(wrong[0]),
                 next=(
                     "Look for a special case in the program: an if, a division, or a rounding of"
                     " small numbers to 0."
                 ),
             )
-        return self._explained(answers[:CASES], expected[:CASES], cases[:CASES], sum(off[:CASES]))
+        return self._explained(
+            answers[:general], expected[:general], cases[:general], sum(off[:general])
+        )
 
     def _explained(self, answers, expected, cases, off):
         """The Verdict on a program that is wrong at general numbers, in ``off`` of the calls."""

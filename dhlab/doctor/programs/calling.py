@@ -13,7 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["is_stub", "record", "call_all", "Called", "CallFault"]
+from .stops import in_words
+
+__all__ = ["Called", "CallFault", "is_stub", "line_of", "record", "shown"]
 
 
 class CallFault(Exception):
@@ -65,7 +67,7 @@ def is_stub(f):
     return steps[0].argval is None or steps[0].argval is Ellipsis
 
 
-def record(f, cases, names):
+def record(f, cases, names, run=None):
     """Call a function on every case, and on the first once more; what goes wrong is noted, not
     raised.
 
@@ -75,6 +77,8 @@ def record(f, cases, names):
     cases : list of tuples
     names : sequence of str
         What the arguments are called, for the messages.
+    run : callable, optional
+        ``run(f, *arguments)`` calls it, with a limit of time, say; f(*arguments) when left out.
 
     Returns
     -------
@@ -94,53 +98,13 @@ def record(f, cases, names):
             np.errstate(all="ignore"),
         ):
             warnings.simplefilter("ignore")
-            return Called(tuple(_call(f, case, names) for case in cases), _call(f, cases[0], names))
+            return Called(
+                tuple(_call(f, case, names, run) for case in cases), _call(f, cases[0], names, run)
+            )
     except CallFault as fault:
         return Called(fault=fault)
     except NotImplementedError:
         return Called(unwritten=True)
-
-
-def call_all(f, cases, shape, names):
-    """The answers of ``f`` to every case, each of the given shape and finite.
-
-    Parameters
-    ----------
-    f : callable or Called
-        Or what :func:`record` noted of one, with the same cases, somewhere else.
-    cases : list of tuples
-    shape : tuple
-        What every answer must have.
-    names : sequence of str
-        What the arguments are called, for the messages.
-
-    Returns
-    -------
-    list of arrays
-
-    Raises
-    ------
-    CallFault
-        The function stops, returns nothing or something of another shape, changes its inputs, or
-        answers differently the second time.
-    """
-    called = f if isinstance(f, Called) else record(f, cases, names)
-    if called.unwritten:
-        raise NotImplementedError
-    if called.fault:
-        raise called.fault
-    arrays = [
-        _as_array(answer, shape, case, names)
-        for answer, case in zip(called.answers, cases, strict=True)
-    ]
-    if not np.array_equal(arrays[0], _as_array(called.again, shape, cases[0], names)):
-        raise CallFault(
-            "the second call with the same numbers gives another answer",
-            _shown(cases[0], names),
-            "Start from np.eye(4) inside the function, and change nothing that lives outside it.",
-            "state-between-calls",
-        )
-    return arrays
 
 
 def _fits(f, names):
@@ -163,23 +127,29 @@ def _fits(f, names):
         ) from None
 
 
-def _call(f, case, names):
+def _call(f, case, names, run):
     given = copy.deepcopy(case)
     try:
-        answer = copy.deepcopy(f(*given))
+        answer = copy.deepcopy(run(f, *given) if run else f(*given))
     except NotImplementedError:
         raise
+    except KeyboardInterrupt:
+        raise CallFault(
+            "you interrupted the function",
+            shown(case, names),
+            "Look for a loop that never ends, or shorten what it computes, and try again.",
+        ) from None
     except (Exception, SystemExit) as error:
-        place = "; ".join(filter(None, (_line_of(error, f), _shown(case, names))))
         raise CallFault(
             f"the function stops with {type(error).__name__}: {str(error)[:200]}",
-            place,
-            f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
+            "; ".join(filter(None, (line_of(error, f), shown(case, names)))),
+            in_words(error)
+            or f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
         ) from None
     if not all(np.array_equal(before, after) for before, after in zip(case, given)):
         raise CallFault(
             "the function changes the numbers it was given",
-            _shown(case, names),
+            shown(case, names),
             "Work on a copy, or write x = x + … in place of x += …",
             "inputs-changed",
         )
@@ -194,89 +164,19 @@ def _call_text(f, case):
     return "with a short table of your own"
 
 
-def _line_of(error, f):
-    """The line inside the learner's function where it stopped."""
-    frames = (
-        [
-            frame
-            for frame in traceback.extract_tb(error.__traceback__)
-            if frame.filename == getattr(f, "__code__", f).co_filename
-        ]
-        if hasattr(f, "__code__")
-        else []
-    )
-    return (
-        f"line {frames[-1].lineno - f.__code__.co_firstlineno + 1} of {f.__name__}:"
-        f" {frames[-1].line}"
-        if frames and frames[-1].line
-        else ""
-    )
+def line_of(error, f):
+    """The learner's own line in which an error arose, with its number in the file or cell; "" when
+    it is not known.
+    """
+    file = getattr(getattr(f, "__code__", None), "co_filename", None)
+    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
+    if not own:
+        return ""
+    where = f"line {own[-1].lineno}, in {own[-1].name}"
+    return f"{where}: {own[-1].line}" if own[-1].line else where
 
 
-def _as_array(answer, shape, case, names):
-    if answer is None or answer is Ellipsis:
-        raise CallFault(
-            "the function returns nothing", _shown(case, names), "Is the return missing?"
-        )
-    array = _numbers(answer)
-    if array is None:
-        raise _no_numbers(answer, shape, case, names)
-    if array.shape != shape:
-        raise _other_shape(array, shape, case, names)
-    if not np.isfinite(array).all():
-        raise CallFault(
-            "the answer holds NaN or infinity",
-            _shown(case, names),
-            "Look for a division by zero or a square root of a negative number.",
-        )
-    return array
-
-
-def _numbers(answer):
-    """The array of an answer, None where it holds something else than numbers."""
-    try:
-        array = np.asarray(answer)
-    except ValueError:  # rows of different lengths
-        array = np.asarray(None)
-    if array.dtype.kind == "O":
-        try:
-            array = array.astype(float)
-        except (TypeError, ValueError):
-            return None
-    return array if array.dtype.kind in "iufb" else None
-
-
-def _no_numbers(answer, shape, case, names):
-    if any(entry is Ellipsis for entry in np.asarray(answer, dtype=object).flat):
-        return CallFault(
-            "there are still three dots in what the function returns",
-            "",
-            "Put a number or a formula in place of every ...",
-        )
-    wanted = "×".join(map(str, shape))
-    return CallFault(
-        f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
-        _shown(case, names),
-    )
-
-
-def _other_shape(array, shape, case, names):
-    found = "×".join(map(str, array.shape)) or "a single number"
-    mistake = "last-row-missing" if array.shape == (3, 4) and shape == (4, 4) else None
-    turned = (
-        "Rows and columns have changed places: return the transpose."
-        if array.shape == shape[::-1]
-        else "Print the shape of what you return."
-    )
-    return CallFault(
-        f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
-        _shown(case, names),
-        "A pose needs its fourth row, 0 0 0 1." if mistake else turned,
-        mistake,
-    )
-
-
-def _shown(case, names):
+def shown(case, names):
     """The call, for a reader who wants to repeat it."""
 
     def text(value):

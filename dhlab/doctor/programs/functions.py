@@ -11,8 +11,9 @@ from ..catalogue import catalogue
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
 from ..mistakes.registry import only_seen
-from .calling import CallFault, call_all, is_stub
-from .cases import SPECIAL, general_chain, general_row
+from .answers import answers_in_time, call_all, single_precision
+from .calling import CallFault, is_stub
+from .cases import SPECIAL, general_chain, general_row, where
 from .explain import explain_all
 from .wrong.links import standard
 from .wrong.products import product
@@ -23,26 +24,11 @@ NAMES = {"dh_transform": ("theta", "d", "a", "alpha"), "forward_kinematics": ("r
 RIGHT = {"dh_transform": standard, "forward_kinematics": product}
 SEED = 4
 CALLS = 16
-LINKS = (
-    2,
-    3,
-    4,
-    5,
-    6,
-    3,
-    7,
-    4,
-    2,
-    5,
-    3,
-    6,
-)  # rows of the chains, so that no program can be right for one length alone
-EXACT, SINGLE = (
-    1e-6,
-    1e-5,
-    # largest deviation of an agreeing answer, absolute and relative; the second where it comes in
-    # single precision
-)
+# rows of the chains, so that no program can be right for one length alone
+LINKS = (2, 3, 4, 5, 6, 3, 7, 4, 2, 5, 3, 6)
+LEAST_CALLS = min(CALLS, len(LINKS))
+# largest deviation of an agreeing answer, absolute and relative; the second in single precision
+EXACT, SINGLE = 1e-6, 1e-5
 
 
 def diagnose_function(f, kind):
@@ -94,24 +80,57 @@ def diagnose_function(f, kind):
         )
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
-    cases, special = _cases(kind)
     try:
-        answers = call_all(f, cases, (4, 4), NAMES[kind])
-        answers_there = call_all(f, special, (4, 4), NAMES[kind])
+        return _diagnosed(f, kind)
     except NotImplementedError:
         return Diagnosis(
             UNEXPLAINED, "Nothing is written in this function yet: it raises NotImplementedError."
         )
     except CallFault as fault:
         return _stopped(fault)
-    steps = (
-        _compared(answers, cases, kind),
-        _special(answers_there, special, kind),
-        _agrees(answers, cases, kind),
+    except KeyboardInterrupt:
+        return Diagnosis(UNEXPLAINED, "You interrupted the search before it came to an end.")
+
+
+def _diagnosed(f, kind):
+    """The diagnosis of a function that is called here."""
+    cases, special = _cases(kind)
+    cases, answers = answers_in_time(f, cases, (4, 4), NAMES[kind])
+    special, answers_there = answers_in_time(f, special, (4, 4), NAMES[kind])
+    single = single_precision(f, answers)
+    here, there = (
+        Answers(*part, kind, single) for part in ((cases, answers), (special, answers_there))
     )
+    steps = (_compared(here, there), _special(here, there), _from_lists(f, here), _agrees(here))
     return next(
         diagnosis for diagnosis in steps if diagnosis is not None
     )  # not "or": a diagnosis of something wrong is false
+
+
+class Answers:
+    """What a program answered, beside what is right.
+
+    ``cases`` are the calls, ``given`` the answers (m, 4, 4), ``right`` the right ones, ``off``
+    whether each call went wrong, ``tolerance`` the largest deviation of one that did not.
+    """
+
+    def __init__(self, cases, given, kind, single):
+        self.cases, self.kind = cases, kind
+        self.given = given
+        self.right = np.array([RIGHT[kind](*case) for case in cases])
+        self.tolerance = SINGLE if single else EXACT
+        self.off = [
+            not np.allclose(answer, pose, rtol=self.tolerance, atol=self.tolerance)
+            for answer, pose in zip(given, self.right)
+        ]
+
+    @property
+    def array(self):
+        return np.array(self.given, dtype=float)
+
+    def among(self, off):
+        """The calls that went wrong, or those that did not."""
+        return [case for case, wrong in zip(self.cases, self.off) if wrong == off]
 
 
 @cache
@@ -120,8 +139,7 @@ def _cases(kind):
     rng = np.random.default_rng(SEED)
     if kind == "dh_transform":
         return [general_row(rng) for _ in range(CALLS)], SPECIAL[kind]
-    rows, q = SPECIAL[kind][0]
-    return [general_chain(rng, n) for n in LINKS], (*SPECIAL[kind], (rows[:1], q[:1]))
+    return [general_chain(rng, n) for n in LINKS], SPECIAL[kind]
 
 
 def _stopped(fault):
@@ -138,40 +156,22 @@ def _stopped(fault):
     )
 
 
-def _tolerance(answers):
-    return SINGLE if all(answer.dtype == np.float32 for answer in answers) else EXACT
-
-
-def _off(answers, right, tolerance):
-    return [
-        not np.allclose(answer, pose, rtol=tolerance, atol=tolerance)
-        for answer, pose in zip(answers, right)
-    ]
-
-
-def _compared(answers, cases, kind):
+def _compared(here, there):
     """None when all general answers are right, otherwise the diagnosis."""
-    right = np.array([RIGHT[kind](*case) for case in cases])
-    off = _off(answers, right, _tolerance(answers))
-    if not any(off):
+    if not any(here.off):
         return None
-    before = _residual(np.array(answers, dtype=float), right)
-    if _remembered(answers, cases, off):
+    before = _residual(here.array, here.right)
+    if _remembered(here.given, here.cases, here.off):
         headline = (
             "One mistake explains what this program does: it gives an earlier call's answer again."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    findings = explain_all(
-        answers, right, cases, kind, _tolerance(answers) if answers[0].dtype == np.float32 else 1e-9
-    )
+    tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
+    findings = explain_all(here.given, here.right, here.cases, here.kind, tolerance)
     if findings and not only_seen(findings[0].mistake):
         return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
     return Diagnosis(
-        UNEXPLAINED,
-        _unexplained(answers, right, off),
-        findings,
-        before=before,
-        notes=_hints(answers, right, cases, off, kind),
+        UNEXPLAINED, _unexplained(here), findings, before=before, notes=_hints(here, there)
     )
 
 
@@ -199,10 +199,10 @@ def _headline(findings):
     return f"Mistakes that together explain what this program answers: {'; '.join(titles)}."
 
 
-def _unexplained(answers, right, off):
-    if all(np.array_equal(answer, answers[0]) for answer in answers):
+def _unexplained(here):
+    if all(np.array_equal(answer, here.given[0]) for answer in here.given):
         return "The answer is the same whatever goes in, and no known mistake explains it."
-    difference = np.abs(np.array(answers) - right).max(axis=0)
+    difference = np.abs(here.array - here.right).max(axis=0)
     rotation, position = difference[:3, :3].max() > EXACT, difference[:3, 3].max() > EXACT
     words = {
         (True, True): "rotation and position are",
@@ -211,26 +211,37 @@ def _unexplained(answers, right, off):
         (False, False): "the last row is",
     }
     what = words[bool(rotation), bool(position)]
-    return f"No known mistake explains the answers: {what} wrong in {sum(off)} of {len(off)} calls."
+    return (
+        f"No known mistake explains the answers: {what} wrong in {sum(here.off)} of"
+        f" {len(here.off)} calls."
+    )
 
 
-def _hints(answers, right, cases, off, kind):
+def _hints(here, there):
     """What can be said of answers that no known mistake explains."""
-    fault = pose_fault(np.array(answers, dtype=float))
+    fault = pose_fault(here.array)
     notes = [f"Not every answer is a pose: {fault}."] if fault else []
-    if 0 < sum(off) < len(off):
-        k = off.index(True)
-        numbers = (
-            ", ".join(f"{name} = {value:.3g}" for name, value in zip(NAMES[kind], cases[k]))
-            if kind == "dh_transform"
-            else ""
-        )
-        shown = numbers or f"{len(cases[k][1])} rows"
+    if all(here.off) and all(there.off):
+        return tuple(notes)
+    place = where(
+        here.kind, here.among(True) + there.among(True), here.among(False) + there.among(False)
+    )
+    if place:
+        notes.append(f"Wrong where {place}, and right in every other call.")
+    elif not all(here.off):
+        right = len(here.off) - sum(here.off)
         notes.append(
-            f"Right in {len(off) - sum(off)} calls; wrong at {shown}. Look for an if, or for a sign"
-            " that abs or sqrt took away."
+            f"Right in {right} calls; wrong at {_numbers_of(here.among(True)[0], here.kind)}. Look"
+            " for an if, or for a sign that abs or sqrt took away."
         )
     return tuple(notes)
+
+
+def _numbers_of(case, kind):
+    """The arguments of a call, where they are few enough to be read."""
+    if kind == "dh_transform":
+        return ", ".join(f"{name} = {value:.3g}" for name, value in zip(NAMES[kind], case))
+    return f"{len(case[1])} rows"
 
 
 def _residual(answers, right):
@@ -242,31 +253,51 @@ def _residual(answers, right):
     return millimetres, float(np.degrees(np.arccos(np.clip(cosine, -1, 1))).max())
 
 
-def _special(answers, cases, kind):
+def _special(here, there):
     """None when the special answers are right too."""
-    right = np.array([RIGHT[kind](*case) for case in cases])
-    off = _off(answers, right, _tolerance(answers))
-    if not any(off):
+    if not any(there.off):
         return None
+    wrong = there.among(True)
+    place = where(here.kind, wrong, here.cases + there.among(False))
+    place = f"where {place}" if place else f"at special ones: {_numbers_of(wrong[0], here.kind)}"
     return Diagnosis(
         UNEXPLAINED,
-        "Right at general numbers, wrong where angles are 0 or 90° or there is one row only.",
-        before=_residual(np.array(answers, dtype=float), right),
+        f"Right at general numbers, wrong {place}.",
+        before=_residual(there.array, there.right),
         notes=(
-            (
-                "Look for a special case in the program: an if, a division, or a rounding of small"
-                " numbers to 0."
-            ),
+            "Look for a special case in the program: an if, a division, a rounding of small"
+            " numbers to 0, or a number of rows that is written in.",
         ),
     )
 
 
-def _agrees(answers, cases, kind):
-    right = np.array([RIGHT[kind](*case) for case in cases])
-    worst = float(np.abs(np.array(answers, dtype=float) - right).max())
-    notes = (
-        (f"Right to {worst:.0e}: the program computes in single precision.",)
-        if worst > 1e-9
-        else ()
+def _from_lists(f, here):
+    """None when lists give what arrays give, or when the program asks for arrays."""
+    if here.kind != "forward_kinematics":
+        return None
+    rows, q = here.cases[0]
+    try:
+        (answer,) = call_all(f, [(rows.tolist(), q.tolist())], (4, 4), NAMES[here.kind])
+    except CallFault:
+        return None
+    if np.allclose(answer, here.right[0], rtol=here.tolerance, atol=here.tolerance):
+        return None
+    return Diagnosis(
+        UNEXPLAINED,
+        "Right when rows and q are arrays, wrong when the same numbers come as lists.",
+        before=_residual(np.array([answer], dtype=float), here.right[:1]),
+        notes=(
+            "With lists + puts one behind the other and * repeats: begin with"
+            " np.asarray(rows, dtype=float).",
+        ),
     )
-    return Diagnosis(AGREES, "This program gives the right pose in every call.", notes=notes)
+
+
+def _agrees(here):
+    worst = float(np.abs(here.array - here.right).max())
+    notes = []
+    if worst > 1e-9:
+        notes.append(f"Right to {worst:.0e}: the program computes in single precision.")
+    if len(here.cases) < LEAST_CALLS:
+        notes.append(f"It is slow, so that only {len(here.cases)} general calls were made.")
+    return Diagnosis(AGREES, "This program gives the right pose in every call.", notes=tuple(notes))

@@ -19,6 +19,7 @@ STAND_IN = PACKAGE / "grading" / "inside" / "stand_in"
 LEFT_OUT = shutil.ignore_patterns("course", "grading", "lessons", "teacher", "view", "cli", "*.tmp")
 # of the course: what lessons call and what holds no exercise
 FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
+CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
 SYSTEM = (
     "/usr",
     "/lib",
@@ -46,7 +47,8 @@ def stage(folder: str) -> None:
         target / "grading" / "inside",
         ignore=shutil.ignore_patterns("stand_in"),
     )
-    shutil.copy2(PACKAGE / "doctor" / "programs" / "calling.py", target / "grading" / "inside")
+    for name in CALLING:
+        shutil.copy2(PACKAGE / "doctor" / "programs" / name, target / "grading" / "inside")
     for name in ("course", "view"):
         (target / name).mkdir()
         shutil.copy2(STAND_IN / f"{name}.py", target / name / "__init__.py")

@@ -1,0 +1,232 @@
+"""What a learner's function gave, as arrays of one shape; and what keeps an answer from being one,
+in words.
+"""
+
+import time
+
+import numpy as np
+
+from .calling import Called, CallFault, record, shown
+from .deadline import OutOfTime, limited
+
+__all__ = ["answers_in_time", "call_all", "single_precision"]
+
+SECONDS = 8  # of the processor, for all calls of a function together
+SINGLE = {"float32", "single", "float16", "half", "f4"}
+LEAST = 3  # calls; a program that is right in three general ones is right in general
+
+
+def answers_in_time(f, cases, shape, names, seconds=SECONDS):
+    """The answers of ``f`` to as many cases as the time allows for, evenly chosen.
+
+    Parameters
+    ----------
+    f, cases, shape, names
+        As for :func:`call_all`.
+    seconds : float
+        Of the processor.
+
+    Returns
+    -------
+    (list of tuples, list of arrays)
+        The cases that were called, and the answers.
+
+    Raises
+    ------
+    CallFault
+        As :func:`call_all`; or not even three calls end in time.
+    """
+    if isinstance(f, Called):
+        return list(cases), call_all(f, cases, shape, names)
+    start = time.process_time()
+
+    def run(f, *given):
+        return limited(max(seconds - (time.process_time() - start), 0.01), f, *given)
+
+    try:
+        call_all(f, cases[:1], shape, names, run)
+        each = (time.process_time() - start) / 2  # the first case is called twice
+        many = max(LEAST, int(seconds / 2 / max(each, 1e-9)))
+        if many < len(cases):
+            chosen = np.linspace(0, len(cases) - 1, many).round().astype(int)
+            cases = [cases[k] for k in dict.fromkeys(chosen)]
+        return list(cases), call_all(f, cases, shape, names, run)
+    except OutOfTime:
+        raise CallFault(
+            f"the function takes too long: {len(cases)} calls do not end in {seconds:g} seconds",
+            "",
+            "Does a loop run for ever? With SymPy, put the numbers in before the matrices are"
+            " multiplied, and simplify nothing.",
+        ) from None
+
+
+def single_precision(f, answers):
+    """Whether a program computes with 32 or 16 bits: its answers do, or the function or one that it
+    calls says so.
+
+    Examples
+    --------
+    >>> single_precision(None, [np.eye(4, dtype=np.float32)]), single_precision(abs, [np.eye(4)])
+    (True, False)
+    """
+    if all(answer.dtype in (np.float32, np.float16) for answer in answers):
+        return True
+    return not SINGLE.isdisjoint(_names_in(f))
+
+
+def _names_in(f, depth=2):
+    """The names and texts that a function uses, and those that the functions use that it calls."""
+    code = getattr(f, "__code__", None)
+    if code is None:
+        return set()
+    texts = {text for text in code.co_consts if isinstance(text, str)}
+    found, around = texts | set(code.co_names), getattr(f, "__globals__", {})
+    if depth:
+        for name in code.co_names:
+            found |= _names_in(around.get(name), depth - 1)
+    return found
+
+
+def call_all(f, cases, shape, names, run=None):
+    """The answers of ``f`` to every case, each of the given shape and finite.
+
+    Parameters
+    ----------
+    f : callable or Called
+        Or what :func:`record` noted of one, with the same cases, somewhere else.
+    cases : list of tuples
+    shape : tuple
+        What every answer must have.
+    names : sequence of str
+        What the arguments are called, for the messages.
+    run : callable, optional
+        As for :func:`record`.
+
+    Returns
+    -------
+    list of arrays
+
+    Raises
+    ------
+    CallFault
+        The function stops, returns nothing or something of another shape, changes its inputs, or
+        answers differently the second time.
+    """
+    called = f if isinstance(f, Called) else record(f, cases, names, run)
+    if called.unwritten:
+        raise NotImplementedError
+    if called.fault:
+        raise called.fault
+    arrays = [
+        _as_array(answer, shape, case, names)
+        for answer, case in zip(called.answers, cases, strict=True)
+    ]
+    if not np.array_equal(arrays[0], _as_array(called.again, shape, cases[0], names)):
+        raise CallFault(
+            "the second call with the same numbers gives another answer",
+            shown(cases[0], names),
+            "Start from np.eye(4) inside the function, and change nothing that lives outside it.",
+            "state-between-calls",
+        )
+    return arrays
+
+
+def _as_array(answer, shape, case, names):
+    if answer is None or answer is Ellipsis:
+        raise CallFault(
+            "the function returns nothing", shown(case, names), "Is the return missing?"
+        )
+    array = _numbers(answer)
+    if array is None:
+        raise _no_numbers(answer, shape, case, names)
+    if array.shape != shape:
+        raise _other_shape(array, shape, case, names)
+    if not np.isfinite(array).all():
+        raise CallFault(
+            "the answer holds NaN or infinity",
+            shown(case, names),
+            "Look for a division by zero or a square root of a negative number.",
+        )
+    return array
+
+
+def _numbers(answer):
+    """The array of an answer, None where it holds something else than numbers."""
+    try:
+        array = np.asarray(answer)
+        if array.dtype.kind == "O":
+            array = array.astype(float)
+    except (TypeError, ValueError):  # also rows of different lengths
+        return None
+    return array if array.dtype.kind in "iufb" else None
+
+
+def _no_numbers(answer, shape, case, names):
+    if _has_dots(answer):
+        return CallFault(
+            "there are still three dots in what the function returns",
+            "",
+            "Put a number or a formula in place of every ...",
+        )
+    if shape == (4, 4) and _is_pair(answer):
+        return CallFault(
+            "rotation and position come back apart, expected one array of 4×4 numbers",
+            shown(case, names),
+            "T = np.eye(4); T[:3, :3] = R; T[:3, 3] = p",
+            "pose-incomplete",
+        )
+    wanted = "×".join(map(str, shape))
+    if _is_complex(answer):
+        return CallFault(
+            f"the function returns complex numbers, expected an array of {wanted} real ones",
+            shown(case, names),
+            "Look for a square root of a negative number, or for a j behind a number.",
+        )
+    return CallFault(
+        f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
+        shown(case, names),
+        "Print what it returns, and its type.",
+    )
+
+
+def _has_dots(answer):
+    if isinstance(answer, np.ndarray):
+        answer = answer.tolist()
+    return answer is Ellipsis or (
+        isinstance(answer, (list, tuple)) and any(_has_dots(entry) for entry in answer)
+    )
+
+
+def _is_pair(answer):
+    """Whether an answer is a rotation and a position, or the other way round."""
+    if not isinstance(answer, (tuple, list)) or len(answer) != 2:
+        return False
+    parts = [_numbers(part) for part in answer]
+    return sorted(np.size(part) for part in parts if part is not None) == [3, 9]
+
+
+def _is_complex(answer):
+    try:
+        return np.asarray(answer).dtype.kind == "c"
+    except ValueError:
+        return False
+
+
+def _other_shape(array, shape, case, names):
+    found = "×".join(map(str, array.shape)) or "a single number"
+    mistake, do = None, "Print the shape of what you return."
+    if array.shape == shape[::-1]:
+        do = "Rows and columns have changed places: return the transpose."
+    elif shape == (4, 4) and array.shape == (3, 4):
+        mistake, do = "last-row-missing", "A pose needs its fourth row, 0 0 0 1."
+    elif shape == (4, 4) and array.size in (3, 9) and array.ndim <= 2:
+        mistake = "pose-incomplete"
+        do = f"This is the {'position' if array.size == 3 else 'rotation'} alone, perhaps."
+    elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
+        do = "A list of them comes back: return one, the last."
+    return CallFault(
+        f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
+        shown(case, names),
+        do,
+        mistake,
+    )

@@ -1,0 +1,141 @@
+"""Python's errors in a learner's words: what most likely stands in the line where a program for
+poses stops.
+"""
+
+import re
+
+__all__ = ["in_words"]
+
+COMMA = "a comma, or a * between two factors, is missing there: (…) (…) and […] […] are no lists."
+FOUR = "A row holds four numbers in this order: θ offset, d, a, α."
+# (kind of error, what its message holds, what to do): the first that fits is told
+_WORDS = (
+    ("TypeError", r"list indices must be integers or slices, not tuple", f"Perhaps {COMMA}"),
+    (
+        "TypeError",
+        r"'(list|tuple|int|float|numpy\.\w+)' object is not callable",
+        f"Perhaps {COMMA} Or a variable has the name of the function that is called.",
+    ),
+    (
+        "IndexError",
+        r"only integers, slices",
+        f"{FOUR} Take a number out by its place, row[0] to row[3], not by a name or a decimal.",
+    ),
+    (
+        "IndexError|KeyError",
+        r"out of (bounds|range)|^\d+$",
+        "Python counts from 0: n things have the places 0 to n - 1. Print the index that is used"
+        " there, and how many there are.",
+    ),
+    (
+        "KeyError|AttributeError|TypeError",
+        r"^'\w+'$|object has no attribute '(theta|offset|d|a|alpha|get|items|keys|type)'"
+        r"|string ind|argument after \*\* must be a mapping",
+        f"{FOUR} It is no dictionary and has no names: take row[0] to row[3].",
+    ),
+    (
+        "TypeError",
+        r"only (size-1|length-1|0-dimensional) arrays|only .*arrays can be converted",
+        "A function of math, or float(…), takes one number and is given several: an index is"
+        " missing, or np.cos and np.sin are meant.",
+    ),
+    (
+        "ValueError",
+        r"matmul|not aligned|broadcast together|dot:",
+        "These two have shapes that cannot be combined: print both with .shape. A pose is 4×4; a"
+        " 3×4 block lacks its last row 0 0 0 1, a 3×3 block its fourth row and column.",
+    ),
+    (
+        "ValueError",
+        r"setting an array element with a sequence|inhomogeneous|could not broadcast input",
+        "The rows have different lengths, or one entry is an array and not a number: count the"
+        " entries of each row, and print what each one is.",
+    ),
+    (
+        "ValueError|TypeError",
+        r"(too many|not enough) values to unpack|cannot unpack",
+        f"As many names as values must stand on the left. {FOUR}",
+    ),
+    (
+        "TypeError",
+        r"'NoneType'",
+        "Something that is used there is None: a function that it calls has no return.",
+    ),
+    (
+        "TypeError",
+        r"sequence by non-int|'(list|tuple)'|can only concatenate|unhashable",
+        "Lists do not calculate: make them arrays first, with np.array(…).",
+    ),
+    (
+        "UFuncTypeError|_UFuncOutputCastingError|TypeError",
+        r"Cannot cast ufunc|same_kind",
+        "This array holds whole numbers only. Give it dtype=float where it is made.",
+    ),
+    (
+        "UnboundLocalError",
+        "",
+        "This name gets its value further down, or only in a branch that was not taken: give it one"
+        " before the loop.",
+    ),
+    (
+        "NameError",
+        r"name '(np|numpy|math|sin|cos|pi|sp|sympy)'",
+        "It was not imported where the function stands: import numpy as np, or from numpy import"
+        " sin, cos, pi.",
+    ),
+    ("NameError", "", "Nothing has this name there: look for another spelling of it."),
+    (
+        "RecursionError",
+        "",
+        "The function calls itself without end: the case in which it answers by itself is missing"
+        " or never reached.",
+    ),
+    ("ZeroDivisionError", "", "A length or an angle may be 0: nothing may be divided by it."),
+    (
+        "TypeError",
+        r"positional argument|unexpected keyword|multiple values",
+        "A function is called with other arguments than it takes: count them in its def line.",
+    ),
+    ("AttributeError", r"^module ", "This module has nothing of that name: look at its spelling."),
+    (
+        "TypeError",
+        r"not iterable|has no len|not subscriptable",
+        "One number stands there where a list or an array is meant.",
+    ),
+    (
+        "ValueError",
+        r"math domain|expected a (non)?negative",
+        "acos and asin take numbers from -1 to 1, sqrt takes none below 0.",
+    ),
+    ("LinAlgError", "", "There is nothing to invert here: forward kinematics is a product."),
+)
+
+
+def in_words(error):
+    """What an error most likely means; "" where nobody can say.
+
+    Parameters
+    ----------
+    error : BaseException
+
+    Returns
+    -------
+    str
+        A sentence or two.
+
+    Examples
+    --------
+    >>> in_words(IndexError("list index out of range"))[:21]
+    'Python counts from 0:'
+    >>> in_words(ValueError("a value of their own"))
+    ''
+    """
+    kind, message = type(error).__name__, str(error)
+    return next(
+        (
+            words
+            for kinds, pattern, words in _WORDS
+            if kind in kinds.split("|") and re.search(pattern, message)
+        ),
+        "",
+    )
