@@ -68,6 +68,8 @@ def build(out):
         shutil.rmtree(folder, ignore_errors=True)
     for name, text in texts.items():
         _write(source / name, text)
+    for picture in DOCS.glob("benchmarks/*.svg"):
+        shutil.copy(picture, source / "benchmarks")
     status = sphinx(
         [
             "-W",
