@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from html import escape
 from typing import Any
 
-from .exercises import exercises
+from .exercises import exercises, sittings
 from .growth import Growth
 from .kinds import Prediction
 from .progress import Log, Progress
@@ -127,17 +127,18 @@ def progress(lesson: str = "") -> Progress:
     Parameters
     ----------
     lesson : str
-        Such as ``"05"``; all lessons when left out.
+        A sitting, such as ``"05"`` or ``"08b"``; all when left out.
 
     Examples
     --------
     >>> progress("05").to_dict()["05.3"]["of"]
     1
     """
+    wanted = sittings().get(lesson, ())
     scored = {
         key: exercise
         for key, exercise in exercises().items()
-        if not isinstance(exercise, Prediction) and key.startswith(lesson)
+        if not isinstance(exercise, Prediction) and (not lesson or key in wanted)
     }
     if not scored:
         raise ValueError(

@@ -190,6 +190,7 @@ def with_whole_turns(T):
 
 RIGHT_WAYS = {
     "08.2": [column_by_column, all_at_once, by_lines],
+    "08.11": [column_by_column, all_at_once, by_lines],
     "08.4": [by_rotation_vector, by_angle_and_axis, by_the_tool],
     "08.6": [
         as_in_the_lesson,

@@ -293,19 +293,6 @@ def test_undamped_steps_are_named_however_they_are_made(name, variant):
     assert half.mistake is None and "steps = 1" in half.next and "entry" not in str(half)
 
 
-def test_an_unwritten_jacobian_is_named_in_the_solver():
-    space = {}
-    exec(
-        # as in a notebook: both are global names
-        "def geometric_jacobian(frames, T_end, sliding):\n    'to be written'\n"
-        "def inverse_kinematics(rows, T_goal, q, damping, steps):\n    return"
-        " geometric_jacobian(rows, T_goal, q).T @ q",
-        space,
-    )
-    verdict = LESSON["08.6"].judge(space["inverse_kinematics"])
-    assert verdict.headline == "geometric_jacobian returned nothing" and "08.2" in verdict.next
-
-
 READ_OFF = {
     "θ4 is off by 180°": (lambda y, x: (-y, -x), None),
     "θ6 is off by 180°": (None, lambda y, x: (-y, -x)),
@@ -470,3 +457,53 @@ def test_sliding_joints_are_refused():
     arm = dh.load("stanford")
     with pytest.raises(ValueError, match="turning joints only"):
         other_solvers(arm, arm.forward([0.3] * 6), np.zeros(6))
+
+
+# ---- any q that reaches the pose of 08.13
+
+
+def test_every_branch_of_the_unseen_arm_passes_and_what_misses_is_told_by_how_much():
+    ur5e = dh.load("ur5e")
+    for variant in variants(4):
+        T = np.array(LESSON["08.13"].given(variant)["T"])
+        ways = ur5e.solve(T).q
+        assert len(ways) >= 2
+        for q in ways:
+            assert max(pose_errors(elementary_pose(ur5e.table, q), T)) < 1e-6
+            assert LESSON["08.13"].judge(q + 2 * np.pi, variant).status == "right"
+        degrees = LESSON["08.13"].judge(np.rad2deg(ways[0]), variant)
+        assert degrees.mistake == "degrees-for-radians"
+        near = ways[0] + np.array([0.02, 0, 0, 0, 0, 0])  # turned about the base's axis
+        metres = 2 * np.sin(0.01) * np.hypot(T[0, 3], T[1, 3])
+        said = LESSON["08.13"].judge(near, variant).headline
+        assert f"{1000 * metres:.3g} mm and 1.15° away" in said
+
+
+def test_the_lines_of_a_column_make_the_column():
+    """The lines of 08.10, run: a right order gives the derivative, a wrong one another or none."""
+    exercise, q = LESSON["08.10"], np.deg2rad([10, 30, -40, 25, 50, 0])
+    code = {key: text.strip("`") for key, text in exercise.items.items()}
+    right = by_differences(partial(elementary_pose, ARM.table), q)[:, 2]
+
+    def column(lines):
+        space = {"np": np, "arm": ARM, "q": q, "i": 3}
+        try:
+            for line in lines:
+                exec(code[line], space)
+        except NameError:
+            return None
+        return space.get("column")
+
+    orders = list(permutations(["frames", "end", "frame-before", "lever", "stack"]))
+    orders += [
+        ("frames", "end", *rest)
+        for rest in (
+            ("own-frame", "lever", "stack"),
+            ("frame-before", "lever-reversed", "stack"),
+            ("frame-before", "base-origin", "stack"),
+        )
+    ]
+    for lines in orders:
+        found = column(lines)
+        good = found is not None and np.allclose(found, right, atol=1e-6)
+        assert (exercise.judge(list(lines)).status == "right") == good, lines

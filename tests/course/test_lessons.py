@@ -8,7 +8,7 @@ import nbformat
 import pytest
 
 from dhlab.course.building import build, contract, notebooks, reading
-from dhlab.course.exercises import exercises
+from dhlab.course.exercises import exercises, sittings
 from dhlab.course.kinds import Prediction
 
 NAMES = [path.stem for path in reading.sources()]
@@ -26,7 +26,7 @@ def earned(notebook, lesson):
     wanted = [
         key
         for key, exercise in exercises().items()
-        if key.startswith(lesson) and not isinstance(exercise, Prediction)
+        if key in sittings()[lesson] and not isinstance(exercise, Prediction)
     ]
     assert list(found) == wanted
     return found
@@ -45,7 +45,7 @@ def said_by_checks(notebook):
 def test_every_solution_earns_full_marks(name):
     """By the outputs that are stored; that a run gives them again is nbval's to say."""
     notebook = nbformat.read(reading.SOLUTIONS / f"{name}.ipynb", as_version=4)
-    rows = earned(notebook, name[:2])
+    rows = earned(notebook, name.partition("-")[0])
     for status, points, of in rows.values():
         assert (status, points) == ("right" if of else "noted", of)
     said = said_by_checks(notebook)
@@ -58,7 +58,7 @@ def test_every_untouched_lesson_runs_and_earns_nothing(name, site):
     """By the outputs of the run for the site, in which no cell may fail."""
     (ran,) = (site.parent / "executed" / "lessons").glob(f"{name}.*.ipynb")
     notebook = nbformat.read(ran, as_version=4)
-    rows = earned(notebook, name[:2])
+    rows = earned(notebook, name.partition("-")[0])
     assert {(status, points) for status, points, _ in rows.values()} == {("not attempted yet", 0)}
     said = said_by_checks(notebook)
     assert len(said) == len(rows)
@@ -70,7 +70,7 @@ def test_no_solution_is_handed_out(name):
     source = (reading.SOLUTIONS / f"{name}.md").read_text(encoding="utf-8")
     lesson = (reading.LESSONS / f"{name}.ipynb").read_text(encoding="utf-8")
     regions = re.findall(r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", source, re.DOTALL)
-    assert len(regions) == sum(key.startswith(name[:2]) for key in exercises())
+    assert len(regions) == len(sittings()[name.partition("-")[0]])
     assert "SOLUTION" not in lesson
     for region in regions:
         for line in region.strip().splitlines():
@@ -170,5 +170,5 @@ def test_nbgrader_knows_every_cell():
             cell.metadata.nbgrader.get("points", 0) for cell in cells if "nbgrader" in cell.metadata
         )
         assert points == sum(
-            e.points for key, e in exercises().items() if key.startswith(path.name[:2])
+            exercises()[key].points for key in sittings()[reading.sitting_of(path)]
         )

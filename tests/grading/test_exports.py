@@ -235,15 +235,17 @@ def test_every_lesson_can_be_exported(tmp_path):
     from nbgrader.nbgraderformat import MetadataValidator
 
     for name in export_nbgrader(tmp_path / "all"):
-        notebook = nbformat.read(tmp_path / "all" / "source" / name / f"{name}.ipynb", as_version=4)
-        MetadataValidator().validate_nb(notebook)
-        solutions = [cell for cell in notebook.cells if "BEGIN SOLUTION" in cell.source]
-        assert all(cell.metadata.nbgrader.solution for cell in solutions)
-        graded = {
-            cell.metadata.nbgrader.grade_id: cell.metadata.nbgrader.points
-            for cell in notebook.cells
-            if cell.metadata.get("nbgrader", {}).get("grade")
-        }
+        graded = {}
+        for path in (tmp_path / "all" / "source" / name).glob("*.ipynb"):
+            notebook = nbformat.read(path, as_version=4)
+            MetadataValidator().validate_nb(notebook)
+            solutions = [cell for cell in notebook.cells if "BEGIN SOLUTION" in cell.source]
+            assert all(cell.metadata.nbgrader.solution for cell in solutions)
+            graded |= {
+                cell.metadata.nbgrader.grade_id: cell.metadata.nbgrader.points
+                for cell in notebook.cells
+                if cell.metadata.get("nbgrader", {}).get("grade")
+            }
         assert graded == {
             f"check-{key.replace('.', '-')}": e.points
             for key, e in exercises().items()

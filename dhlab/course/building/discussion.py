@@ -15,11 +15,12 @@ ASKED = re.compile(r"^## To discuss\n+(.+?)(?=\n\n|\n## |\Z)", re.MULTILINE | re
 
 def discussion() -> str:
     """The questions by lesson, as YAML: the first paragraph below "To discuss" of each sheet."""
-    found = {}
-    for path in sorted((reading.SOLUTIONS / "teacher").glob("[0-9][0-9]-*.md")):
+    found: dict[str, str] = {}
+    for path in sorted((reading.SOLUTIONS / "teacher").glob("[0-9][0-9]*-*.md")):
         asked = ASKED.search(path.read_text(encoding="utf-8"))
         if asked:
-            found[path.name[:2]] = " ".join(asked[1].split())
+            said = found.get(path.name[:2], "")  # by another sitting of the lesson
+            found[path.name[:2]] = " ".join([said, *asked[1].split()]).strip()
     return HEAD + "".join(
         f'"{lesson}": {json.dumps(question, ensure_ascii=False)}\n'
         for lesson, question in found.items()

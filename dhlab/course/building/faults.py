@@ -7,11 +7,11 @@ import traceback
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ..exercises import exercises
+from ..exercises import exercises, sittings
 from ..kinds import Prediction
 from .cellfaults import cell_faults
 from .exercisefaults import exercise_faults
-from .reading import lines_of, read_source
+from .reading import lines_of, read_source, sitting_of
 
 __all__ = ["refuse", "refuse_sources"]
 
@@ -37,7 +37,7 @@ def refuse(faults: Sequence[str]) -> None:
 
 def _faults(path):
     refuse(_broken_exercises())
-    notebook, number = read_source(path), path.name[:2]
+    notebook, number = read_source(path), sitting_of(path)
     lines, name = lines_of(path, notebook), f"{path.parent.name}/{path.name}"
     for cell in notebook.cells:
         yield from (
@@ -53,9 +53,9 @@ def _faults(path):
 
 def _of(number, predictions=True):
     return [
-        exercise
-        for key, exercise in exercises().items()
-        if key.startswith(f"{number}.") and (predictions or not isinstance(exercise, Prediction))
+        exercises()[key]
+        for key in sittings().get(number, ())
+        if predictions or not isinstance(exercises()[key], Prediction)
     ]
 
 

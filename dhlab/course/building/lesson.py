@@ -6,11 +6,11 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
-from ..exercises import exercises
+from ..exercises import exercises, sittings
 from ..kinds import Prediction
 from .cellfaults import plain_python
 from .questions import question_of
-from .reading import read_source
+from .reading import read_source, sitting_of
 
 __all__ = ["Lesson", "library_calls", "words"]
 
@@ -22,7 +22,7 @@ class Lesson:
     """A lesson's source with what the contract counts."""
 
     def __init__(self, path: Path):
-        self.path, self.number = path, path.name[:2]
+        self.path, self.number = path, sitting_of(path)
         self.notebook = read_source(path)
         # what is asked belongs to the minutes of the answer, and is not the lesson's prose
         self.cells = [cell for cell in self.notebook.cells if not question_of(cell)]
@@ -31,9 +31,9 @@ class Lesson:
         }
         self.about = self.notebook.metadata["dhlab"]
         self.exercises = {
-            key: e
-            for key, e in exercises().items()
-            if key.startswith(self.number) and not isinstance(e, Prediction)
+            key: exercises()[key]
+            for key in sittings().get(self.number, ())
+            if not isinstance(exercises()[key], Prediction)
         }
         self.markdown = [cell for cell in self.cells if cell.cell_type == "markdown"]
         self.code = [cell for cell in self.cells if cell.cell_type == "code"]

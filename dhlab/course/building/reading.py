@@ -1,4 +1,5 @@
-"""The lessons' sources, ``solutions/NN-name.md``, as notebooks: cell ids from lesson and position,
+"""The lessons' sources, ``solutions/NN-name.md`` (``NNb-name.md`` where a lesson has a second
+sitting), as notebooks: cell ids from lesson and position,
 questions from the exercises.
 """
 
@@ -12,7 +13,16 @@ from nbformat import NotebookNode
 from ..exercises import exercises
 from .questions import with_questions
 
-__all__ = ["DISCUSSION", "LESSONS", "ROOT", "SOLUTIONS", "lines_of", "read_source", "sources"]
+__all__ = [
+    "DISCUSSION",
+    "LESSONS",
+    "ROOT",
+    "SOLUTIONS",
+    "lines_of",
+    "read_source",
+    "sitting_of",
+    "sources",
+]
 
 ROOT = Path(__file__).parents[3]
 SOLUTIONS, LESSONS = ROOT / "solutions", ROOT / "lessons"
@@ -24,22 +34,34 @@ KERNEL = {
 
 
 def sources(only: Sequence[str] = ()) -> list[Path]:
-    """The lessons' sources, in order: all of them, or those named by number.
+    """The lessons' sources, in order: all of them, or those named by number: "08" is the lesson
+    with all its sittings, "08b" one of them.
 
     Raises
     ------
     ValueError
         A number without a lesson.
     """
-    found = sorted(SOLUTIONS.glob("[0-9][0-9]-*.md")) if SOLUTIONS.is_dir() else []
-    numbers = [path.name[:2] for path in found]
+    found = sorted(SOLUTIONS.glob("[0-9][0-9]*-*.md")) if SOLUTIONS.is_dir() else []
+    numbers = [sitting_of(path) for path in found]
     for number in only:
         if number not in numbers:
             raise ValueError(
                 f"expected the number of a lesson ({', '.join(numbers)}), found {number!r}; write"
                 " it with two digits, such as 05"
             )
-    return [path for path in found if not only or path.name[:2] in only]
+    return [path for path in found if not only or {sitting_of(path), path.name[:2]} & {*only}]
+
+
+def sitting_of(path: Path) -> str:
+    """What stands before a lesson's name.
+
+    Examples
+    --------
+    >>> sitting_of(Path("solutions/08b-back-to-the-joints.md"))
+    '08b'
+    """
+    return path.name.partition("-")[0]
 
 
 def read_source(path: Path) -> NotebookNode:
@@ -52,16 +74,16 @@ def read_source(path: Path) -> NotebookNode:
         The head, or what stands between a cell's first line and its code, cannot be read.
     """
     notebook = _parsed(path)
-    lesson, about = path.name[:2], notebook.metadata.get("dhlab", {})
+    sitting, about = sitting_of(path), notebook.metadata.get("dhlab", {})
     if not isinstance(about, dict):
         raise ValueError(
             f"{_name(path)}: expected dhlab: in the head with lines such as minutes: 15 under it,"
             f" found {about!r}; indent them by two spaces"
         )
-    notebook.metadata = nbformat.from_dict({**KERNEL, "dhlab": {"lesson": lesson, **about}})
+    notebook.metadata = nbformat.from_dict({**KERNEL, "dhlab": {"lesson": sitting[:2], **about}})
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for position, cell in enumerate(notebook.cells):
-        cell["id"] = f"{lesson}-{position:03d}"
+        cell["id"] = f"{sitting}-{position:03d}"
         if cell.cell_type == "code":
             cell.execution_count, cell.outputs = None, []
             _add_grading(cell)

@@ -1,5 +1,5 @@
-"""What lesson 08 draws, what is right, and what the wrong answers are told:
-Jacobians, pose errors, steps of the loop, speeds of the hand.
+"""What lesson 08's first sitting draws, what is right, and what the wrong answers are told:
+Jacobians, speeds of the hand.
 """
 
 from dataclasses import dataclass
@@ -7,11 +7,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
 from ...doctor.programs.wrong.jacobians import WRONG_JACOBIANS, geometric_jacobian
-from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy
@@ -19,31 +17,26 @@ from ..kinds import Known, Mistakes, Said, Value
 from ..verdict import RIGHT, Verdict
 
 __all__ = [
-    "FRAME",
-    "STEPS",
+    "COLUMN_LINES",
+    "PEN",
     "Speeds",
     "draw_bend",
     "draw_frames",
     "draw_hand_speed",
-    "draw_reachable",
-    "draw_task",
-    "draw_two_poses",
-    "explain_steps",
-    "in_the_tools_axes",
+    "explain_column",
+    "general",
     "joint_speeds",
+    "random_pose",
     "third_column",
+    "to_the_flange",
     "wrong_columns",
     "wrong_speeds",
 ]
 
 SOLVE = "Solve J · speeds = velocity: six equations, six unknowns."
-FRAME = Said(
-    "the error is not in the base's axes: right where the tool's arrows point along the base's,"
-    " astray elsewhere",
-    next="Which product carries R to R_goal from the left?",
-    why=(
-        "Rᵀ R_goal is the turn as the tool sees it; R_goal Rᵀ is the same turn as the base sees it."
-    ),
+PEN = Said(
+    "the lever does not run to the tip of the pen: ω is right, v is not",
+    next="Which of the inputs knows of the pen: frames or T_end?",
 )
 DEG = 180 / np.pi
 SPEEDS = np.array(
@@ -51,12 +44,13 @@ SPEEDS = np.array(
 )  # of the Stanford arm's joints: degrees where they turn, metres where joint 3 slides
 
 
-def _general(rng, low, high, *shape):
+def general(rng: np.random.Generator, low: float, high: float, *shape: int) -> NDArray:
+    """Numbers of either sign, none of them small."""
     return rng.uniform(low, high, shape) * rng.choice([-1, 1], shape)
 
 
-def _pose(rng):
-    return from_xyz_rpy(_general(rng, 0.1, 0.6, 3), _general(rng, 0.3, 1.2, 3))
+def random_pose(rng: np.random.Generator) -> NDArray:
+    return from_xyz_rpy(general(rng, 0.1, 0.6, 3), general(rng, 0.3, 1.2, 3))
 
 
 def draw_bend(rng: np.random.Generator) -> dict[str, Any]:
@@ -123,48 +117,17 @@ def draw_frames(rng: np.random.Generator) -> tuple:
     """Frames, end pose and kinds of joints of a random arm with base and tool: five joints, one or
     two of them sliding.
     """
-    rows = _general(rng, 0.15, 0.6, 5, 4) * [2.3, 1, 1, 2.3]
+    rows = general(rng, 0.15, 0.6, 5, 4) * [2.3, 1, 1, 2.3]
     letters = ["R"] * 5
     for k in rng.choice(5, rng.integers(1, 3), replace=False):
         letters[k] = "P"
-    arm = Arm(DHTable.standard(rows, angle="rad", joints=letters), base=_pose(rng), tool=_pose(rng))
-    q = _general(rng, 0.2, 1.2, 5)
-    return arm.frames(q), arm.forward(q), arm.table.prismatic.copy()
-
-
-def draw_two_poses(rng: np.random.Generator) -> tuple:
-    """A pose and a goal, turned against it by less than half a turn."""
-    T, turned = _pose(rng), np.eye(4)
-    turned[:3, :3] = Rotation.from_rotvec(_general(rng, 0.2, 1.2, 3)).as_matrix()
-    T_goal = turned @ T
-    T_goal[:3, 3] = _general(rng, 0.1, 0.6, 3)
-    return T, T_goal
-
-
-def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
-    """The broken pose error of 08.4."""
-    return np.concatenate(
-        [T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(T[:3, :3].T @ T_goal[:3, :3]).as_rotvec()]
+    arm = Arm(
+        DHTable.standard(rows, angle="rad", joints=letters),
+        base=random_pose(rng),
+        tool=random_pose(rng),
     )
-
-
-def draw_task(rng: np.random.Generator) -> tuple:
-    """A random arm of six turning joints, a goal near q, a damping and a few steps."""
-    rows, q = _general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], _general(rng, 0.2, 1.3, 6)
-    goal = product(rows, q + _general(rng, 0.1, 0.3, 6))
-    return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
-
-
-def draw_reachable(rng: np.random.Generator) -> tuple:
-    """A pose of the course's arm whose wrist lies well inside the reach, so that wrong centres are
-    within reach too.
-    """
-    arm = load("article-6r")
-    while True:
-        T = arm.forward(_general(rng, 0.3, 2.4, 6))
-        x, y, z = T[:3, 3]
-        if np.hypot(x, y) > 0.32 and 0.3 < np.hypot(np.hypot(x, y), z - 0.1) < 0.5:
-            return (T,)
+    q = general(rng, 0.2, 1.2, 5)
+    return arm.frames(q), arm.forward(q), arm.table.prismatic.copy()
 
 
 def draw_hand_speed(rng: np.random.Generator) -> dict[str, Any]:
@@ -322,38 +285,56 @@ def _at_radians(q):
     return arm.frames(q), arm.forward(q), arm.table.prismatic
 
 
-STEPS = (
-    ["frames", "error", "jacobian", "damped", "add-step"],
-    ["frames", "jacobian", "error", "damped", "add-step"],
+def to_the_flange(frames: NDArray, T_end: NDArray, sliding: NDArray) -> NDArray:
+    """The broken Jacobian of 08.11: right as long as the arm carries no tool."""
+    return geometric_jacobian(frames, frames[-1], sliding)
+
+
+COLUMN_LINES = (
+    ["frames", "end", "frame-before", "lever", "stack"],
+    ["frames", "frame-before", "end", "lever", "stack"],
+    ["end", "frames", "frame-before", "lever", "stack"],
 )
-WRONG_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what is said of it)
-    "forget-q": (
-        "step-not-accumulated",
-        Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
-    ),
-    "undamped": ("damping-missing", "the line without damping**2"),
-    "error-reversed": (
-        "error-sign",
+WRONG_COLUMN_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what is said of it)
+    "own-frame": (
+        "jacobian-axis-off-by-one",
         Said(
-            "pose_error(T_goal, T) leads from the goal to here",
-            why="The step must go from here to the goal.",
+            "frames[i] stands behind joint i",
+            why="In the standard convention joint i turns about the z axis of the frame before.",
+            next="Joint 1 took axis and origin from frames[0].",
+        ),
+    ),
+    "lever-reversed": (
+        "cross-product-reversed",
+        Said(
+            "o - p points from the end to the axis",
+            why="v = ω × r, and r runs from the axis to what moves.",
+        ),
+    ),
+    "base-origin": (
+        "lever-arm-wrong",
+        Said(
+            "this lever begins at the base's origin",
+            why="The end swings about the joint's own axis, so the lever begins there, at o.",
         ),
     ),
 }
 
 
-def explain_steps(lines: list[str]) -> Known | None:
-    for line, said in WRONG_LINES.items():
+def explain_column(lines: list[str]) -> Known | None:
+    for line, said in WRONG_COLUMN_LINES.items():
         if line in lines:
             return said
-    if sorted(lines) != sorted(STEPS[0]):
+    if sorted(lines) != sorted(COLUMN_LINES[0]):
         return None
-    if lines[0] != "frames":
-        return "jacobian-not-renewed", Said(
-            "the frames come first", why="Everything else needs the frames of this q."
+    if lines.index("frame-before") < lines.index("frames"):
+        return "order-taken-for-free", Said(
+            "axis and origin come before frames", why="They are taken out of frames."
         )
-    if lines[-1] != "add-step":
-        return "step-not-accumulated", Said(
-            "q = q + dq comes last", why="There is no dq to add before it has been made."
+    if lines[-1] == "stack":
+        return "order-taken-for-free", Said(
+            "v comes too early", why="The cross product needs z, o and p."
         )
-    return "jacobian-not-renewed", Said("dq comes too early", why="It needs e and J.")
+    return "order-taken-for-free", Said(
+        "the column is stacked too early", why="It holds v, which has not been made yet."
+    )

@@ -1,33 +1,52 @@
-"""Lesson 08, beyond forward kinematics: the Jacobian, singularities, damped least squares, limits,
-the eight branches.
-"""
+"""Lesson 08, first sitting, beyond forward kinematics: the Jacobian, singularities."""
 
-from ...doctor.programs.wrong.branches import branches, in_order
-from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
-from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
+from ...doctor.programs.wrong.jacobians import geometric_jacobian
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 from .answers08 import (
-    FRAME,
-    STEPS,
+    COLUMN_LINES,
+    PEN,
     Speeds,
     draw_bend,
     draw_frames,
     draw_hand_speed,
-    draw_reachable,
-    draw_task,
-    draw_two_poses,
-    explain_steps,
-    in_the_tools_axes,
+    explain_column,
     joint_speeds,
     third_column,
+    to_the_flange,
     wrong_columns,
     wrong_speeds,
 )
-from .programs08 import MISREAD, UNDAMPED, Program
 
 __all__ = ["EXERCISES"]
 
 EXERCISES = [
+    Order(
+        id="08.10",
+        title="A column, line by line",
+        question=(
+            "The column of joint `i`, counted from 1: put five of the eight lines in order. Three"
+            " are wrong in themselves."
+        ),
+        length=5,
+        items={
+            "lever-reversed": "`v = np.cross(z, o - p)`",
+            "frames": "`frames = arm.frames(q)`",
+            "stack": "`column = np.hstack([v, z])`",
+            "own-frame": "`z, o = frames[i][:3, 2], frames[i][:3, 3]`",
+            "end": "`p = arm.forward(q)[:3, 3]`",
+            "lever": "`v = np.cross(z, p - o)`",
+            "frame-before": "`z, o = frames[i - 1][:3, 2], frames[i - 1][:3, 3]`",
+            "base-origin": "`v = np.cross(z, p)`",
+        },
+        accepts=lambda lines: lines in COLUMN_LINES,
+        explain=explain_column,
+        praise="Frames and end, axis and origin, lever, and both halves of the column.",
+        hints=(
+            "Which lines need nothing but q? What does the line with the cross product need?",
+            "Three of the eight are wrong in themselves: joint i turns about the frame before its"
+            " link, and the lever runs from the axis to the end.",
+        ),
+    ),
     Value(
         id="08.1",
         title="One column of the Jacobian",
@@ -84,6 +103,23 @@ EXERCISES = [
                 "A turning joint gives the cross product of axis and lever, then the axis; a"
                 " sliding one the axis, then three zeros. Stack columns side by side."
             ),
+        ),
+    ),
+    Function(
+        id="08.11",
+        title="The smallest fix: a pen in the hand",
+        points=1,
+        draw=draw_frames,
+        answer=geometric_jacobian,
+        names=("frames", "T_end", "sliding"),
+        family="jacobian",
+        shape=(6, 5),
+        handed_out=to_the_flange,
+        words={"lever-arm-wrong": PEN},
+        praise="The lever runs to the tip of the pen, wherever the last frame may be.",
+        hints=(
+            "It was right until the pen was mounted. Which of the three inputs knows of the pen?",
+            "p is taken from the last frame. With a tool, the end is somewhere else.",
         ),
     ),
     Prediction(
@@ -144,166 +180,6 @@ EXERCISES = [
         outcome=(
             "joint 4 turns at 572° a second and joint 6 just as fast the other way: the speed grows"
             " as 1/sin θ5."
-        ),
-    ),
-    Function(
-        id="08.4",
-        title="The smallest fix: a pose error",
-        draw=draw_two_poses,
-        answer=pose_error,
-        names=("T", "T_goal"),
-        family="pose_error",
-        shape=(6,),
-        handed_out=in_the_tools_axes,
-        words={"orientation-error-frame": FRAME},
-        praise="Position and turn, both as the base sees them.",
-        hints=(
-            "The position part is right. Where is the turn seen from: the base or the tool?",
-            (
-                "You look for the turn that carries R to R_goal when it is multiplied on the left."
-                " Solve that for it."
-            ),
-        ),
-    ),
-    Order(
-        id="08.5",
-        title="One turn of the loop",
-        question=(
-            "Put one turn of the loop in order: five of the eight lines. Three are wrong in"
-            " themselves."
-        ),
-        length=5,
-        items={
-            "undamped": "`dq = J.T @ np.linalg.solve(J @ J.T, e)`",
-            "frames": "`frames = chain(rows, q); T = frames[-1]`",
-            "add-step": "`q = q + dq`",
-            "error": "`e = pose_error(T, T_goal)`",
-            "forget-q": "`q = dq`",
-            "jacobian": "`J = geometric_jacobian(frames, T, sliding)`",
-            "error-reversed": "`e = pose_error(T_goal, T)`",
-            "damped": "`dq = J.T @ np.linalg.solve(J @ J.T + damping**2 * np.eye(6), e)`",
-        },
-        accepts=lambda lines: lines in STEPS,
-        explain=explain_steps,
-        praise="Look where you are, ask for the way, take one damped step.",
-        hints=(
-            "Which line needs nothing but q?",
-            (
-                "Three of the eight lines are wrong in themselves: one forgets where q was, one has"
-                " no damping, one looks back from the goal."
-            ),
-        ),
-    ),
-    Program(
-        id="08.6",
-        title="Damped least squares",
-        points=4,
-        draw=draw_task,
-        answer=inverse_kinematics,
-        names=("rows", "T_goal", "q", "damping", "steps"),
-        family="inverse_kinematics",
-        shape=(6,),
-        read=wrapped,
-        tolerance=1e-7,
-        more=UNDAMPED,
-        needs={"geometric_jacobian": "08.2"},
-        words={
-            "orientation-error-frame": FRAME,
-            "error-sign": Said(
-                "the steps, or a part of them, lead away from the goal",
-                next="Take one small step by hand: did the error shrink?",
-            ),
-        },
-        places={
-            "the step is subtracted": (
-                "the step is subtracted, or the error looks back from the goal"
-            )
-        },
-        unknown=Said(
-            "the answers differ from the right ones",
-            next="Try it with steps = 1: is that q plus one damped step?",
-        ),
-        praise="Inverse kinematics for any arm of turning joints, in a dozen lines.",
-        hints=(
-            (
-                "A loop over range(steps), with the five lines of 08.5 in it; q is handed back when"
-                " the loop is done, not inside it."
-            ),
-            (
-                "If one step is right and three are not: are frames, error and Jacobian made anew"
-                " in every turn? If the shapes do not fit, q is probably still a list."
-            ),
-        ),
-    ),
-    Choice(
-        id="08.7",
-        title="An answer outside the limits",
-        question="q2 = −13.6° is outside. What now?",
-        correct="another-answer",
-        hints=(
-            "What did the solver know of the limits?",
-            "Change one of six joint values and ask forward kinematics where the end is now.",
-        ),
-        options={
-            "solver-wrong": Option(
-                "the solver is wrong: with correct angles no limit is broken",
-                "Its pose is the cup's to a thousandth of a millimetre. Nobody told it of limits.",
-                "limits-in-forward",
-            ),
-            "clip": Option(
-                "set q2 to 0°, the nearest value allowed, and keep the other five",
-                "Then the end is 13 cm away from the cup: six values belong together.",
-                "clipped-at-limit",
-            ),
-            "another-answer": Option(
-                "the pose is right, the arm may not go there: take another of its answers, from"
-                " another start",
-                "Limits choose among right answers; they do not make them.",
-            ),
-            "more-damping": Option(
-                "make the damping larger, so that the joints stay small",
-                "Damping makes steps small, not values: the loop ends in the same place, later.",
-                "damping-taken-for-free",
-            ),
-        },
-    ),
-    Program(
-        id="08.8",
-        title="All eight branches",
-        points=3,
-        draw=draw_reachable,
-        answer=branches,
-        names=("T",),
-        family="branches",
-        shape=(8, 6),
-        read=in_order,
-        tolerance=1e-6,
-        more=MISREAD,
-        places={
-            "θ5: the turn in the middle is Ry(−θ5)": (
-                "θ5, or both signs of both arctan2: the turn in the middle is Ry(−θ5)"
-            )
-        },
-        words={
-            "joint-reversed": Said(
-                "an angle of the wrist runs the other way",
-                next=(
-                    "Compare with the last column and the last row: each entry has a sign of its"
-                    " own."
-                ),
-            )
-        },
-        unknown=Said(
-            "not all of the eight are right",
-            next="Put each of yours into arm.forward: which of them reach T?",
-        ),
-        praise="Two shoulders, two elbows, two wrists, and each of them exact.",
-        hints=(
-            (
-                "R_36 is what is left of the orientation when the first three joints are taken off"
-                " it: which of the two is transposed, and on which side?"
-            ),
-            "For the second wrist three angles change: one its sign, the other two by half a turn.",
         ),
     ),
     Speeds(

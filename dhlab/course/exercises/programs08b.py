@@ -1,5 +1,5 @@
-"""The functions of lesson 08: what their wrong answers are told beyond what the doctor knows of
-them.
+"""The functions of lesson 08, second sitting: what their wrong answers are told beyond what the
+doctor knows of them.
 """
 
 from collections.abc import Mapping, Sequence
@@ -9,7 +9,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from ...doctor.programs.calling import is_stub
 from ...doctor.programs.wrong.branches import branches, in_order
 from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
 from ...doctor.programs.wrong.solvers import chain, wrapped
@@ -28,40 +27,17 @@ NEAR = 1e-5
 class Program(Function):
     """A function whose answers are angles, with more wrong versions than the doctor's.
 
-    ``more`` holds (mistake, Said, version), each compared with most of the answers; ``needs`` names
-    functions of earlier exercises that must be written, with the exercise; ``places`` other words
-    for a place; ``unknown`` is said of a version that nobody knows.
+    ``more`` holds (mistake, Said, version), each compared with most of the answers; ``places``
+    other words for a place; ``unknown`` is said of a version that nobody knows.
     """
 
     more: tuple = ()
-    needs: Mapping = field(default_factory=dict)
     places: Mapping = field(default_factory=dict)
     unknown: Said
 
     def compare(self, answer: object, variant: int) -> Verdict:
-        missing = self._missing(answer)
-        if missing:
-            return self.wrong(
-                place=Said(
-                    f"{missing} returned nothing", next=f"Finish {self.needs[missing]} first."
-                )
-            )
         verdict = super().compare(answer, variant)
         return replace(verdict, place=self.places.get(verdict.place, verdict.place))
-
-    def _missing(self, answer):
-        """The first function of an earlier exercise that this one calls and that is still
-        unwritten; None.
-        """
-        code, around = getattr(answer, "__code__", None), getattr(answer, "__globals__", {})
-        return next(
-            (
-                name
-                for name in self.needs
-                if code and name in code.co_names and is_stub(around.get(name))
-            ),
-            None,
-        )
 
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]

@@ -41,7 +41,7 @@ def results(root: Path) -> dict[str, Any]:
         read_settings(source / "course.yaml") if (source / "course.yaml").exists() else Settings()
     )
     lessons = tuple(settings.lessons) or tuple(
-        sorted(path.name[:2] for path in handed_out().glob("[0-9][0-9]-*.ipynb"))
+        sorted({path.name[:2] for path in handed_out().glob("[0-9][0-9]*-*.ipynb")})
     )
     student, variant = _student(root)
     handed_in = submissions(root / "submission").values()

@@ -62,11 +62,11 @@ def export_nbgrader(
         package), or a file exists.
     """
     out, settings = Path(out), settings or Settings()
-    chosen = {
-        path.stem: path
-        for path in sources()
-        if not settings.lessons or path.name[:2] in settings.lessons
-    }
+    chosen: dict[str, list[Path]] = {}  # an assignment: a lesson with all its sittings
+    for path in sources():
+        if not settings.lessons or path.name[:2] in settings.lessons:
+            first = next((name for name in chosen if name[:2] == path.name[:2]), path.stem)
+            chosen.setdefault(first, []).append(path)
     if not chosen:
         raise ValueError(
             "export nbgrader: expected the lessons' sources in solutions/, found none; run it in a"
@@ -97,8 +97,9 @@ def _texts(chosen, roster, settings):
         "students.csv": csv_text([("id", "first_name", "last_name", "email"), *people]),
         "assignments.csv": csv_text([("name", "duedate"), *due]),
     } | {
-        f"source/{name}/{name}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n"
-        for name, path in chosen.items()
+        f"source/{name}/{path.stem}.ipynb": nbformat.writes(source_notebook(path, settings)) + "\n"
+        for name, paths in chosen.items()
+        for path in paths
     }
 
 

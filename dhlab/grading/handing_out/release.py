@@ -136,13 +136,13 @@ def _files(lessons):
     folder = handed_out()
     found = {
         path.name: path.read_text(encoding="utf-8")
-        for path in sorted(folder.glob("[0-9][0-9]-*.ipynb"))
+        for path in sorted(folder.glob("[0-9][0-9]*-*.ipynb"))
     }
     unknown = sorted(set(lessons) - {name[:2] for name in found})
     if unknown:
         raise ValueError(
-            f"release: expected lessons from {', '.join(name[:2] for name in found)}, found"
-            f" {', '.join(unknown)}; write two digits, such as 05"
+            f"release: expected lessons from {', '.join(sorted({name[:2] for name in found}))},"
+            f" found {', '.join(unknown)}; write two digits, such as 05"
         )
     chosen = {name: text for name, text in found.items() if not lessons or name[:2] in lessons}
     chosen |= {

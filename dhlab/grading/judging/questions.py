@@ -75,8 +75,8 @@ def scored(lessons: Collection[str]) -> list[Exercise]:
 
 @cache
 def handed_out_checks() -> dict[str, dict[str, Any]]:
-    """For each lesson that is handed out, for each exercise: the expression its check is given, and
-    the id of the cell before it.
+    """For each sitting of a lesson that is handed out ("08", "08b"), for each exercise: the
+    expression its check is given, and the id of the cell before it.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def handed_out_checks() -> dict[str, dict[str, Any]]:
             for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
             if cell["cell_type"] == "code"
         ]
-        found = lessons.setdefault(path.name[:2], {})
+        found = lessons.setdefault(path.name.partition("-")[0], {})
         for before, cell in zip([{}, *code], code):
             for key, expression in _checks("".join(cell["source"])):
                 found[key] = [expression, before.get("id", "")]
@@ -150,7 +150,9 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
     dict
         Ready for JSON.
     """
-    lessons = {key: checks for key, checks in handed_out_checks().items() if key in course.lessons}
+    lessons = {
+        key: checks for key, checks in handed_out_checks().items() if key[:2] in course.lessons
+    }
     mine = [
         exercise for key, exercise in exercises().items() if key.split(".")[0] in course.lessons
     ]

@@ -23,7 +23,7 @@ from ..results.marks import (
 from ..results.standing import NO_FILE, lateness
 from .borrowed import borrowed_from
 from .judge import Answers, mark, without_marks
-from .questions import Course, request, warm_modules
+from .questions import Course, handed_out_checks, request, warm_modules
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
@@ -195,6 +195,10 @@ def handed_in(when: datetime | None, source: str, zone: tzinfo) -> str:
     return f"{when.astimezone(zone):%Y-%m-%d %H:%M}, {source}" if when else ""
 
 
+def _sittings(lesson):
+    return sum(sitting[:2] == lesson for sitting in handed_out_checks())
+
+
 def _by_lesson(marks, notebooks):
     """(marks, notes): the lessons of which there is no file, and which of several files of one
     lesson was used.
@@ -211,7 +215,7 @@ def _by_lesson(marks, notebooks):
         used = sorted({found.file for found in marks if found.lesson == lesson and found.file})
         if lesson not in there:
             notes.append(f"lesson {lesson}: {NO_FILE}")
-        elif len(files) > 1 and used:
+        elif len(files) > max(1, _sittings(lesson)) and used:
             notes.append(
                 f"lesson {lesson}: {len(files)} files; the answers are those of"
                 f" {' and '.join(used)}"

@@ -21,10 +21,10 @@ CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
 
 @cache
 def _lessons():
-    """(title, {exercise: section}, {mistake: section}) of each lesson, by number."""
+    """(title, {exercise: section}, {mistake: section}) of each notebook, by name."""
     return {
-        path.name[:2]: _read(json.loads(path.read_text(encoding="utf-8")))
-        for path in sorted(handed_out().glob("[0-9][0-9]-*.ipynb"))
+        path.stem: _read(json.loads(path.read_text(encoding="utf-8")))
+        for path in sorted(handed_out().glob("[0-9][0-9]*-*.ipynb"))
     }
 
 
@@ -70,7 +70,8 @@ def section_of_mistake(mistake: str) -> str:
         if mistake in mistakes:
             return f"{title}, “{mistakes[mistake]}”"
     lesson = catalogue()[mistake].lesson
-    return _lessons()[lesson][0] if lesson in _lessons() else f"lesson {lesson}"
+    titles = [title for name, (title, _, _) in _lessons().items() if name.startswith(f"{lesson}-")]
+    return titles[0] if titles else f"lesson {lesson}"
 
 
 def question(exercise: Exercise | None, mistake: str) -> str:

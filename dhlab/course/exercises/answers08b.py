@@ -1,0 +1,165 @@
+"""What lesson 08's second sitting draws, what is right, and what the wrong answers are told: pose
+errors, steps of the loop, and any q that reaches a pose.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from ...doctor.programs.wrong.products import product
+from ...robots import load
+from ..kinds import Known, Mistakes, Said, Value
+from ..verdict import Verdict
+from .answers08 import general, random_pose
+
+__all__ = [
+    "FRAME",
+    "STEPS",
+    "Reaches",
+    "a_way_to",
+    "draw_reachable",
+    "draw_task",
+    "draw_two_poses",
+    "draw_ur5e",
+    "explain_steps",
+    "in_the_tools_axes",
+    "wrong_ways",
+]
+
+FRAME = Said(
+    "the error is not in the base's axes: right where the tool's arrows point along the base's,"
+    " astray elsewhere",
+    next="Which product carries R to R_goal from the left?",
+    why=(
+        "Rᵀ R_goal is the turn as the tool sees it; R_goal Rᵀ is the same turn as the base sees it."
+    ),
+)
+
+
+def draw_two_poses(rng: np.random.Generator) -> tuple:
+    """A pose and a goal, turned against it by less than half a turn."""
+    T, turned = random_pose(rng), np.eye(4)
+    turned[:3, :3] = Rotation.from_rotvec(general(rng, 0.2, 1.2, 3)).as_matrix()
+    T_goal = turned @ T
+    T_goal[:3, 3] = general(rng, 0.1, 0.6, 3)
+    return T, T_goal
+
+
+def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
+    """The broken pose error of 08.4."""
+    return np.concatenate(
+        [T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(T[:3, :3].T @ T_goal[:3, :3]).as_rotvec()]
+    )
+
+
+def draw_task(rng: np.random.Generator) -> tuple:
+    """A random arm of six turning joints, a goal near q, a damping and a few steps."""
+    rows, q = general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], general(rng, 0.2, 1.3, 6)
+    goal = product(rows, q + general(rng, 0.1, 0.3, 6))
+    return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
+
+
+def draw_reachable(rng: np.random.Generator) -> tuple:
+    """A pose of the course's arm whose wrist lies well inside the reach, so that wrong centres are
+    within reach too.
+    """
+    arm = load("article-6r")
+    while True:
+        T = arm.forward(general(rng, 0.3, 2.4, 6))
+        x, y, z = T[:3, 3]
+        if np.hypot(x, y) > 0.32 and 0.3 < np.hypot(np.hypot(x, y), z - 0.1) < 0.5:
+            return (T,)
+
+
+STEPS = (
+    ["frames", "error", "jacobian", "damped", "add-step"],
+    ["frames", "jacobian", "error", "damped", "add-step"],
+)
+WRONG_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what is said of it)
+    "forget-q": (
+        "step-not-accumulated",
+        Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
+    ),
+    "undamped": ("damping-missing", "the line without damping**2"),
+    "error-reversed": (
+        "error-sign",
+        Said(
+            "pose_error(T_goal, T) leads from the goal to here",
+            why="The step must go from here to the goal.",
+        ),
+    ),
+}
+
+
+def explain_steps(lines: list[str]) -> Known | None:
+    for line, said in WRONG_LINES.items():
+        if line in lines:
+            return said
+    if sorted(lines) != sorted(STEPS[0]):
+        return None
+    if lines[0] != "frames":
+        return "jacobian-not-renewed", Said(
+            "the frames come first", why="Everything else needs the frames of this q."
+        )
+    if lines[-1] != "add-step":
+        return "step-not-accumulated", Said(
+            "q = q + dq comes last", why="There is no dq to add before it has been made."
+        )
+    return "jacobian-not-renewed", Said("dq comes too early", why="It needs e and J.")
+
+
+def draw_ur5e(rng: np.random.Generator) -> dict[str, Any]:
+    """A pose of the UR5e well away from its singularities."""
+    arm = load("ur5e")
+    while True:
+        q = np.deg2rad(rng.choice([-70, -40, 25, 55, 80], 6))
+        if arm.manipulability(q) > 0.03:
+            return {"T": np.where(abs(T := arm.forward(q)) < 1e-12, 0, T).tolist()}
+
+
+def a_way_to(T: list[list[float]]) -> NDArray:
+    """One q that reaches the pose; every other one counts as well."""
+    return load("ur5e").solve(T).q[0]
+
+
+def wrong_ways(T: list[list[float]]) -> Mistakes:
+    """Some of each kind; :class:`Reaches` finds the others by where they lead."""
+    for q in load("ur5e").solve(T).q[:3]:
+        yield "degrees-for-radians", "", np.rad2deg(q)
+        yield "only-position-checked", "", q + np.array([0, 0, 0, 0, 0, 0.5])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reaches(Value):
+    """Joint values of the UR5e, in radians: right when its end comes to the pose, to a millimetre
+    and a tenth of a degree, whichever branch it is.
+    """
+
+    def _compared(self, array: NDArray, expected: NDArray, given: Any) -> Verdict:
+        T_goal = np.array(given["T"])
+        metres, degrees = _off(array, T_goal)
+        if metres <= 1e-3 and degrees <= 0.1:
+            return self.right()
+        at_radians = _off(np.deg2rad(array), T_goal)
+        if at_radians[0] <= 1e-3 and at_radians[1] <= 0.1:
+            return self.wrong(
+                "degrees-for-radians",
+                place=Said("these are degrees, and q is in radians", next="np.deg2rad(q)."),
+            )
+        words = f"the hand is {1000 * metres:.3g} mm and {degrees:.3g}° away from the pose"
+        if metres <= 1e-3:
+            return self.wrong(
+                "only-position-checked",
+                place=Said(words, next="The position is right. What of the orientation?"),
+            )
+        return self.wrong(headline=words)
+
+
+def _off(q, T_goal):
+    """(metres, degrees) from the end of the UR5e at q to a pose."""
+    T = load("ur5e").forward(q)
+    turn = Rotation.from_matrix(T_goal[:3, :3] @ T[:3, :3].T).magnitude()
+    return float(np.linalg.norm(T[:3, 3] - T_goal[:3, 3])), float(np.rad2deg(turn))

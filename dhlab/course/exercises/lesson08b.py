@@ -1,0 +1,260 @@
+"""Lesson 08, second sitting, back from the pose to the joints: damped least squares, limits, the
+eight branches.
+"""
+
+from ...doctor.programs.wrong.branches import branches, in_order
+from ...doctor.programs.wrong.jacobians import pose_error
+from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
+from ..kinds import Choice, Function, Option, Order, Prediction, Said
+from .answers08b import (
+    FRAME,
+    STEPS,
+    Reaches,
+    a_way_to,
+    draw_reachable,
+    draw_task,
+    draw_two_poses,
+    draw_ur5e,
+    explain_steps,
+    in_the_tools_axes,
+    wrong_ways,
+)
+from .programs08b import MISREAD, UNDAMPED, Program
+
+__all__ = ["EXERCISES"]
+
+EXERCISES = [
+    Function(
+        id="08.4",
+        title="The smallest fix: a pose error",
+        draw=draw_two_poses,
+        answer=pose_error,
+        names=("T", "T_goal"),
+        family="pose_error",
+        shape=(6,),
+        handed_out=in_the_tools_axes,
+        words={"orientation-error-frame": FRAME},
+        praise="Position and turn, both as the base sees them.",
+        hints=(
+            "The position part is right. Where is the turn seen from: the base or the tool?",
+            (
+                "You look for the turn that carries R to R_goal when it is multiplied on the left."
+                " Solve that for it."
+            ),
+        ),
+    ),
+    Order(
+        id="08.5",
+        title="One turn of the loop",
+        question=(
+            "Put one turn of the loop in order: five of the eight lines. Three are wrong in"
+            " themselves."
+        ),
+        length=5,
+        items={
+            "undamped": "`dq = J.T @ np.linalg.solve(J @ J.T, e)`",
+            "frames": "`frames = chain(rows, q); T = frames[-1]`",
+            "add-step": "`q = q + dq`",
+            "error": "`e = pose_error(T, T_goal)`",
+            "forget-q": "`q = dq`",
+            "jacobian": "`J = jacobian(frames)`",
+            "error-reversed": "`e = pose_error(T_goal, T)`",
+            "damped": "`dq = J.T @ np.linalg.solve(J @ J.T + damping**2 * np.eye(6), e)`",
+        },
+        accepts=lambda lines: lines in STEPS,
+        explain=explain_steps,
+        praise="Look where you are, ask for the way, take one damped step.",
+        hints=(
+            "Which line needs nothing but q?",
+            (
+                "Three of the eight lines are wrong in themselves: one forgets where q was, one has"
+                " no damping, one looks back from the goal."
+            ),
+        ),
+    ),
+    Program(
+        id="08.6",
+        title="Damped least squares",
+        points=4,
+        draw=draw_task,
+        answer=inverse_kinematics,
+        names=("rows", "T_goal", "q", "damping", "steps"),
+        family="inverse_kinematics",
+        shape=(6,),
+        read=wrapped,
+        tolerance=1e-7,
+        more=UNDAMPED,
+        words={
+            "orientation-error-frame": FRAME,
+            "error-sign": Said(
+                "the steps, or a part of them, lead away from the goal",
+                next="Take one small step by hand: did the error shrink?",
+            ),
+        },
+        places={
+            "the step is subtracted": (
+                "the step is subtracted, or the error looks back from the goal"
+            )
+        },
+        unknown=Said(
+            "the answers differ from the right ones",
+            next="Try it with steps = 1: is that q plus one damped step?",
+        ),
+        praise="Inverse kinematics for any arm of turning joints, in a dozen lines.",
+        hints=(
+            (
+                "A loop over range(steps), with the five lines of 08.5 in it; q is handed back when"
+                " the loop is done, not inside it."
+            ),
+            (
+                "If one step is right and three are not: are frames, error and Jacobian made anew"
+                " in every turn? If the shapes do not fit, q is probably still a list."
+            ),
+        ),
+    ),
+    Prediction(
+        id="08.P3",
+        title="Two starts, one cup",
+        question=("The same loop, the same cup, two starts: q = 0 and a bent arm. What comes out?"),
+        options={
+            "stuck": "from q = 0 nothing: there the Jacobian has no inverse",
+            "astray": "from q = 0 another pose than the cup's",
+            "both": "from both a q that reaches the cup",
+        },
+        correct="both",
+        outcome=(
+            "both reach the cup: damping carries the loop out of the singular start. Here they even"
+            " end at the same q, which need not be, as the next section shows."
+        ),
+    ),
+    Choice(
+        id="08.7",
+        title="An answer outside the limits",
+        question="q2 = −13.6° is outside. What now?",
+        correct="another-answer",
+        hints=(
+            "What did the solver know of the limits?",
+            "Change one of six joint values and ask forward kinematics where the end is now.",
+        ),
+        options={
+            "solver-wrong": Option(
+                "the solver is wrong: with correct angles no limit is broken",
+                "Its pose is the cup's to a thousandth of a millimetre. Nobody told it of limits.",
+                "limits-in-forward",
+            ),
+            "clip": Option(
+                "set q2 to 0°, the nearest value allowed, and keep the other five",
+                "Then the end is 13 cm away from the cup: six values belong together.",
+                "clipped-at-limit",
+            ),
+            "another-answer": Option(
+                "the pose is right, the arm may not go there: take another of its answers, from"
+                " another start",
+                "Limits choose among right answers; they do not make them.",
+            ),
+            "more-damping": Option(
+                "make the damping larger, so that the joints stay small",
+                "Damping makes steps small, not values: the loop ends in the same place, later.",
+                "damping-taken-for-free",
+            ),
+        },
+    ),
+    Choice(
+        id="08.12",
+        title="A jump on the way",
+        question=(
+            "The solver is asked for one q every millimetre of a straight line. Between two of them"
+            " joints 4 and 6 jump by 180° and q5 changes its sign; the condition number is 13"
+            " before and after. What happened?"
+        ),
+        correct="branch",
+        hints=(
+            "Is J near its loss of rank here? What would joint speeds do if it were?",
+            "Put both q into arm.forward. How far apart are the two poses, and the two q?",
+        ),
+        options={
+            "singular": Option(
+                "the arm passed a singularity",
+                "Then the condition number would have grown without end on the way; it is 13.",
+                "singularity-taken-for-failure",
+            ),
+            "branch": Option(
+                "the solver changed to another branch, which reaches the same pose",
+                "The other wrist. On a path, take of all answers the one nearest to the last q.",
+            ),
+            "limit": Option(
+                "a limit cut the values off",
+                "Cut values would no longer reach the line, and two of the jumps are exactly 180°.",
+                "clipped-at-limit",
+            ),
+            "damping": Option(
+                "the damping was too small",
+                "Damping makes steps small where J is nearly singular; here it is not.",
+                "damping-taken-for-free",
+            ),
+        },
+    ),
+    Prediction(
+        id="08.P4",
+        title="How many answers",
+        question="How many q reach the cup, whole turns apart?",
+        options={"one": "1", "two": "2", "eight": "8", "endless": "infinitely many"},
+        correct="eight",
+        outcome=(
+            "eight: two shoulders, two elbows, two wrists, and each goes with each of the others."
+        ),
+    ),
+    Program(
+        id="08.8",
+        title="All eight branches",
+        points=3,
+        draw=draw_reachable,
+        answer=branches,
+        names=("T",),
+        family="branches",
+        shape=(8, 6),
+        read=in_order,
+        tolerance=1e-6,
+        more=MISREAD,
+        places={
+            "θ5: the turn in the middle is Ry(−θ5)": (
+                "θ5, or both signs of both arctan2: the turn in the middle is Ry(−θ5)"
+            )
+        },
+        words={
+            "joint-reversed": Said(
+                "an angle of the wrist runs the other way",
+                next=(
+                    "Compare with the last column and the last row: each entry has a sign of its"
+                    " own."
+                ),
+            )
+        },
+        unknown=Said(
+            "not all of the eight are right",
+            next="Put each of yours into arm.forward: which of them reach T?",
+        ),
+        praise="Two shoulders, two elbows, two wrists, and each of them exact.",
+        hints=(
+            (
+                "R_36 is what is left of the orientation when the first three joints are taken off"
+                " it: which of the two is transposed, and on which side?"
+            ),
+            "For the second wrist three angles change: one its sign, the other two by half a turn.",
+        ),
+    ),
+    Reaches(
+        id="08.13",
+        title="An arm you have not solved",
+        points=3,
+        draw=draw_ur5e,
+        answer=a_way_to,
+        mistakes=wrong_ways,
+        entries=tuple(f"joint {i}" for i in range(1, 7)),
+        praise="A q that reaches the pose. There are others, and each of them counts.",
+        hints=(
+            "Your loop asks for nothing but rows: give it ur5e.table.rows and a bent start.",
+            "Not there yet? Make more steps, or begin at another start, and ask ur5e.forward.",
+        ),
+    ),
+]
