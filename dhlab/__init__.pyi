@@ -1,8 +1,10 @@
 from . import symbolic as symbolic
 from .arm import Arm as Arm
 from .doctor import diagnose as diagnose
+from .doctor import diagnose_axes as diagnose_axes
 from .doctor import diagnose_function as diagnose_function
 from .doctor import recognise_table as recognise_table
+from .formats.axisfile import read_axes as read_axes
 from .formats.posefile import read_poses as read_poses
 from .formats.urdf import read_urdf as read_urdf
 from .formats.urdf import to_urdf as to_urdf

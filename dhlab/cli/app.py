@@ -14,6 +14,7 @@ from .convert import convert
 from .doctor import doctor
 from .export import export
 from .fk import fk
+from .from_axes import from_axes
 from .from_urdf import from_urdf
 from .generate import generate
 from .grade import grade
@@ -50,6 +51,7 @@ app.command()(doctor)
 app.command()(fk)
 app.command()(ik)
 app.command(name="from-urdf")(from_urdf)
+app.command(name="from-axes")(from_axes)
 app.command()(convert)
 app.command()(compare)
 app.command()(generate)

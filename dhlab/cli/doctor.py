@@ -12,6 +12,7 @@ import typer
 
 from ..formats.files import read_text
 from ..units import ANGLE, LENGTH
+from .against import against_arm, axes_of, is_arm, sheet_in
 from .common import arm_of, units_of
 
 __all__ = ["doctor"]
@@ -25,8 +26,8 @@ def doctor(
         typer.Argument(
             metavar="ARM",
             help=(
-                "The table that is doubted: a name of the library, a .yaml or .csv table file, or a"
-                " URDF."
+                "The table that is doubted: a name of the library, a .yaml or .csv table file, a"
+                " URDF, or an axis sheet."
             ),
         ),
     ],
@@ -34,7 +35,10 @@ def doctor(
         str,
         typer.Argument(
             metavar="POSES.csv",
-            help="What was measured: columns q1,…,qn,x,y,z and, where known, an orientation.",
+            help=(
+                "What was measured: columns q1,…,qn,x,y,z and, where known, an orientation. Or an"
+                " arm that is right, such as a URDF: then nothing is measured."
+            ),
         ),
     ] = "",
     units: Annotated[
@@ -101,6 +105,14 @@ def doctor(
     """
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
+    if poses and not motion and is_arm(poses):
+        against_arm(arm, poses, free_base, free_tool, as_json)
+        return
+    axes = None if protocol or motion else sheet_in(arm)
+    if axes is not None:
+        given = units_of(units or _written_units(poses), "doctor")
+        axes_of(axes, poses, given, level, repair, as_json)
+        return
     lengths, angles = (
         (None, None) if protocol else units_of(units or _written_units(poses), "doctor")
     )

@@ -11,7 +11,9 @@ from .. import units
 from ..arm import Arm
 from ..table import DHTable
 from . import plainyaml
+from .axisfile import holds_axes, sheet_from_item
 from .files import write_text
+from .plainyaml import placed
 from .tablecsv import csv_text, read_csv
 from .tableyaml import arm_from_item, yaml_text
 
@@ -28,10 +30,18 @@ def read_arm(path: str | Path) -> Arm:
     """
     path = Path(path)
     kind = _kind(path)
-    arm = read_csv(path) if kind == "csv" else arm_from_item(plainyaml.read(path))
+    arm = read_csv(path) if kind == "csv" else _from_yaml(plainyaml.read(path))
     if arm.name:
         return arm
     return replace(arm, name=path.stem)
+
+
+def _from_yaml(item):
+    """The arm of a table, or of joint axes."""
+    if holds_axes(item):
+        sheet = sheet_from_item(item)
+        return placed(item.where, sheet.arm)
+    return arm_from_item(item)
 
 
 def read_table(path: str | Path) -> DHTable:

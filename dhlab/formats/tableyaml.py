@@ -4,6 +4,7 @@ import json
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import units
 from ..arm import Arm
@@ -11,7 +12,7 @@ from ..table import COLUMNS, CONVENTIONS, DHTable, joint_letter
 from ..transform import from_xyz_rpy, to_xyz_rpy
 from .plainyaml import Item, entries, fields, number, placed, text
 
-__all__ = ["ARM_KEYS", "arm_from_item", "read_limits", "yaml_text"]
+__all__ = ["ARM_KEYS", "arm_from_item", "pose_of", "read_limits", "scales_of", "yaml_text"]
 
 ARM_KEYS = {
     "name",
@@ -39,11 +40,7 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
             f"{given['convention'].where}: convention: expected standard or craig, found"
             f" {convention!r}{hint}"
         )
-    unit = fields(
-        given["units"], "units", required={"length", "angle"}, allowed={"length", "angle"}
-    )
-    to_rad = units.scale_of(unit["angle"].plain(), "angle", f"{unit['angle'].where}: units")
-    to_m = units.scale_of(unit["length"].plain(), "length", f"{unit['length'].where}: units")
+    to_m, to_rad = scales_of(given["units"])
     letters, rows = _joints(given["joints"])
     theta, d, a, alpha = rows.T
     table = DHTable(
@@ -57,7 +54,7 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
     parts = dict(inherited)
     parts.update({key: text(given[key], key) for key in ("name", "source") if key in given})
     parts.update(
-        {key: _pose(given[key], key, to_m, to_rad) for key in ("base", "tool") if key in given}
+        {key: pose_of(given[key], key, to_m, to_rad) for key in ("base", "tool") if key in given}
     )
     if "limits" in given:
         parts["limits"] = read_limits(given["limits"], letters, to_m, to_rad)
@@ -69,6 +66,14 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
     if "coupling" in given:
         parts["coupling"] = _coupling(given["coupling"], letters, to_m, to_rad)
     return placed(item.where, lambda: Arm(table, **parts))
+
+
+def scales_of(item: Item) -> tuple[float, float]:
+    """Metres in the unit of length and radians in that of angles, of the key ``units``."""
+    unit = fields(item, "units", required={"length", "angle"}, allowed={"length", "angle"})
+    to_rad = units.scale_of(unit["angle"].plain(), "angle", f"{unit['angle'].where}: units")
+    to_m = units.scale_of(unit["length"].plain(), "length", f"{unit['length'].where}: units")
+    return to_m, to_rad
 
 
 def _joints(item):
@@ -90,7 +95,8 @@ def _joints(item):
     return letters, np.array(rows)
 
 
-def _pose(item, key, to_m, to_rad):
+def pose_of(item: Item, key: str, to_m: float, to_rad: float) -> NDArray[np.float64]:
+    """The pose (4, 4) in a mapping of ``xyz`` and ``rpy``, in the file's units."""
     given = fields(item, key, required=set(), allowed={"xyz", "rpy"})
     triple = {
         k: (

@@ -19,24 +19,23 @@ PLACES = ("auto", "previous", "next", "given")
 AXIS_FORM = '(point, direction) or (point, direction, "R" or "P")'
 
 
-def axes_from(axes: Iterable[Sequence[Any]]) -> list[Axis]:
+def axes_from(axes: Iterable[Sequence[Any]], where: str = "assign_frames") -> list[Axis]:
     """The joint axes, directions at length 1; or a sentence that names the joint."""
     if isinstance(axes, (str, bytes, dict)) or not np.iterable(axes):
         raise ValueError(
-            f"assign_frames: expected a list of joint axes, {AXIS_FORM} each, found"
+            f"{where}: expected a list of joint axes, {AXIS_FORM} each, found"
             f" {type(axes).__name__}; give one entry per joint"
         )
-    lines = [_axis(entry, k) for k, entry in enumerate(axes, 1)]
+    lines = [_axis(entry, f"{where}: joint {k}") for k, entry in enumerate(axes, 1)]
     if not lines:
         raise ValueError(
-            "assign_frames: expected at least one joint axis, found an empty list; give"
+            f"{where}: expected at least one joint axis, found an empty list; give"
             f" {AXIS_FORM} per joint"
         )
     return lines
 
 
-def _axis(entry, k):
-    where = f"assign_frames: joint {k}"
+def _axis(entry, where):
     entry = list(entry) if np.iterable(entry) and not isinstance(entry, (str, bytes, dict)) else []
     if len(entry) not in (2, 3):
         raise ValueError(

@@ -1,0 +1,1 @@
+"""From measured poses: which joint axis of a sheet is not where, or not as, it was written."""
