@@ -1,0 +1,1 @@
+"""What the texts of all dialects share: letters, expressions, brackets and calls, assignments."""

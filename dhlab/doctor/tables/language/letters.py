@@ -1,0 +1,109 @@
+"""Greek letters, minus signs, subscripts and TeX written in plain letters."""
+
+import re
+
+__all__ = ["plain", "unified"]
+
+SAME = str.maketrans(
+    {
+        **dict.fromkeys("−–—‒﹣－", "-"),
+        "₋": "-",
+        **dict.fromkeys("×·∗⁎∙⋅", "*"),
+        "÷": "/",
+        "∕": "/",
+        **dict.fromkeys("│┃║｜", "|"),
+        "π": "pi",
+        "𝜋": "pi",
+        "Π": "pi",
+        **dict.fromkeys("θϑΘ𝜃ѳ", "theta"),
+        **dict.fromkeys("α⍺𝛼", "alpha"),
+        "Δ": "delta",
+        "δ": "delta",
+        "σ": "sigma",
+        "β": "beta",
+        "γ": "gamma",
+        "ⱼ": "_j",
+        "ᵢ": "_i",
+        "ₙ": "_n",
+        "₊": "+",
+        **dict.fromkeys("º˚∘⁰", "°"),
+        "′": "'",
+        "’": "'",
+        "‘": "'",
+        "“": '"',
+        "”": '"',
+        "√": "sqrt",
+        "½": "(1/2)",
+        **dict.fromkeys("\u00a0\u2009\u2002\u2003\u202f\u3000", " "),
+        **dict.fromkeys("\u200b\u2060\ufeff", ""),
+        "，": ",",
+        "；": ";",
+        "（": "(",
+        "）": ")",
+        "：": ":",
+        **{chr(0x2080 + k): str(k) for k in range(10)},
+    }
+)
+FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+SHORT_FRACTION = re.compile(r"\\[dt]?frac\s*(\d|\\pi)\s*(\d|\{\d+\})")
+WRAPPERS = re.compile(
+    r"\\(?:mathrm|text|textbf|textit|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
+    r"\s*\{([^{}]*)\}"
+)
+DEGREES = re.compile(r"\^\s*\{?\s*(?:\\circ|\\degree|°|\*?\\?o(?![a-z]))\s*\}?|\\circ|\\degree\b")
+ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
+LAYOUT = re.compile(
+    r"\\(?:hline|toprule|midrule|bottomrule|cline\s*\{[^{}]*\}|centering|left|right|displaystyle"
+    r"|quad|qquad|limits|small|large|noindent|label\s*\{[^{}]*\}"
+    r"|(?:begin|end)\s*\{[^{}]*\}(?:\s*\[[^\]]*\])?(?:\s*\{[|lcrp@{}!.\s\d*]*\})?)"
+)
+TEX_NAMES = {"vartheta": "theta", "cdot": "*", "times": "*", "arctan": "atan", "star": "*"}
+MOST_NESTED = 6
+
+
+def unified(text):
+    """Unicode and TeX written in plain letters; the case is kept.
+
+    Examples
+    --------
+    >>> unified("−π/2"), unified("θ₁"), unified(r"$\\theta_{1}-\\frac{\\pi}{2}$")
+    ('-pi/2', 'theta1', 'theta_1-((pi)/(2))')
+    """
+    text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text.translate(SAME))
+    text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)
+    if re.search(r"\\[A-Za-z]{2,}|\$[^$\n]*\$|\\\\", text):
+        text = _from_tex(text)
+    return text
+
+
+def _from_tex(text):
+    text = re.sub(r"\\\\(?:\[[^\]\n]*\])?", "\n" if "\n" not in text else " ", text)
+    text = DEGREES.sub("°", re.sub(r"\\(?=[,;!:]|\s)", " ", re.sub(r"(?<!\\)%.*", "", text)))
+    for _ in range(MOST_NESTED):
+        before = text
+        text = SHORT_FRACTION.sub(r"((\1)/(\2))", text)
+        text = WRAPPERS.sub(r" \1 ", ROOT.sub(r"sqrt(\1)", FRACTION.sub(r"((\1)/(\2))", text)))
+        if text == before:
+            break
+    text = LAYOUT.sub("\n" if "\n" not in text else " ", text)
+    text = text.replace("&", "|")
+    text = re.sub(r"(?<!\\)\\([A-Za-z]+)", lambda m: TEX_NAMES.get(m[1], m[1]) + _gap(m), text)
+    text = text.replace("$", "")
+    text = re.sub(r"_\s*\{\s*([^{}]*?)\s*\}", lambda m: "_" + m[1].replace(" ", ""), text)
+    return text.replace("{", "").replace("}", "")
+
+
+def _gap(match):
+    """A space where a TeX name would run into the next letters."""
+    return " " if re.match(r"[A-Za-z0-9]", match.string[match.end() : match.end() + 1]) else ""
+
+
+def plain(text):
+    """As :func:`unified`, in lower case and without spaces around.
+
+    Examples
+    --------
+    >>> plain("−π/2"), plain("$\\\\theta_1$")
+    ('-pi/2', 'theta_1')
+    """
+    return unified(text).lower().strip()

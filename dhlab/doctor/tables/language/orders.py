@@ -1,0 +1,158 @@
+"""What a text says of the order in which four numbers stand, in a comment, a heading, a structure
+or the head of a function; and which matrix its own function computes.
+"""
+
+import re
+
+import numpy as np
+
+from ....kinematics import link_matrices
+from .brackets import cells_in, groups
+from .expressions import NoExpression, evaluate, key
+from .roles import ROLES, role_of, unit_in
+
+__all__ = ["convention_in", "order_in", "order_of_names"]
+
+NAME = re.compile(r"[A-Za-z][\w.]*(?:\(i-1\)|_\{?i-1\}?)?")
+BETWEEN = re.compile(
+    r"[\s,;|&/\[\](){}:=*'\"_.-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
+)
+UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
+ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
+MOVES = re.compile(
+    r"(?:\brot(?:ate|ation)?|\br|\btrot|\bt|\btrans(?:late|lation|l)?|\bdh)_?([xyz])\b\s*\(\s*([^()]*)\)"
+    r"|\brot\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^()]*)\)"
+    r"|\btrans(?:l|lation|late)?\s*\(\s*([^(),]*),([^(),]*),([^(),]*)\)"
+    r"|\btrans\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^(),]*)\)",
+    re.IGNORECASE,
+)
+
+
+def order_in(source):
+    """(roles, units by role, where it says so, line) of the first place that names four columns in
+    a row; None without one.
+    """
+    for line, text in source.comments:
+        found = order_of_names(text)
+        if found:
+            return (*found, "as the comment says", line)
+    found = order_of_names(source.code, in_code=True)
+    if found:
+        return (*found, "as the program says", 0)
+    picked = {}
+    for name, index in UNPACKED.findall(source.code):
+        role = role_of(name)[0]
+        if role in (*ROLES, "r"):
+            picked.setdefault(int(index), role)
+    if len(picked) >= 4 and len(set(list(picked.values())[:4])) == 4:
+        roles = tuple(picked[k] for k in sorted(picked))[:4]
+        return (roles, {}, "as the program says", 0)
+    return None
+
+
+def order_of_names(text, in_code=False):
+    """(roles, units) where four names of columns follow each other; None otherwise.
+
+    Examples
+    --------
+    >>> order_of_names("{theta0(deg), d, a, alpha(deg)}")
+    (('theta', 'd', 'a', 'alpha'), {'theta': 'deg', 'alpha': 'deg'})
+    """
+    run, units, last = [], {}, 0
+    for match in NAME.finditer(text):
+        gap = text[last : match.start()]
+        role = role_of(match[0])[0]
+        unit = unit_in("x (" + match[0] + ")") if match[0] not in ("d", "a") else ""
+        if (unit and run and "(" in gap) or (unit and "[" in gap and run):
+            units[run[-1]] = unit
+            last = match.end()
+            continue
+        if match[0] in ("const", "double", "float", "real", "f64", "self", "T", "var", "int"):
+            continue
+        if role in ("theta", "d", "a", "alpha", "r") and not (in_code and match[0].endswith(".")):
+            fits = run and role not in run and BETWEEN.fullmatch(text, last, match.start())
+            if run and not fits and len(run) >= 4 and role not in run:
+                pass
+            if len(run) < 4 or fits:
+                run = [*run, role] if fits else [role]
+            last = match.end()
+            if len(run) == 4 and not in_code:
+                units.update(_unit_after(text, last, role))
+            if len(run) == 4 and {"theta", "alpha"} <= set(run):
+                return tuple(run), units
+        else:
+            run = [] if len(run) < 4 else run
+            last = match.end()
+    return None
+
+
+def _unit_after(text, at, role):
+    unit = re.match(r"\s*[\[(]\s*(deg|rad|mm|cm|m|°)\s*[\])]", text[at:])
+    return {role: {"°": "deg"}.get(unit[1], unit[1])} if unit else {}
+
+
+def convention_in(source):
+    """(convention, why) of the link matrix that the text itself computes; None without one."""
+    for line in source.text.split("\n"):
+        found = _of_moves(line)
+        if found:
+            return found, "by the order of the elementary moves in it"
+    for group in groups(source.code):
+        found = _of_matrix(group, source)
+        if found:
+            return found, "by the matrix in it"
+    return None
+
+
+def _of_moves(line):
+    """Rz Tz Tx Rx is the standard row, Rx Tx Rz Tz Craig's."""
+    if line.count("(") < 3:
+        return None
+    found = []
+    for match in MOVES.finditer(line[:400]):
+        axis = (match[1] or match[3] or match[8] or "").lower()
+        turns = match[0].lower().startswith(("rot", "r", "trot"))
+        if match[5] is not None:
+            held = [k for k in range(3) if match[5 + k].strip() not in ("0", "0.0", "")]
+            axis, turns = ("xyz"[held[0]] if len(held) == 1 else ""), False
+        argument = match[2] or match[4] or match[9] or "d"
+        if role_of(argument.split(",")[0])[0] is None and match[5] is None:
+            return None
+        found.append(("R" if turns else "T") + axis)
+    if sorted(found) != ["Rx", "Rz", "Tx", "Tz"]:
+        return None
+    return {("Rz", "Tz"): "standard", ("Rx", "Tx"): "craig"}.get(tuple(sorted(found[:2])))
+
+
+def _of_matrix(group, source):
+    """The convention of a matrix literal with cosines of theta and alpha in it."""
+    if not re.search(r"\b(cos|sin|c|s|ct|cth)", group.text) or not 60 < len(group.text) < 1500:
+        return None
+    cells = [cell for row in _matrix_rows(group) for cell in row]
+    if len(cells) not in (12, 16):
+        return None
+    known = dict(source.assigned)
+    for name in set(re.findall(r"[A-Za-z_]\w*", group.text + " ".join(map(str, known.values())))):
+        role = role_of(name)[0]
+        if role in (*ROLES, "r"):
+            known[key(name)] = ANGLES["a" if role == "r" else role]
+    try:
+        entries = [evaluate(cell, known) for cell in cells]
+    except NoExpression:
+        return None
+    if any(entry.letters for entry in entries):
+        return None
+    M = np.array([entry.number for entry in entries]).reshape(-1, 4)[:3]
+    row = [ANGLES[role] for role in ROLES]
+    for convention in ("standard", "craig"):
+        if np.allclose(M, link_matrices(convention, *row)[:3], atol=1e-6):
+            return convention
+    return None
+
+
+def _matrix_rows(group):
+    for item in group.items:
+        inner = (
+            item.groups[0] if len(item.groups) == 1 and item.text == item.groups[0].text else None
+        )
+        yield [part.text for part in inner.items] if inner else cells_in(item.text)

@@ -1,0 +1,92 @@
+"""Which parameter a heading or a name means."""
+
+import re
+
+from .letters import unified
+
+__all__ = ["ROLES", "role_of", "unit_in"]
+
+ROLES = ("theta", "d", "a", "alpha")
+PREVIOUS = re.compile(r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|\b(?:previous|prev)\b|_im1\b")
+UNIT = re.compile(
+    r"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in)\s*[\])]?\s*$"
+    r"|\s(?:in\s+)?(deg|degrees?|°|rad|radians?|mm|cm|m)\s*$|(°)$",
+    re.IGNORECASE,
+)
+UNIT_OF = {"degrees": "deg", "degree": "deg", "°": "deg", "radians": "rad", "radian": "rad"}
+PHRASES = (  # the first that fits
+    (r"\balphas?\b|\balfas?\b|\balp\b|\btwist", "alpha"),
+    (
+        r"\b(theta|th|joint)_?\s*off(set)?s?\b(?!.*\bd\b)|\boffset_?\s*(theta|angle|q)\b"
+        r"|\bq\w*_?offset\b",
+        "offset",
+    ),
+    (r"\bthetas?_?0?\b|\bjoint angle|\bth\b", "theta"),
+    (r"\blink offset|\bjoint distance|\blink[- ]?distance|\bjoint offset.*\bd\b", "d"),
+    (r"\blink length|\bcommon normal", "a"),
+    (r"^(sign|dir|direction|rotation direction|joint direction|sense|axis dir\w*)$", "sign"),
+    (r"\b(axis|direction)\b", "direction"),
+    (r"\b(sigma|prismatic)\b", "sigma"),
+    (r"\b(joint)?[ _]?type\b|^p/r$|^r/p$", "type"),
+    (r"\blower\b|\bmin(imum)?\b|\bqmin\b", "low"),
+    (r"\bupper\b|\bmax(imum)?\b|\bqmax\b", "high"),
+    (r"\b(qlim|limits?|range|bounds?)\b", "limits"),
+    (r"\boffsets?\b", "offset"),
+)
+LETTERS = {"d": "d", "a": "a", "r": "r", "q": "theta", "al": "alpha", "t": "theta"}
+LABELS = (
+    "i j k n no # link joint row name frame axis linki frames links joints transformation".split()
+)
+FILLER = re.compile(
+    r"\b(dh|mdh|sdh|params?|parameters?|vals?|values?|list|arr|array|vec|vector|robot|self|this|std"
+    r"|nominal|i|j|n|in|arm|my|the|column|link|const|double|float|constants?|config|table)\b"
+)
+
+
+def unit_in(text):
+    """The unit that a heading names, "" when it names none.
+
+    Examples
+    --------
+    >>> unit_in("alpha (deg)"), unit_in("d [mm]"), unit_in("a_i")
+    ('deg', 'mm', '')
+    """
+    found = UNIT.search(text.strip())
+    if not found:
+        return ""
+    said = next(part for part in found.groups() if part).lower()
+    return UNIT_OF.get(said, said)
+
+
+def role_of(text):
+    """(role, whether it is the previous row's) that a heading or a name means; role None when none.
+
+    The roles are theta, d, a, alpha, r (the length beside d, or the offset beside d), offset, sign,
+    direction, type, sigma, low, high, limits and label.
+
+    Examples
+    --------
+    >>> role_of("alpha_{i-1} [rad]"), role_of("link length"), role_of("self.theta_offset")
+    (('alpha', True), ('a', False), ('offset', False))
+    """
+    text = unified(str(text)).strip(" *`'\"$:").lower()
+    if text in LABELS or not text:
+        return "label", False
+    found = UNIT.search(text)
+    bare = text[: found.start()] if found and found.start() else text
+    previous = bool(PREVIOUS.search(bare)) and len(bare) < 24
+    bare = PREVIOUS.sub(" ", bare) if previous else bare
+    words = re.sub(r"[\[\](){}_,;:./|*]+", " ", bare)
+    words = re.sub(r"(?<=[a-z])0?[ijk]\b|(?<=\bd)h\b", "", words) if len(words) < 8 else words
+    words = " ".join(FILLER.sub(" ", words).split())
+    for pattern, role in PHRASES:
+        if re.search(pattern, words) or re.search(pattern, bare):
+            return role, previous
+    if words in LETTERS:
+        return LETTERS[words], previous
+    first = words.split(" ")
+    if len(first) > 1 and len(first[-1]) <= 2 and first[-1] in LETTERS:
+        return LETTERS[first[-1]], previous  # "link distance d", "ur5 a"
+    if words in ("distance", "offset d"):
+        return "d", previous
+    return (LETTERS["a"], previous) if words == "length" else (None, previous)

@@ -1,0 +1,203 @@
+"""A pasted text made ready: comments apart from what they comment, what its letters stand for, what
+it says of convention and units.
+"""
+
+import re
+from dataclasses import dataclass, field
+
+from .expressions import NoExpression, evaluate, key
+from .letters import unified
+
+__all__ = ["Source", "source_of"]
+
+MOST_CHARACTERS, MOST_LINES = 60_000, 1_500
+BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
+DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
+ASSIGNED = re.compile(
+    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))\s*"
+    r"([^=;\n,|{}\[\]:'\"]{1,120})"
+)
+WORDS_FOR = {
+    "craig": r"(?<![a-z])(modified|modif|craig\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])",
+    "standard": r"(?<![a-z])(standard(?! (?:units|deviation))|classic(?:al)?|distal|paul|spong"
+    r"|siciliano|stddh|sdh)(?![a-z])",
+}
+LENGTH_WORDS = {
+    "mm": r"\b(mm|milli-?met(?:er|re)s?)\b",
+    "cm": r"\b(cm|centi-?met(?:er|re)s?)\b",
+    "m": r"(?:\bmet(?:er|re)s?\b|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b)",
+}
+ANGLE_WORDS = {
+    "deg": r"\b(deg|degrees?)\b(?!\s*(?:2|to|of freedom))|[\[(]°[\])]",
+    "rad": r"\b(rad|radians?)\b(?!\s*(?:2|to))",
+}
+
+
+@dataclass
+class Source:
+    """A text made ready. ``code`` is it without comments, in plain letters; ``assigned`` what each
+    name is said to be; ``comments`` the rest, as (line, text); ``known`` what letters stand for:
+    what is assigned, but for the values of joints; ``convention``, ``length`` and ``angle`` what
+    words of the text say, "" when they say nothing or both.
+    """
+
+    text: str
+    code: str
+    assigned: dict
+    comments: list = field(default_factory=list)
+    known: dict = field(default_factory=dict)
+    convention: str = ""
+    length: str = ""
+    angle: str = ""
+
+    def value(self, text):
+        """The Value of an expression of this text, None when it is none."""
+        try:
+            return evaluate(text.strip().strip("'\"`"), self.known)
+        except NoExpression:
+            return None
+
+
+def source_of(text, values=None):
+    """The Source of a text; ``values`` are letters' values that were given beside it.
+
+    Raises
+    ------
+    ValueError
+        It is too long to be a table.
+    """
+    if len(text) > MOST_CHARACTERS or text.count("\n") > MOST_LINES:
+        raise ValueError(
+            f"recognise_table: expected one table, found a text of {len(text)} characters in"
+            f" {text.count(chr(10)) + 1} lines; paste the rows only"
+        )
+    text = unified(_unwrapped(text))
+    comments: list[tuple[int, str]] = []
+    code = _without_comments(text, comments)
+    if not re.search(r"\d", code):
+        code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
+    known = _assigned(code)
+    for _, comment in comments:
+        for name, value in _assigned(comment).items():
+            known.setdefault(name, value)
+    given = {key(str(name)): float(value) for name, value in (values or {}).items()}
+    return Source(
+        text,
+        code,
+        known,
+        comments,
+        {**{name: said for name, said in known.items() if not _joint_value(name, said)}, **given},
+        _only(text, WORDS_FOR),
+        _only(_prose(text, known), LENGTH_WORDS),
+        _only("\n".join(comment for _, comment in comments), ANGLE_WORDS),
+    )
+
+
+def _prose(text, known):
+    """The text without units that are factors of its own, as in 333*mm."""
+    text = re.sub(r"\bmm/s\w*|[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
+    return re.sub(r"\b(?:mm|cm)\b", "", text) if {"mm", "cm"} & set(known) else text
+
+
+def _joint_value(name, said):
+    """Whether this is where a joint stands, as ``theta1 = 0.3``, and nothing a table needs."""
+    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*", name.lower()):
+        return False
+    return not re.search(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d", said)
+
+
+def _only(text, words):
+    """The one name whose words stand in the text."""
+    said = [name for name, pattern in words.items() if re.search(pattern, text, re.IGNORECASE)]
+    return said[0] if len(said) == 1 else ""
+
+
+def _unwrapped(text):
+    """Quotation marks of mails and prompts off, frames of toolboxes drawn with ASCII, HTML rows as
+    lines.
+    """
+    text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
+    if re.search(r"<t[dh]\b", text, re.IGNORECASE):
+        text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
+        text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
+        text = re.sub(r"</?(tr|table|thead|tbody)[^>]*>", "\n", text, flags=re.IGNORECASE)
+        text = re.sub(r"<[^>\n]{1,80}>", "", text)
+    for code, letter in (("&nbsp;", " "), ("&minus;", "-"), ("&pi;", "pi"), ("&deg;", "°")):
+        text = text.replace(code, letter)
+    text = re.sub(r"^```.*$", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
+    text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
+    text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
+    text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
+    return text
+
+
+def _without_comments(text, comments):
+    """The text with comments blanked, which are added to ``comments`` with their line."""
+
+    def blanked(match):
+        line = text.count("\n", 0, match.start()) + 1
+        comments.extend(
+            (line + k, part.strip(" */'\"")) for k, part in enumerate(match[0].split("\n"))
+        )
+        return "\n" * match[0].count("\n")
+
+    lines = BLOCK.sub(blanked, text).split("\n")
+    for k, line in enumerate(lines):
+        cut = _comment_at(line)
+        if cut is not None:
+            comments.append((k + 1, line[cut:].lstrip("#%/! \t")))
+            lines[k] = line[:cut]
+    return "\n".join(lines)
+
+
+def _comment_at(line):
+    """Where a comment begins in a line, None when there is none."""
+    if re.match(r"\s*#\s*(define|include|if|endif|pragma)\b", line):
+        cut = line.find("//")
+        return cut if cut >= 0 else None
+    quote = ""
+    for at, letter in enumerate(line):
+        if quote:
+            quote = "" if letter == quote else quote
+        elif (
+            letter in "'\""
+            and line.find(letter, at + 1) > 0
+            and line[:at].rstrip()[-1:] in "([{,=:;"
+        ):
+            quote = letter
+        elif (
+            (letter == "%" and line[at + 1 : at + 3] != "pi")
+            or (
+                letter == "#"
+                and "|" not in line[:at]
+                and line[at + 1 : at + 2] not in (",", "|", "\t")
+            )
+            or (line.startswith("//", at) and line[at - 1 : at] != ":")
+        ):
+            return at
+    return None
+
+
+def _assigned(text):
+    """What each name of a text is said to be."""
+    known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
+    for name, value in ASSIGNED.findall(text):
+        for said in (value, *_shorter(value)):
+            said = said.strip().rstrip(".)")
+            if said.count("(") > said.count(")"):
+                said += ")"
+            try:
+                evaluate(said)
+            except NoExpression:
+                continue
+            if not re.search(rf"\b{re.escape(name)}\b", said):
+                known.setdefault(key(name), said)
+            break
+    return known
+
+
+def _shorter(value):
+    """A value before the words that follow it."""
+    yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
+    yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]
