@@ -10,7 +10,7 @@ from .diagnosis import Diagnosis as Diagnosis
 from .finding import Finding as Finding
 from .programs.explain import explain_function as explain_function
 from .programs.functions import diagnose_function as diagnose_function
-from .tables.dialects import Reading as Reading
-from .tables.dialects import Recognised as Recognised
-from .tables.dialects import recognise_table as recognise_table
+from .tables.recognise import Reading as Reading
+from .tables.recognise import Recognised as Recognised
+from .tables.recognise import recognise_table as recognise_table
 from .tables.rows import explain_rows as explain_rows

@@ -1,85 +1,74 @@
-"""One cell of a pasted table: a number, π/2, 90°, a joint variable with an offset. Parsed with a
-small grammar, never evaluated.
-
-A cell is a sum of terms; a term is a product or quotient of numbers, π and at most one joint
-variable; ° marks degrees.
+"""One cell of a pasted table: a number, π/2, 90°, a joint variable with an offset, a letter. Parsed
+with a small grammar, never evaluated.
 """
 
-import math
 import re
 from dataclasses import dataclass
 
-__all__ = ["Cell", "read_cell", "plain"]
+from .language.expressions import NoExpression, Value, evaluate
+from .language.letters import plain, unified
 
-LONGEST = 40
-TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)|(?P<pi>pi)|(?P<deg>°|degrees|deg)|(?P<unit>mm|cm|m|rad)(?![a-z0-9])"
-    r"|(?P<name>(?:theta|th|q|t|d|var|variable)_?\d*(?![a-z]))|(?P<op>[-+*/()]))"
+__all__ = ["Cell", "read_cell", "cell_of", "kind_of_letter", "plain"]
+
+LONGEST = 200
+KINDS = (
+    ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
+    ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
+    ("q", r"(?:q|var|variable|joint|j|phi|qs|angles?|jointangles?)\d*(?:\[.*\])?|q[ijk]|ja\d|x\d"),
+    ("d", r"d(?:\d+|[ijk]|\[.*\])?"),
+    ("a", r"[ar](?:\d+|[ijk]|\[.*\])?"),
+    ("length", r"[lh]\d*|(?:link|len|length)\d+"),
 )
-SAME = str.maketrans(
-    {
-        "−": "-",
-        "–": "-",
-        "—": "-",
-        "₋": "-",
-        "×": "*",
-        "·": "*",
-        "∗": "*",
-        "⁎": "*",
-        "│": "|",
-        "┃": "|",
-        "π": "pi",
-        "θ": "theta",
-        "ϑ": "theta",
-        "Θ": "theta",
-        "α": "alpha",
-        "⍺": "alpha",
-        "ⱼ": "_i",
-        "ᵢ": "_i",
-        "º": "°",
-        "˚": "°",
-        "\u00a0": " ",
-        "\u2009": " ",
-        "{": "",
-        "}": "",
-        "$": "",
-        "\\": "",
-        **{chr(0x2080 + k): str(k) for k in range(10)},
-    }
-)
-LENGTH_UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell says: ``value`` (the constant part), the joint variable in it ("theta", "d", "q"
-    or "") and how it counts, the unit it names.
+    """What a cell says: ``value`` (the constant part), the letters in it with their factors, and
+    the unit it names. ``text`` is it as written.
     """
 
     value: float
-    variable: str = ""
-    sign: int = 1
+    letters: tuple = ()
     unit: str = ""
+    text: str = ""
 
     @property
     def is_constant(self):
-        """Whether no joint variable stands in it."""
-        return not self.variable
+        """Whether no letter stands in it."""
+        return not self.letters
+
+    @property
+    def variable(self):
+        """What its letter looks like: "theta", "q", "d", "a", "alpha", "length" or "?"; "" without
+        one.
+        """
+        return kind_of_letter(self.letters[0][0]) if self.letters else ""
+
+    @property
+    def sign(self):
+        """How its letter counts."""
+        return -1 if self.letters and self.letters[0][1] < 0 else 1
 
 
-def plain(text):
-    """Greek letters, minus signs, subscripts and TeX marks written in plain letters, in lower case.
+def kind_of_letter(name):
+    """What a letter usually stands for, by its name.
 
     Examples
     --------
-    >>> plain("−π/2"), plain("θ₁"), plain("$\\\\theta_1$")
-    ('-pi/2', 'theta1', 'theta_1')
+    >>> kind_of_letter("theta1"), kind_of_letter("q[2]"), kind_of_letter("L1")
+    ('theta', 'q', 'length')
     """
-    return text.translate(SAME).lower().strip()
+    low = name.lower()
+    return next((kind for kind, names in KINDS if re.fullmatch(names, low)), "?")
 
 
-def read_cell(text):
-    """The Cell in a text.
+def cell_of(value: Value, text=""):
+    """The Cell of a Value."""
+    return Cell(value.number + 0.0, tuple(value.letters.items()), value.unit, text)
+
+
+def read_cell(text, known=None):
+    """The Cell in a text; ``known`` says what letters stand for.
 
     Raises
     ------
@@ -99,123 +88,20 @@ def read_cell(text):
             " holds one value"
         )
     try:
-        return _Parser(_tokens(plain(text))).cell()
-    except (_NoCell, ZeroDivisionError, OverflowError):
-        known = "a number, a multiple of pi, or a joint variable such as q2 - 90"
-        raise ValueError(f"expected {known}, found {text!r}; write it as one of these") from None
+        return cell_of(evaluate(_trimmed(unified(text)), known), text.strip())
+    except NoExpression:
+        shown = text.strip() if len(text.strip()) <= 40 else text.strip()[:37] + "…"
+        expected = "a number, a multiple of pi, or a joint variable such as q2 - 90"
+        raise ValueError(
+            f"expected {expected}, found {shown!r}; write it as one of these"
+        ) from None
 
 
-class _NoCell(Exception):
-    """The text is not in the grammar."""
-
-
-def _tokens(text):
-    found, at = [], 0
-    while at < len(text):
-        match = TOKEN.match(text, at)
-        if not match or match.end() == at:
-            if not text[at:].strip():
-                break
-            raise _NoCell
-        found.append((match.lastgroup, match.group(match.lastgroup)))
-        at = match.end()
-    return found
-
-
-class _Parser:
-    """Recursive descent over at most 40 characters."""
-
-    def __init__(self, tokens):
-        self.tokens, self.at = tokens, 0
-        self.units, self.names = set(), []
-
-    def cell(self):
-        constant, variable = self.sum()
-        if self.at < len(self.tokens) or len(self.units) > 1 or len(self.names) > 1:
-            raise _NoCell
-        if abs(variable) not in (0, 1) or not math.isfinite(constant):
-            raise _NoCell
-        unit = next(iter(self.units), "")
-        name = self.names[0] if self.names and variable else ""
-        return Cell(
-            constant,
-            "theta" if name[:1] == "t" else "q" if name[:1] in ("q", "v") else name[:1],
-            int(variable) or 1,
-            unit,
-        )
-
-    def peek(self):
-        return self.tokens[self.at] if self.at < len(self.tokens) else (None, None)
-
-    def take(self):
-        self.at += 1
-        return self.tokens[self.at - 1]
-
-    def sum(self):
-        """(constant, coefficient of the variable)."""
-        constant, variable = self.product()
-        while self.peek() in (("op", "+"), ("op", "-")):
-            sign = 1 if self.take()[1] == "+" else -1
-            more = self.product()
-            constant, variable = constant + sign * more[0], variable + sign * more[1]
-        return constant, variable
-
-    def product(self):
-        constant, variable = self.factor()
-        while True:
-            kind, text = self.peek()
-            if (kind, text) in (("op", "*"), ("op", "/")):
-                self.take()
-                if (
-                    text == "*"
-                    and variable
-                    and self.peek() in ((None, None), ("op", "+"), ("op", "-"), ("op", ")"))
-                ):
-                    continue  # q1* marks the joint variable
-                other = self.factor()
-                if other[1] and (text == "/" or variable):
-                    raise _NoCell
-                if text == "/":
-                    constant, variable = constant / other[0], variable / other[0]
-                else:
-                    constant, variable = (
-                        constant * other[0],
-                        variable * other[0] + constant * other[1],
-                    )
-            elif kind == "pi":  # 2pi
-                self.take()
-                self.units.add("rad")
-                constant *= math.pi
-            else:
-                return constant, variable
-
-    def factor(self):
-        kind, text = self.peek()
-        if (kind, text) in (("op", "-"), ("op", "+")):
-            self.take()
-            constant, variable = self.factor()
-            return (-constant, -variable) if text == "-" else (constant, variable)
-        if kind is None:
-            raise _NoCell
-        self.take()
-        if (kind, text) == ("op", "("):
-            inside = self.sum()
-            if self.peek() != ("op", ")"):
-                raise _NoCell
-            self.take()
-            return inside
-        return self.atom(kind, text)
-
-    def atom(self, kind, text):
-        if kind == "name":
-            self.names.append(text)
-            return 0.0, 1
-        if kind not in ("number", "pi"):
-            raise _NoCell
-        value = math.pi if kind == "pi" else float(text)
-        if kind == "pi":
-            self.units.add("rad")
-        if self.peek()[0] in ("deg", "unit"):
-            self.units.add("deg" if self.peek()[0] == "deg" else self.peek()[1])
-            self.take()
-        return value, 0
+def _trimmed(text):
+    """Without what decorates a cell: quotes, Markdown's stars, `(var)`, a decimal comma."""
+    text = text.strip().strip("`'\"").strip()
+    bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
+    text = next(part for part in bold.groups() if part) if bold else text
+    text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([a-z][a-z .,-]{2,}\)$", "", text)
+    text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
+    return re.sub(r"^=\s*", "", text)

@@ -1,18 +1,18 @@
-"""What a column of a pasted table can be: angles or lengths, degrees or radians, metres or
-millimetres.
-"""
+"""What a column of a pasted table can be: angles or lengths; and the order of the columns."""
 
 from itertools import permutations
 
 import numpy as np
 
-__all__ = ["orders", "angle_units", "length_units", "misplaced", "snapped"]
+__all__ = ["ROLES", "Order", "orders", "misplaced", "snapped"]
+
+from dataclasses import dataclass
 
 # who writes his columns so, the most common first
 DIALECTS = {
     ("theta", "d", "a", "alpha"): "as here and in the Robotics Toolbox",
     ("a", "alpha", "d", "theta"): "as in MATLAB and Spong's book",
-    ("alpha", "a", "theta", "d"): "as in some lecture notes",
+    ("alpha", "a", "theta", "d"): "as in pybotics and some lecture notes",
     ("alpha", "a", "d", "theta"): "as in Craig's book",
     ("theta", "a", "d", "alpha"): "as Universal Robots prints it",
     ("a", "d", "alpha", "theta"): "as Franka prints it",
@@ -21,24 +21,40 @@ DIALECTS = {
     ("theta", "alpha", "a", "d"): "",
     ("alpha", "theta", "a", "d"): "",
     ("theta", "alpha", "d", "a"): "",
+    ("alpha", "d", "a", "theta"): "",
+    ("d", "a", "alpha", "theta"): "",
 }
 ROLES = ("theta", "d", "a", "alpha")
-LONGEST_ARM = 3.0  # metres; a length beyond it is taken for millimetres or asked about
+LONGEST_ARM = 3.0  # metres
 STEP = 15  # degrees; angles in tables are multiples of it
+LENGTHS = ("mm", "cm", "m", "in")
+PLACE = {
+    "theta": ("theta",),
+    "q": ("theta", "d"),
+    "d": ("d",),
+    "a": ("a",),
+    "alpha": ("alpha",),
+    "length": ("d", "a"),
+    "?": ("theta", "d", "a", "alpha"),
+}
+
+
+@dataclass(frozen=True)
+class Order:
+    """One order in which the columns may stand, why, and the convention where it says that too."""
+
+    roles: tuple
+    why: str
+    convention: str | None = None
+    because: str = ""
 
 
 def orders(table, given):
-    """(roles of the columns, why) that fit, the likeliest first."""
+    """The Orders that fit, the likeliest first."""
     if given is not None:
-        return [(tuple(given.split()), "as you say")]
+        return [Order(tuple(given.split()), "as you say")]
     if table.roles is not None:
-        missing = [role for role in ROLES if role not in table.roles]
-        if missing:
-            raise ValueError(
-                f"recognise_table: the header has no column {' and '.join(missing)}; expected"
-                " theta, d, a and alpha"
-            )
-        return [(table.roles, "as the header says")]
+        return _named(table)
     columns = list(zip(*table.rows))
     strict = [_kind(column) for column in columns]
     lenient = [
@@ -49,8 +65,51 @@ def orders(table, given):
         for known in (DIALECTS, permutations(ROLES)):
             fitting = [roles for roles in known if _fits(roles, columns, kinds)]
             if fitting:
-                return [(roles, DIALECTS.get(roles) or "an unusual order") for roles in fitting]
+                return [
+                    Order(roles, DIALECTS.get(roles) or "an unusual order") for roles in fitting
+                ]
     return []
+
+
+def _named(table):
+    """What the headings mean; r is the length or the offset, whichever has no column."""
+    roles = table.roles
+    if "theta" not in roles and "offset" in roles:
+        roles = tuple("theta" if role == "offset" else role for role in roles)
+    missing = [role for role in ROLES if role not in roles]
+    if not missing:
+        return [Order(roles, table.why)]
+    if "r" in roles and missing == ["d"]:
+        return [Order(_swapped(roles, r="d"), f"{table.why}, r being the offset along z")]
+    if "r" in roles and missing == ["a"]:
+        return _offset_or_length(roles, table)
+    raise ValueError(
+        f"recognise_table: the header has no column {' and '.join(missing)}; expected theta, d, a"
+        " and alpha"
+    )
+
+
+def _offset_or_length(roles, table):
+    """Columns d and r: Khalil and Kleinfinger's, where d is the length and r the offset of a Craig
+    row, or those of a row in which r is the length.
+    """
+    khalil = Order(
+        _swapped(roles, d="a", r="d"),
+        f"{table.why}, d being the length and r the offset as Khalil and Kleinfinger write",
+        "craig",
+        "Khalil and Kleinfinger's rows are Craig's",
+    )
+    other = Order(_swapped(roles, r="a"), f"{table.why}, r being the length")
+    at = [role for role in roles if role in ("theta", "d", "r", "alpha")]
+    if at == ["alpha", "d", "theta", "r"] and table.convention != "standard":
+        return [khalil]
+    if table.convention == "standard" or at.index("r") + 1 == at.index("alpha"):
+        return [other]
+    return [khalil, other] if table.convention == "craig" else [other, khalil]
+
+
+def _swapped(roles, **names):
+    return tuple(names.get(role, role) for role in roles)
 
 
 def _might_be_degrees(column):
@@ -58,7 +117,11 @@ def _might_be_degrees(column):
     look so.
     """
     values = [abs(cell.value) for cell in column if cell.value]
-    return not any(cell.unit in ("mm", "cm", "m") for cell in column) and 10 < max(values) <= 360
+    return (
+        bool(values)
+        and not any(cell.unit in LENGTHS for cell in column)
+        and 10 < max(values) <= 360
+    )
 
 
 def misplaced(columns):
@@ -81,16 +144,12 @@ def misplaced(columns):
 
 
 def _fits(roles, columns, kinds):
-    moving = sum(any(not cell.is_constant for cell in column) for column in columns)
+    moving = sum(any(cell.variable in ("theta", "q", "?") for cell in column) for column in columns)
     for role, column, kind in zip(roles, columns, kinds):
         variables = {cell.variable for cell in column} - {""}
         if kind not in ("any", "angle" if role in ("theta", "alpha") else "length"):
             return False
-        if (
-            ("theta" in variables and role != "theta")
-            or ("d" in variables and role != "d")
-            or (variables and role not in ("theta", "d"))
-        ):
+        if any(role not in PLACE[variable] for variable in variables):
             return False
         if "q" in variables and moving == 1 and role != "theta":
             return False  # an arm of sliding joints only is not what "q" in one column means
@@ -98,10 +157,10 @@ def _fits(roles, columns, kinds):
 
 
 def _kind(column):
-    """ "angle", "length" or "any", by units, by multiples of 15° and by size."""
-    if any(cell.unit in ("deg", "rad") or cell.variable == "theta" for cell in column):
+    """ "angle", "length" or "any", by units, by letters, by multiples of 15° and by size."""
+    if any(cell.unit in ("deg", "rad") or cell.variable in ("theta", "alpha") for cell in column):
         return "angle"
-    if any(cell.unit in ("mm", "cm", "m") or cell.variable == "d" for cell in column):
+    if any(cell.unit in LENGTHS or cell.variable in ("d", "a", "length") for cell in column):
         return "length"
     values = np.array([cell.value for cell in column if cell.value])
     if not len(values):
@@ -125,63 +184,16 @@ def _kind(column):
     return "any" if fine or turns else "angle" if mixed else "length"
 
 
-def angle_units(table, columns, given):
-    """The units that the angles can have: "deg", "rad", or "mixed" when one column holds both."""
-    said = {table.units.get(role) for role in ("theta", "alpha")} & {"deg", "rad"}
-    if given or said:
-        return [given or said.pop()]
-    cells = [
-        cell
-        for role in ("theta", "alpha", "offset")
-        for cell in columns.get(role, ())
-        if cell.value
-    ]
-    if not cells or all(cell.unit == "deg" for cell in cells):
-        return ["deg"]
-    bare = [cell for cell in cells if cell.unit not in ("deg", "rad")]
-    beyond = [cell for cell in bare if abs(cell.value) > 2 * np.pi]
-    small = [
-        cell
-        for cell in cells
-        if (cell not in beyond and cell.unit != "deg" and snapped(cell.value)[1])
-        or cell.unit == "rad"
-    ]
-    if beyond and small:
-        return ["mixed"]
-    if beyond:
-        return ["deg"]
-    if small or not bare:
-        return ["rad"]
-    return ["rad", "deg"]
-
-
-def length_units(table, columns, given):
-    """The units that the lengths can have, "m" or "mm"; both when the size does not tell."""
-    said = {table.units.get(role) for role in ("d", "a")} & {"m", "mm"}
-    if given or said:
-        return [given or said.pop()]
-    sizes = [
-        abs(cell.value)
-        for role in ("d", "a")
-        for cell in columns[role]
-        if cell.value and cell.unit not in ("mm", "cm", "m")
-    ]
-    if not sizes or max(sizes) <= LONGEST_ARM:
-        return ["m"]
-    return ["mm"] if max(sizes) > 10 else ["m", "mm"]
-
-
 def snapped(value):
-    """(value, "") or the multiple of π/2 that a rounded number means, with a sentence.
+    """The multiple of π/2 that a rounded number is near to, and its name; (None, "") of another.
 
     Examples
     --------
     >>> snapped(1.5708)[1], snapped(0.3)
-    ('1.5708 is read as π/2', (0.3, ''))
+    ('π/2', (None, ''))
     """
     turns = round(value / (np.pi / 2))
     if not turns or abs(turns) > 4 or abs(value - turns * np.pi / 2) > 2e-3 * abs(turns):
-        return value, ""
-    exact = turns * np.pi / 2
+        return None, ""
     name = {1: "π/2", 2: "π", 3: "3π/2", 4: "2π"}[abs(turns)]
-    return exact, f"{value:.6g} is read as {'-' if turns < 0 else ''}{name}"
+    return turns * np.pi / 2, f"{'-' if turns < 0 else ''}{name}"

@@ -1,4 +1,6 @@
-"""Every reading of a pasted table that its text allows: order, convention, units, extra rows."""
+"""Every reading of a pasted table that its text allows: order, convention, units, rows without a
+joint.
+"""
 
 from dataclasses import dataclass
 from itertools import product
@@ -8,7 +10,10 @@ import numpy as np
 from ...arm import Arm
 from ...kinematics import link_matrices
 from ...table import COLUMNS, DHTable
-from .columns import angle_units, length_units, orders, snapped
+from .chain import arm_of, rows_of
+from .columns import orders, snapped
+from .joints import fixed_rows, joints_of
+from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
 
 __all__ = ["QUESTIONS", "Reading", "readings"]
 
@@ -16,12 +21,14 @@ QUESTIONS = {
     "order": "In which order do the columns stand",
     "convention": "For which matrix are the rows, the standard or Craig's (modified) one?",
     "angle": "Are the angles degrees or radians?",
-    "length": "Are the lengths metres or millimetres?",
+    "length": "In which unit are the lengths",
     "row": (
-        "Does a row without a joint (base or flange) stand among these, or does each row have a"
-        " motor?"
+        "Does a row without a joint (base, flange or a fixed frame) stand among these, or does each"
+        " row have a motor?"
     ),
+    "form": "How is the text meant",
 }
+BOOKS = {"standard": "standard convention", "craig": "Craig (modified) convention"}
 
 
 @dataclass(frozen=True)
@@ -46,130 +53,143 @@ class Reading:
         return self.words
 
 
-def readings(table, order, convention, angle, length, right):
+def readings(table, order, convention, angle, length, right, tidy):
     """Every reading that the text allows, the likeliest first."""
-    for roles, why in orders(table, order):
-        columns = {role: [row[k] for row in table.rows] for k, role in enumerate(roles)}
-        conventions = [convention] if convention else ["standard", "craig"]
-        if not convention and _looks_like_craig(columns):
-            conventions.reverse()
+    for found in orders(table, order):
+        columns = {role: [row[k] for row in table.rows] for k, role in enumerate(found.roles)}
+        for role in ("theta", "d", "a", "alpha"):
+            columns.setdefault(role, [])
         choices = product(
-            conventions,
+            _conventions(table, columns, convention, found),
             angle_units(table, columns, angle),
             length_units(table, columns, length),
-            _extra_rows(table, columns, right),
+            fixed_rows(table, columns, right),
         )
-        for name, unit, metre, extra in choices:
-            yield _reading(table, columns, roles, why, name, unit, metre, extra)
+        for choice in choices:
+            yield _reading(table, columns, found, choice, tidy)
+
+
+def _conventions(table, columns, given, order):
+    """(convention, why) as somebody says it, or both, the likelier first."""
+    if given:
+        return [(given, "as you say")]
+    if order.convention:
+        return [(order.convention, order.because)]
+    if table.convention:
+        return [(table.convention, table.because or "as the text says")]
+    both = [("standard", ""), ("craig", "")]
+    return both[::-1] if _looks_like_craig(columns) else both
 
 
 def _looks_like_craig(columns):
     """The first row without a and alpha, the last row with: a Craig table more often than not."""
-    first, last = ([columns[role][k].value for role in ("a", "alpha")] for k in (0, -1))
+    first, last = (
+        [bool(columns[role][k].value or columns[role][k].letters) for role in ("a", "alpha")]
+        for k in (0, -1)
+    )
     return not any(first) and any(last)
 
 
-def _extra_rows(table, columns, right):
-    """Which rows have no joint: ("", "base" or "tool") by labels, by the missing variable, or by
-    the number of joints asked for.
-    """
-    n = len(table.rows)
-    named = "base" if table.labels[0] in ("base", "0 (base)") else ""
-    named = named or (
-        "tool"
-        if any(word in table.labels[-1] for word in ("flange", "tool", "hand", "ee", "end"))
-        else ""
-    )
-    moves = [any(not columns[role][i].is_constant for role in columns) for i in range(n)]
-    fixed = (
-        [not moved for moved in moves] if any(moves) else [kind == "fixed" for kind in table.kinds]
-    )
-    if n < 2:
-        return [""]
-    if named or (sum(fixed) == 1 and (fixed[0] or fixed[-1])):
-        return [named or ("base" if fixed[0] else "tool")]
-    if right is not None and n == len(right) + 1 and not any(moves):
-        return ["base", "tool"]
-    if table.labels[0] == "0" and not any(moves):
-        return ["", "base"]
-    return [""]
-
-
-def _reading(table, columns, roles, why, convention, unit, metre, extra):
+def _reading(table, columns, order, choice, tidy):
+    (convention, known), (unit, angle_why), (metre, length_why), fixed = choice
+    joints, signs = joints_of(table, columns, fixed)
     assumed = []
-    numbers = {
-        role: np.array([_scaled(cell, role, unit, metre, assumed) for cell in column])
-        for role, column in columns.items()
-        if role != "sigma"
-    }
-    numbers["theta"] = numbers["theta"] + numbers.pop("offset", 0)
-    joints = [_joint(table, columns, i) for i in range(len(table.rows))]
-    signs = [_sign(columns, i) for i in range(len(table.rows))]
-    rows = np.column_stack([numbers[role] for role in COLUMNS])
-    order = f"columns {', '.join(role for role in roles if role in numbers)}, {why}"
+    rows = np.column_stack(
+        [
+            [_angle(cell, role, unit, tidy, assumed) for cell in columns[role]]
+            if role in ("theta", "alpha")
+            else [in_metres(cell, metre) for cell in columns[role]]
+            for role in COLUMNS
+        ]
+    )
+    for i, cell in enumerate(columns.get("offset", ())):
+        if joints[i] == "P":
+            rows[i, 1] += in_metres(cell, metre)
+        else:
+            rows[i, 0] += _angle(cell, "theta", unit, tidy, assumed)
+    shown = [role for role in order.roles if role in COLUMNS or role == "offset"]
+    words = [
+        *([table.form] if table.form else []),
+        f"columns {', '.join(shown)}, {order.why}",
+        BOOKS[convention] + (f", {known}" if known else ""),
+        UNIT_WORDS[unit] + _why(angle_why),
+        UNIT_WORDS[metre] + _why(length_why),
+        *_row_words(fixed, len(rows)),
+    ]
     return Reading(
-        _arm(convention, rows, joints, signs, extra),
-        f"{order}; {_words(convention, unit, metre)}{EXTRA[extra]}",
+        _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
+        "; ".join(words),
         tuple(dict.fromkeys(assumed)),
-        tuple(zip(QUESTIONS, (roles, convention, unit, metre, extra))),
+        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, fixed, ""))),
     )
 
 
-EXTRA = {
-    "": "",
-    "base": "; the first row has no joint and is the base",
-    "tool": "; the last row has no joint and is the flange",
-}
+def _why(text):
+    return f" {text}" if text.startswith("by") else f", {text}" if text else ""
 
 
-def _words(convention, unit, metre):
-    """Convention and units, in words."""
-    units = {
-        "deg": "degrees",
-        "rad": "radians",
-        "mixed": "radians, with numbers beyond 2π as degrees",
-    }[unit]
-    book = "Craig (modified)" if convention == "craig" else "standard"
-    return f"{book} convention; {units}; {'millimetres' if metre == 'mm' else 'metres'}"
-
-
-def _sign(columns, i):
-    """How the joint variable of row i counts."""
-    moving = [columns[role][i] for role in ("theta", "d") if not columns[role][i].is_constant]
-    return moving[0].sign if moving else 1
-
-
-def _scaled(cell, role, unit, metre, assumed):
-    if role in ("d", "a"):
-        return (
-            cell.value
-            * {"mm": 1e-3, "cm": 1e-2, "m": 1.0}[
-                cell.unit if cell.unit in ("mm", "cm", "m") else metre
-            ]
-        )
-    in_degrees = cell.unit == "deg" or (
-        cell.unit != "rad" and (unit == "deg" or (unit == "mixed" and abs(cell.value) > 2 * np.pi))
-    )
-    if in_degrees:
-        return np.deg2rad(cell.value)
-    value, said = snapped(cell.value) if cell.unit != "rad" else (cell.value, "")
-    assumed.extend([said] if said else [])
+def _angle(cell, role, unit, tidy, assumed):
+    value = in_radians(cell, unit)
+    if cell.unit == "rad" and "pi" in cell.text.lower():
+        return value
+    exact, name = snapped(value)
+    if exact is None or abs(value - exact) < 1e-9:
+        return value if exact is None or not tidy else exact
+    if tidy:
+        assumed.append(f"{cell.value:.6g} is taken for {name}, as asked")
+        return exact
+    if abs(value - exact) < 2e-4:
+        assumed.append(f"{cell.value:.10g} is meant as it stands; tidied, it would be {name}")
     return value
 
 
-def _joint(table, columns, i):
-    if table.kinds[i] in ("R", "P"):
-        return table.kinds[i]
-    if "sigma" in columns:
-        return "P" if columns["sigma"][i].value else "R"
-    return "P" if not columns["d"][i].is_constant and columns["theta"][i].is_constant else "R"
+def _row_words(fixed, n):
+    if not fixed:
+        return []
+    if set(fixed) == {0}:
+        return ["the first row has no joint and is the base"]
+    if set(fixed) == {n - 1}:
+        return ["the last row has no joint and is the flange"]
+    return [f"rows without a joint: {', '.join(str(i + 1) for i in fixed)}"]
 
 
-def _arm(convention, rows, joints, signs, extra):
-    kept = (
-        slice(1, None) if extra == "base" else slice(None, -1) if extra == "tool" else slice(None)
-    )
-    fixed = {"base": rows[0], "tool": rows[-1]}.get(extra)
-    ends = {} if fixed is None else {extra: link_matrices(convention, *fixed)}
+def _limits(table, joints, unit, metre):
+    """The limits of the joints in radians and metres, None where the text has none."""
+    pairs = table.limits or [None] * len(joints)
+    scaled = [
+        pair
+        and tuple(
+            in_metres(cell, metre) if letter == "P" else in_radians(cell, unit) for cell in pair
+        )
+        for pair, letter in zip(pairs, joints)
+    ]
+    scaled = [pair if pair and pair[0] < pair[1] else None for pair in scaled]
+    return scaled if any(scaled) else None
+
+
+def _arm(convention, rows, joints, signs, limits):
+    moving = [i for i, letter in enumerate(joints) if letter]
+    if not moving:
+        raise ValueError(
+            "recognise_table: expected at least one joint, found rows without a joint variable only"
+        )
+    first, last = moving[0], moving[-1] + 1
+    kept = slice(first, last)
+    limits = None if limits is None else [limits[i] for i in moving]
+    limits = limits if limits and any(limits) else None
+    if len(moving) < last - first:
+        steps = list(rows_of(convention, rows, joints, signs))
+        return Arm(**{**_parts(arm_of(steps, convention)), "limits": limits})
+    ends = {}
+    for name, part in (("base", rows[:first]), ("tool", rows[last:])):
+        if len(part):
+            T = np.eye(4)
+            for row in part:
+                T = T @ link_matrices(convention, *row)
+            ends[name] = T
     table = DHTable(convention, *rows[kept].T, "".join(joints[kept]))
-    return Arm(table, sign=signs[kept], **ends)
+    return Arm(table, sign=signs[kept], limits=limits, **ends)
+
+
+def _parts(arm):
+    return {"table": arm.table, "base": arm.base, "tool": arm.tool, "sign": arm.sign}

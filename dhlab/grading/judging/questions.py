@@ -25,7 +25,7 @@ IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
 LATER = {
     "dh.diagnose": "dhlab.doctor.arms.poses",
     "dh.diagnose_function": "dhlab.doctor.programs.functions",
-    "dh.recognise": "dhlab.doctor.tables.dialects",
+    "dh.recognise": "dhlab.doctor.tables.recognise",
     "dh.symbolic": "sympy",
     "dh.calibrate": "dhlab.measure",
     "dh.fit_circles": "dhlab.measure",

@@ -9,9 +9,10 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...printing import number
-from .columns import misplaced
-from .pasted import take_apart
+from .columns import LENGTHS, misplaced
 from .readings import QUESTIONS, Reading, readings
+from .scales import UNIT_WORDS
+from .take_apart import take_apart
 
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
@@ -88,20 +89,38 @@ class Recognised:
     __repr__ = __str__
 
 
-def recognise_table(given, right=None, *, order=None, convention=None, angle=None, length=None):
-    """Read a table pasted from a paper, a program or a spreadsheet.
+def recognise_table(
+    given,
+    right=None,
+    *,
+    order=None,
+    convention=None,
+    angle=None,
+    length=None,
+    values=None,
+    nominal=None,
+    tidy=False,
+):
+    """Read a table pasted from a paper, a program, a configuration file or a spreadsheet.
 
     Parameters
     ----------
     given : str or rows
-        Text with tabs, spaces, commas, semicolons or pipes between the cells, with or without a
-        header and an index column; or rows of numbers and texts. Cells such as ``pi/2``, ``-π/2``,
-        ``90°``, ``q1``, ``θ2* - 90`` are understood; nothing is evaluated.
+        A text: a table with tabs, spaces, commas or pipes between the cells, in LaTeX or Markdown;
+        source code in Python, MATLAB, C or Julia; calls of a toolbox; KDL segments, elementary
+        transforms, OPW parameters; a controller's calibration. Or rows of numbers and texts.
+        Everything is parsed, nothing is executed.
     right : Arm, optional
         The arm the table should be; readings that are not equivalent to it are left out, if one is.
     order, convention, angle, length : optional
         Answers to the questions: ``"theta d a alpha"`` (any order), ``"standard"`` or ``"craig"``,
-        ``"deg"`` or ``"rad"``, ``"m"`` or ``"mm"``.
+        ``"deg"`` or ``"rad"``, ``"m"``, ``"mm"``, ``"cm"`` or ``"in"``.
+    values : dict of str to float, optional
+        What letters of the table stand for, in its units.
+    nominal : Arm, optional
+        The table to which a calibration file's differences are added.
+    tidy : bool
+        Take 1.5708 for π/2 and the like; left out, every number is kept as it is written.
 
     Returns
     -------
@@ -119,24 +138,23 @@ def recognise_table(given, right=None, *, order=None, convention=None, angle=Non
     ...           2  0.4  0      0    q2 - 90°'''
     >>> found = recognise_table(said, convention="standard")
     >>> print(found)
-    Read as columns a, alpha, d, theta, as the header says; standard convention; degrees; metres.
+    Read as columns a, alpha, d, theta, as the header says; standard convention, as you say;
+    degrees, as the cells say; metres by size.
     >>> found.arm.table.theta.round(4)
     array([ 0.    , -1.5708])
     """
-    table = take_apart(given)
     _check_answers(order, convention, angle, length)
-    found = list(readings(table, order, convention or table.convention, angle, length, right))
+    table = take_apart(given, values, nominal)
+    if isinstance(table, list):  # read as an arm: nothing is left to ask of columns
+        return _answer(_different(table), (), right)
+    found = list(readings(table, order, convention, angle, length, right, tidy))
     if not found:
         raise ValueError(
             "recognise_table: expected two columns of angles and two of lengths, found no order in"
             ' which the columns are that; say the order, as in order="theta d a alpha"'
         )
     kept = _different(found)[:MOST_READINGS]
-    if right is None:
-        return _answer(kept, _notes(table, kept), None)
-    same, but_for = _equivalent(right, kept)
-    kept = same or kept
-    return _answer(kept, (*but_for, *_notes(table, kept)), bool(same))
+    return _answer(kept, (*table.notes, *_notes(table, kept)), right)
 
 
 def _equivalent(right, readings):
@@ -161,7 +179,7 @@ def _check_answers(order, convention, angle, length):
     for name, value, known in (
         ("convention", convention, ("standard", "craig")),
         ("angle", angle, ("deg", "rad")),
-        ("length", length, ("m", "mm")),
+        ("length", length, LENGTHS),
     ):
         if value is not None and value not in known:
             raise ValueError(
@@ -195,7 +213,11 @@ def _same_arm(a, b):
     return np.allclose(a.forward(q), b.forward(q), rtol=0, atol=1e-9)
 
 
-def _answer(readings, notes, matches):
+def _answer(readings, notes, right):
+    matches = None
+    if right is not None:
+        same, but_for = _equivalent(right, readings)
+        readings, notes, matches = same or readings, (*but_for, *notes), bool(same)
     questions = tuple(
         _question(name, readings)
         for name in QUESTIONS
@@ -210,6 +232,8 @@ def _question(name, readings):
     values = list(dict.fromkeys(dict(reading.choices)[name] for reading in readings))
     if name == "order":
         return f"{QUESTIONS[name]}: " + ", or ".join(" ".join(roles) for roles in values) + "?"
+    if name == "length":
+        return f"{QUESTIONS[name]}: {', or '.join(UNIT_WORDS[unit] for unit in values)}?"
     return QUESTIONS[name]
 
 
@@ -237,7 +261,11 @@ def _notes(table, readings):
             " column?"
         )
     odd = misplaced(
-        {role: [row[k] for row in table.rows] for k, role in enumerate(choices["order"])}
+        {
+            role: [row[k] for row in table.rows]
+            for k, role in enumerate(choices["order"])
+            if k < len(table.rows[0])
+        }
     )
     if odd:
         notes.append(

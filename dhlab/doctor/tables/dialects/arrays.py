@@ -1,0 +1,117 @@
+"""One array per parameter: ``a = [0, 0.4]; alpha = …``, ARTE's ``robot.DH.a``, urcontrol.conf."""
+
+import re
+
+from ..cells import cell_of
+from ..language.brackets import cells_in, groups
+from ..language.expressions import key
+from ..language.roles import role_of
+from ..pasted import Pasted
+
+__all__ = ["arrays_in", "read"]
+
+WRAPPERS = re.compile(
+    r"(?:array|matrix|asarray|list|tuple|vector|radians|deg2rad|rad|tensor|svector|deg)$"
+)
+
+
+def arrays_in(source):
+    """{name: list of Values} of every flat array whose items are expressions."""
+    code = re.sub(
+        r"([\w'\"]+)\s*:\s*((?:\n\s*-\s*[^\n:\[]+)+)",
+        lambda m: m[1] + ": [" + ", ".join(re.findall(r"-\s+([^\n]+)", m[2])) + "]\n",
+        source.code,
+    )
+    found = {}
+    for group in groups(code):
+        outer = group.outer
+        name = group.target
+        turned = outer is not None and outer.name.split(".")[-1].lower() in ("radians", "deg2rad")
+        if not name and outer is not None and WRAPPERS.search(outer.name.lower()):
+            name = outer.target or (outer.outer.target if outer.outer else "")
+        if (
+            not name
+            or group.mark == "("
+            or any(item.groups and group.mark in item.text for item in group.items)
+        ):
+            continue
+        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        values = [source.value(cell) for cell in cells]
+        if len(values) >= 2 and all(value is not None for value in values):
+            if turned or re.match(
+                r"\s*\*\s*(deg|pi\s*/\s*180)", code.split(group.text, 1)[-1][:20]
+            ):
+                values = [
+                    source.value(f"({cell})*pi/180") if not value.unit else value
+                    for cell, value in zip(cells, values)
+                ]
+            found.setdefault(name, [(value, cell) for value, cell in zip(values, cells)])
+    return found
+
+
+def read(source, nominal=None):
+    """The Pasted table of arrays named after the parameters; None when d, a and alpha are not
+    there.
+    """
+    by_role: dict = {}
+    for name, values in arrays_in(source).items():
+        if re.search(r"delta_", name):
+            continue
+        role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
+        role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
+        role = None if "home" in name.lower() else role
+        if role and (role not in by_role or len(values) > len(by_role[role])):
+            by_role.setdefault(role, values)
+    if "a" not in by_role and "r" in by_role:
+        by_role["a"] = by_role.pop("r")
+    if not {"d", "a", "alpha"} <= set(by_role):
+        return None
+    n = len(by_role["alpha"])
+    short = [
+        role
+        for role in ("theta", "d", "a", "alpha", "offset")
+        if role in by_role and len(by_role[role]) != n
+    ]
+    if short:
+        lengths = ", ".join(f"{len(by_role[role])} of {role}" for role in ("d", "a", "alpha"))
+        raise ValueError(
+            f"recognise_table: expected as many numbers of each parameter, found {lengths}; fill in"
+            " what is missing"
+        )
+    roles = [role for role in ("theta", "d", "a", "alpha", "offset") if role in by_role]
+    columns = [[cell_of(value, text) for value, text in by_role[role]] for role in roles]
+    if "theta" not in roles and "offset" not in roles:
+        roles.insert(0, "theta")
+        columns.insert(0, [cell_of(source.value("0"))] * n)
+    signs = tuple(-1 if value.number < 0 else 1 for value, _ in by_role.get("sign", ()))
+    return Pasted(
+        tuple(zip(*columns)),
+        tuple(roles),
+        "as the names of the arrays say",
+        labels=("",) * n,
+        kinds=_kinds(source, n),
+        signs=signs if len(signs) == n else (1,) * n,
+        **_known_form(source),
+    )
+
+
+def _kinds(source, n):
+    """ARTE's robot.kind."""
+    found = re.search(r"kind\s*=\s*\[([^\]]*)\]", source.code)
+    letters = re.findall(r"[RP]", found[1]) if found else []
+    if len(letters) == n and key("kind"):
+        return tuple(letters)
+    return ("",) * n
+
+
+def _known_form(source):
+    if re.search(r"robot\.DH\.\w+|\bARTE\b", source.text):
+        return {"form": "ARTE", "convention": "standard", "because": "as ARTE has it"}
+    if re.search(r"^\s*\[DH\]|\bdh_theta\b|joint_checksum", source.text, re.MULTILINE):
+        return {
+            "form": "a Universal Robots controller's file",
+            "convention": "standard",
+            "because": "as Universal Robots has it",
+            "length": "m",
+        }
+    return {}

@@ -1,0 +1,171 @@
+"""Links made one by one, by classes of toolboxes: RevoluteDH(…), Link([…]), Revolute('d', …),
+DHLink(…), RevoluteMDHLink(…), Frame::DH(…).
+"""
+
+import re
+
+from ..cells import cell_of, read_cell
+from ..language.brackets import cells_in, groups, keyword
+from ..language.roles import role_of
+from ..pasted import Row, from_rows
+
+__all__ = ["read"]
+
+ROBOTICS_TOOLBOX = "links of the Robotics Toolbox"
+# (name, form, convention, order of numbers without names, whether its theta is ignored)
+CLASSES = (
+    (r"(revolute|prismatic)mdhlink", "pybotics", "craig", "alpha a theta d"),
+    (r"(revolute|prismatic)mdh", ROBOTICS_TOOLBOX, "craig", "d a alpha theta offset"),
+    (r"(revolute|prismatic)dh", ROBOTICS_TOOLBOX, "standard", "d a alpha theta offset"),
+    (r"revolute|prismatic", ROBOTICS_TOOLBOX, "standard", ""),
+    (r"dhlink|dhrobotlink", "DHLink", "", "d a alpha theta"),
+    (r"link", ROBOTICS_TOOLBOX, "", "theta d a alpha sigma offset"),
+)
+OLD_LINK = "alpha a theta d sigma offset"
+FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
+NAMED = ("theta", "d", "a", "alpha", "r", "offset")
+
+
+def read(source, nominal=None):
+    """The Pasted table of calls of link classes; None when there are none."""
+    rows, forms, conventions, notes = [], [], set(), []
+    for group in groups(source.code):
+        name = group.name.split(".")[-1].split("::")[-1]
+        known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
+        if known is None or group.mark != "(" or _is_inner(group):
+            continue
+        row, said = _row(group, name, known, source, notes, len(rows) + 1)
+        if row is None:
+            continue
+        rows.append(row)
+        forms.append(known[1])
+        conventions.add(said or known[2])
+    if not rows or (len(rows) == 1 and not rows[0].cells):
+        return None
+    conventions.discard("")
+    if len(conventions) > 1:
+        raise ValueError(
+            "recognise_table: expected links of one convention, found standard and modified ones;"
+            " paste one arm"
+        )
+    said = conventions.pop() if conventions else _default(source, forms)
+    return from_rows(
+        rows,
+        why="as their names say",
+        form=forms[0],
+        convention=said or None,
+        because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
+        notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def _default(source, forms):
+    """Links of the toolbox that say nothing are standard ones, unless the text says otherwise."""
+    if re.search(r"modified|\bmdh\b|craig", source.text, re.IGNORECASE):
+        return ""
+    return "standard" if forms[0] == ROBOTICS_TOOLBOX else ""
+
+
+def _is_inner(group):
+    """A call within another link's brackets, as in KDL's Segment(Joint(…), …)."""
+    return group.outer is not None and group.outer.name.split("::")[-1].lower() in ("segment",)
+
+
+def _row(group, name, known, source, notes, number):
+    cells, said, limits, sign, kind = {}, "", None, 1, ""
+    order = OLD_LINK if name == "link" and known[0] == "link" else known[3]
+    items = [item.text for item in group.items]
+    pairs, loose = _pairs(items)
+    for key, text in pairs:
+        role = role_of(key)[0]
+        if key.lower() in ("qlim", "bounds", "limits"):
+            limits = _limits(text, source)
+        elif key.lower() == "flip":
+            sign = -1 if text.lower() in ("true", "1") else 1
+        elif key.lower() in ("mdh", "modified"):
+            said = "craig" if text.lower() in ("true", "1") else ""
+        elif key.lower() in ("sigma", "jointtype", "type", "joint_type"):
+            kind = "P" if text.strip("'\"").lower()[:1] in ("p", "1") else "R"
+        elif role in NAMED:
+            cells[role] = _cell(text, source, number, role)
+    for text in loose:
+        word = text.strip("'\"").lower()
+        if word == "flip":
+            sign = -1
+        elif word in ("modified", "mdh", "standard", "dh", "stdh"):
+            said = "craig" if word in ("modified", "mdh") else "standard"
+        elif text[:1] in "[{":
+            cells.update(_by_order(cells_in(text.strip("[]{}")), order, source, number))
+    numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
+    if not cells and len(numbers) >= 3 and order:
+        cells.update(_by_order(numbers, order, source, number))
+    if not cells and group.items and not pairs:
+        return None, ""
+    if not cells and not pairs and known[0] == "link":
+        return None, ""
+    sigma = cells.pop("sigma", None)
+    kind = ("P" if sigma.value else "R") if sigma is not None else kind
+    kind = kind or ("P" if name.lower().startswith("prismatic") else "R")
+    _ignore_theta(cells, kind, known, notes, number)
+    if "r" in cells:
+        cells["a"] = cells.pop("r")
+    return Row(cells, kind, "", sign, limits), said
+
+
+def _pairs(items):
+    """(name, text) of what is named, as keywords or as MATLAB's pairs; and the rest."""
+    pairs, loose, at = [], [], 0
+    while at < len(items):
+        text = items[at]
+        named = keyword(text) if text[:1] not in "'\"[" else None
+        word = re.fullmatch(r"['\"](\w+)['\"]", text)
+        if named:
+            pairs.append(named)
+        elif word and at + 1 < len(items) and word[1].lower() not in FLAGS:
+            pairs.append((word[1], items[at + 1]))
+            at += 1
+        else:
+            loose.append(text)
+        at += 1
+    return pairs, loose
+
+
+def _by_order(texts, order, source, number):
+    if not 4 <= len(texts) <= 6 and not (order.startswith("d") and len(texts) == 3):
+        raise ValueError(
+            f"recognise_table: link {number}: expected four to six numbers, found {len(texts)};"
+            " write theta, d, a, alpha or name them"
+        )
+    return {role: _cell(text, source, number, role) for role, text in zip(order.split(), texts)}
+
+
+def _cell(text, source, number, role):
+    try:
+        return read_cell(text.strip(" '\""), source.known)
+    except ValueError as error:
+        raise ValueError(f"recognise_table: link {number}, {role}: {error}") from None
+
+
+def _limits(text, source):
+    """(low, high) of "[-pi, pi]" or "[-120 120]*deg"; None when it is something else."""
+    found = re.match(r"[\[({](.*)[\])}]\s*(\*.*)?$|np\.\w+\(\[(.*)\]\)", text.strip(), re.DOTALL)
+    if not found:
+        return None
+    parts = cells_in(found[1] or found[3] or "")
+    values = [source.value(f"({part}){found[2] or ''}") for part in parts]
+    if len(values) != 2 or any(value is None or value.letters for value in values):
+        return None
+    return tuple(cell_of(value) for value in values)
+
+
+def _ignore_theta(cells, kind, known, notes, number):
+    """The toolbox takes q + offset for the angle of a turning joint; theta counts for nothing."""
+    theta = cells.get("theta")
+    if known[1] != ROBOTICS_TOOLBOX or kind != "R" or theta is None or not theta.is_constant:
+        return
+    if theta.value:
+        notes.append(
+            f"theta = {theta.text} of link {number} is left out, as the toolbox does: the joint's"
+            " value takes its place; a zero offset is written offset"
+        )
+    del cells["theta"]

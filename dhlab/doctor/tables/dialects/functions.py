@@ -1,0 +1,84 @@
+"""One call for each row: ``T01 = dh(q1, 0.3, 0, pi/2)``, in the order of its definition."""
+
+import re
+from collections import Counter
+
+from ..cells import cell_of
+from ..language.brackets import groups, keyword
+from ..language.orders import order_in
+from ..language.roles import ROLES, role_of
+from ..pasted import Pasted
+
+__all__ = ["read"]
+
+NOT_A_LINK = re.compile(
+    r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
+    r"|twist|pose|transl?|vec3|tuple|list|origin\w*|size|inertia|cuboid|box|mass|rgba|trplot|axis"
+    r"|joint|segment|max|min|sum|diag|zip|atan2|random\w*|uniform|opw\w*)$",
+    re.IGNORECASE,
+)
+
+
+def read(source, nominal=None):
+    """The Pasted table of calls with four numbers each; None when there are none."""
+    calls = [group for group in groups(source.code) if group.mark == "(" and group.name]
+    orders = {}
+    for call in calls:
+        roles = tuple(role_of(_bare(item.text))[0] for item in call.items)
+        named = [role for role in roles if role in (*ROLES, "r")]
+        if len(set(named)) == 4 and "alpha" in named:
+            orders.setdefault(_last(call.name), roles)
+    found: dict = {}
+    for call in calls:
+        cells = _cells(call, source, orders.get(_last(call.name)))
+        if cells and not NOT_A_LINK.match(_last(call.name)):
+            found.setdefault((_last(call.name), len(cells)), []).append(cells)
+    found = {name: rows for name, rows in found.items() if len(rows) >= 2}
+    if not found:
+        return None
+    (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
+    rows = found[name, width]
+    roles, why = orders.get(name), f"as the definition of {name} says"
+    if roles is None:
+        said = order_in(source)
+        roles, why = (said[0], said[2]) if said else (None, "")
+    if roles is not None and (len(roles) != width or width != 4):
+        keep = [k for k, role in enumerate(roles[:width]) if role in (*ROLES, "r", "offset")]
+        rows, roles = [tuple(row[k] for k in keep) for row in rows], tuple(roles[k] for k in keep)
+        width = len(roles)
+    if width != 4:
+        return None
+    n = len(rows)
+    return Pasted(
+        tuple(tuple(row) for row in rows), roles, why,
+        labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
+    )  # fmt: skip
+
+
+def _last(name):
+    return re.split(r"\.|::|->", name)[-1]
+
+
+def _bare(text):
+    """A parameter without its type and default."""
+    return re.split(r"\s+|[*&]", text.split("=")[0].split(":")[0].strip())[-1]
+
+
+def _cells(call, source, roles):
+    """The Cells of a call of four to six numbers; None of another, and of the definition itself."""
+    items = call.items
+    if not 4 <= len(items) <= 6:
+        return None
+    texts = [item.text for item in items]
+    pairs = [keyword(text) for text in texts]
+    if all(pairs) and roles is None:
+        return None
+    if all(role_of(_bare(text))[0] in (*ROLES, "r") for text in texts[:4]):
+        return None
+    values = [source.value(text) for text in texts]
+    if any(value is None for value in values[:4]):
+        return None
+    values = values[: next((k for k, value in enumerate(values) if value is None), len(values))]
+    if not any(re.search(r"\d", text) for text in texts):
+        return None
+    return tuple(cell_of(value, text) for value, text in zip(values, texts))

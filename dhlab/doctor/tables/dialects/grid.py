@@ -1,0 +1,217 @@
+"""Tables as text: rows in lines, cells between pipes, tabs, commas, semicolons or spaces, with or
+without headings, labels and joint types; also rows of numbers.
+"""
+
+import itertools
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+
+from ..cells import Cell, plain, read_cell
+from ..language.roles import ROLES, role_of, unit_in
+from ..pasted import Pasted
+
+__all__ = ["from_grid"]
+
+KEPT = (*ROLES, "offset", "sigma", "r")
+KINDS = {
+    "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
+    "prismatic": "P", "p": "P", "linear": "P", "pris": "P", "t": "P", "sliding": "P",
+    "fixed": "fixed", "f": "fixed", "static": "fixed",
+}  # fmt: skip
+SIGNS = {
+    **dict.fromkeys(("+", "+1", "1", "+z", "ccw", "positive", "normal"), 1),
+    **dict.fromkeys(("-", "-1", "-z", "cw", "negative", "reversed", "inverted"), -1),
+}
+
+
+def header(cells):
+    """(roles, units, convention) when a line is a heading, None otherwise."""
+    if any(isinstance(cell, (int, float, np.number)) for cell in cells):
+        return None
+    found = [(*role_of(cell), unit_in(plain(str(cell)))) for cell in cells]
+    roles = tuple(role for role, _, _ in found)
+    if len({"theta", "d", "a", "alpha", "r", "offset"} & set(roles)) < 3:
+        return None
+    if sum(_try(cell) is not None and _try(cell).is_constant for cell in cells) > 1:
+        return None
+    previous = any(was and role in ("a", "alpha", "r") for role, was, _ in found)
+    same = [re.search(r"[a-z_\s(\[{][ij][)\]}]*\s*$", _bare(cell)) for cell in cells]
+    indexed = all(mark for mark, role in zip(same, roles) if role in (*ROLES, "r"))
+    return (
+        roles,
+        {role: unit for role, _, unit in found if unit and role},
+        "craig" if previous else "i" if indexed and not previous else None,
+    )
+
+
+def _bare(cell):
+    return re.sub(r"[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])]", "", plain(str(cell))).strip("$* ")
+
+
+def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
+    """The Pasted table in (where, cells) of each line.
+
+    Parameters
+    ----------
+    grid : list of (str, list)
+        Where a line stands, and its cells.
+    source : Source, optional
+        What the text around it says.
+    roles, why, units : optional
+        The order of the columns where something else than a heading says it.
+    """
+    said, because, rows, heads = None, "", [], units or {}
+    for where, cells in grid:
+        head = header(cells) if not rows else None
+        if head:
+            roles, heads, said = head
+            why, because = "as the header says", _because(said)
+            continue
+        if not rows and _is_title(cells):
+            continue
+        rows.append(_row(cells, roles, where, source))
+    if not rows:
+        raise ValueError(
+            "recognise_table: expected at least one row of four numbers, found none; paste the"
+            " table with its rows, one per line"
+        )
+    cells, labels, kinds, signs = zip(*rows)
+    kept = roles and tuple(role for role in roles if role in KEPT)
+    table = Pasted(
+        cells, kept or None, why, heads, said if said != "i" else None, because,
+        labels, kinds, signs, form=form,
+    )  # fmt: skip
+    table = _even(table)
+    if said == "i" and _ends_as_standard(table):
+        table = replace(table, convention="standard", because=_because("i"))
+    return table
+
+
+def _because(said):
+    return {
+        "craig": "by the index i-1 in the header",
+        "i": "since all headings carry the index i, and the last row has neither a nor alpha",
+    }.get(said, "")
+
+
+def _ends_as_standard(table):
+    if table.roles is None or not {"a", "alpha"} <= set(table.roles):
+        return False
+    at = [table.roles.index("a"), table.roles.index("alpha")]
+    first, last = ([table.rows[k][j] for j in at] for k in (0, -1))
+    return any(c.value or c.letters for c in first) and not any(c.value or c.letters for c in last)
+
+
+def _is_title(cells):
+    """A line above the table: at most half of its words could be cells."""
+    return 2 * sum(
+        isinstance(cell, (int, float, np.number)) or _try(cell) is not None for cell in cells
+    ) <= len(cells)
+
+
+def _try(cell):
+    try:
+        return read_cell(str(cell))
+    except ValueError:
+        return None
+
+
+def _row(cells, roles, where, source):
+    """(Cells, label, kind, sign) of one line."""
+    label, kind, sign, kept = "", "", 1, []
+    if roles is not None and len(cells) == len(roles) + 1 and "label" not in roles:
+        label, cells = plain(str(cells[0])), cells[1:]
+    if roles is not None and roles[0] == "label" and len(cells) > len(roles):
+        spare = len(cells) - len(roles)
+        cells = [" ".join(map(str, cells[: spare + 1])), *cells[spare + 1 :]]
+    if roles is not None and len(cells) != len(roles):
+        raise ValueError(
+            f"recognise_table: {where}: expected as many cells as the header has, {len(roles)},"
+            f" found {len(cells)}; fill in what is missing"
+        )
+    for k, cell in enumerate(cells):
+        role = roles[k] if roles is not None else None
+        word = plain(cell).strip("*`'\" ") if isinstance(cell, str) else ""
+        if role == "label":
+            label = word or str(cell)
+        elif role == "type" or (role is None and word in KINDS and (k == 0 or len(word) > 1)):
+            kind = KINDS.get(word.split(" ")[0], KINDS.get(word[:1], ""))
+        elif role in ("sign", "direction"):
+            sign = _sign(word, where)
+        elif role in KEPT:
+            kept.append(_cell(cell, where, k, source))
+        elif roles is None:
+            if k in (0, len(cells) - 1) and isinstance(cell, str) and _try(cell) is None:
+                label = word
+            else:
+                kept.append(_cell(cell, where, k, source))
+    return tuple(kept), label, kind, sign
+
+
+def _sign(word, where):
+    if word not in SIGNS:
+        raise ValueError(
+            f"recognise_table: {where}: expected + or - in the column of directions, found"
+            f" {word[:30]!r}; write which way the joint counts"
+        )
+    return SIGNS[word]
+
+
+def _cell(cell, where, k, source):
+    if isinstance(cell, (int, float, np.number)) and not isinstance(cell, bool):
+        if not math.isfinite(cell):
+            raise ValueError(
+                f"recognise_table: {where}, cell {k + 1}: expected a finite number, found {cell};"
+                " look at where it was computed"
+            )
+        return Cell(float(cell))
+    if isinstance(cell, str) and plain(cell) in ("-", "", "nan", "n/a", "?"):
+        raise ValueError(
+            f"recognise_table: {where}, cell {k + 1}: expected a number, found an empty cell; write"
+            " 0 where 0 is meant"
+        )
+    try:
+        return read_cell(str(cell), source.known if source else None)
+    except ValueError as error:
+        raise ValueError(f"recognise_table: {where}, cell {k + 1}: {error}") from None
+
+
+def _even(table):
+    """The table with four columns (or those its header names), an index column taken off."""
+    widths = {len(row) for row in table.rows}
+    if len(widths) > 1:
+        found = ", ".join(map(str, sorted(widths)))
+        raise ValueError(
+            f"recognise_table: expected as many cells in every row, found rows of {found} cells;"
+            " fill in what is missing"
+        )
+    width = widths.pop()
+    if table.roles is not None and width == len(table.roles):
+        return table
+    if width == 5 and _counts([row[0] for row in table.rows]):
+        labels = tuple(str(int(row[0].value)) for row in table.rows)
+        return _even(replace(table, rows=tuple(row[1:] for row in table.rows), labels=labels))
+    if width == 5 and all(row[4].is_constant and row[4].value in (0, 1) for row in table.rows):
+        return replace(
+            table,
+            rows=tuple(row[:4] for row in table.rows),
+            kinds=tuple("P" if row[4].value else "R" for row in table.rows),
+        )
+    if width != 4:
+        raise ValueError(
+            f"recognise_table: expected four numbers in a row, found {width}; paste θ, d, a, α in"
+            " any order, an index column before them or not"
+        )
+    return table
+
+
+def _counts(cells):
+    values = [cell.value for cell in cells]
+    return (
+        all(cell.is_constant for cell in cells)
+        and values[0] in (0, 1)
+        and all(b - a == 1 for a, b in itertools.pairwise(values))
+    )

@@ -1,0 +1,183 @@
+"""Which lines of a text are the table, and where their cells end."""
+
+import re
+from collections import Counter
+
+from ..cells import read_cell
+from ..language.brackets import cells_in
+from .grid import from_grid, header
+
+__all__ = ["read"]
+
+RULE = re.compile(r"[-|:+=\s().;_*#~]*")  # a line that only separates
+MARKS = ("|", "\t", ";", ",")
+MOST_LINES = 60
+
+
+def read(source, nominal=None):
+    """The Pasted table in the lines of a text.
+
+    Raises
+    ------
+    ValueError
+        One sentence with the line: expected, found, what to do.
+    """
+    code = source.code
+    if re.search(r"\d", re.sub(r"[a-z]\w*", "", code)) is None:
+        code = source.text
+    lines = [
+        (k, _without_brackets(line))
+        for k, line in enumerate(_broken(code).split("\n"), 1)
+        if line.strip() and not RULE.fullmatch(line) and not _assignment(line)
+    ]
+    split, mark = _splitter([line for _, line in lines])
+    grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
+    grid = _with_heading(grid, source, split)
+    grid = _one_cell_a_line(grid, lines) or _table_only(grid)
+    if len(grid) > MOST_LINES:
+        raise ValueError(
+            f"recognise_table: expected at most {MOST_LINES} lines, found {len(grid)}; paste the"
+            " rows only"
+        )
+    return from_grid(grid, source)
+
+
+def _with_heading(grid, source, split):
+    """The grid with the heading that stands in a comment, where it has none itself."""
+    if any(header(cells) for _, cells in grid):
+        return grid
+    for line, comment in source.comments:
+        if header(cells := split(comment.strip())):
+            return [(f"line {line}", cells), *(row for row in grid if int(row[0][5:]) > line)]
+    return grid
+
+
+def _broken(text):
+    """A matrix on one line is broken where its rows end."""
+    lines = [line for line in text.split("\n") if line.strip()]
+    if len(lines) == 1 and lines[0].count(";") >= 1 and not re.search(r";\s*[\w.]+\s*;", text):
+        return re.sub(r";|\]\s*,?\s*\[", "\n", text)
+    return re.sub(r"\]\s*,\s*\[", "]\n[", text)
+
+
+def _without_brackets(line):
+    line = re.sub(
+        r"^[\w\s().]*=\s*\[|^[\w\s().]*=\s*\w*\(\s*\[|[\[\]](?!\w)(?<!\w.)|^\s*\[", " ", line
+    )
+    line = re.sub(r"^\s*(%|#|//)\s*", "", line)
+    return line.strip().rstrip(";,").strip()
+
+
+def _assignment(line):
+    """Whether the line says what one letter is."""
+    return (
+        bool(re.match(r"\s*(?:where\b.*|[A-Za-z_]\w*\s*)=\s*[^\[{|\t]*$", line)) and "|" not in line
+    )
+
+
+def _splitter(lines):
+    """(how the cells of these lines are separated, the mark); a comma is a decimal one where
+    something else separates.
+    """
+    tables = [line for line in lines if re.search(r"\d", line)] or lines
+    for mark in MARKS:
+        least = 2 if mark in "|\t" else 3
+        if sum(line.count(mark) >= least for line in tables) > (
+            0 if mark in "|\t" else len(tables) / 2
+        ):
+            if mark == ",":
+                return lambda line: [cell.strip() for cell in re.split(r",(?![^(]*\))", line)], mark
+            return (lambda line, mark=mark: _trimmed(line.split(mark), mark)), mark
+    wide, narrow = ([_cells(line, gap) for line in lines] for gap in (True, False))
+    if _alike(wide) >= max(_alike(narrow), 1):
+        return (lambda line: _cells(line, True)), None
+    return (lambda line: _cells(line, False)), None
+
+
+def _alike(rows):
+    """How many rows have the commonest width of four or more."""
+    widths = Counter(len(row) for row in rows if len(row) >= 4)
+    return max(widths.values(), default=0)
+
+
+def _trimmed(cells, mark):
+    cells = [cell.strip() for cell in cells]
+    if mark == "|":
+        cells = cells[1:] if cells and not cells[0] else cells
+        cells = cells[:-1] if cells and not cells[-1] else cells
+    return cells
+
+
+def _cells(line, wide):
+    """Cells separated by spaces; "q2 - 90", "pi / 2", "90 deg" and "i - 1" are one cell each."""
+    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
+    line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
+    line = re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
+    if wide:
+        return [cell for cell in re.split(r"\s{2,}", line.strip()) if cell]
+    return cells_in(line.replace(",", " ") if not re.search(r"\d,\d", line) else line)
+
+
+def _good(cell):
+    """Whether a cell is a number, or a letter with its index."""
+    try:
+        found = read_cell(cell)
+    except ValueError:
+        return False
+    return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
+
+
+def _one_cell_a_line(grid, lines):
+    """The grid of a page that was copied with every cell on a line of its own; None of others."""
+    for k, (_, cells) in enumerate(grid):
+        if len(cells) < 4 or not header(cells):
+            continue
+        rest = [(number, line) for number, line in lines if number > int(grid[k][0].split()[1])]
+        if len(rest) < 2 * len(cells) or any(len(_cells(line, True)) > 1 for _, line in rest):
+            return None
+        rows = [rest[at : at + len(cells)] for at in range(0, len(rest), len(cells))]
+        if len(rows[-1]) < len(cells):
+            rows.pop()
+        return [grid[k], *((f"line {row[0][0]}", [line for _, line in row]) for row in rows)]
+    return None
+
+
+def _table_only(grid):
+    """The lines of the table: its heading and its rows, without the prose around them.
+
+    Raises
+    ------
+    ValueError
+        Two tables, or a line within the table that is none of its rows.
+    """
+    heads = [k for k, (_, cells) in enumerate(grid) if header(cells)]
+    width = len(grid[heads[0]][1]) if heads else 0
+    rows = [
+        k
+        for k, (_, cells) in enumerate(grid)
+        if k not in heads and (not heads or k > heads[0]) and _is_row(cells, width)
+    ]
+    if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
+        raise ValueError(
+            f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
+            f" {grid[heads[1]][0]}; paste one of them"
+        )
+    if not rows:
+        return [grid[k] for k in heads]
+    kept = []
+    for k in range(rows[0], rows[-1] + 1):
+        if k in rows:
+            kept.append(grid[k])
+        elif sum(map(_good, grid[k][1])) >= 2:
+            raise ValueError(
+                f"recognise_table: {grid[k][0]}: expected a row like the others, found"
+                f" {' '.join(grid[k][1])[:60]!r}; mend it or leave it out"
+            )
+    return [grid[heads[0]], *kept] if heads else kept
+
+
+def _is_row(cells, width):
+    good = sum(map(_good, cells))
+    if width:
+        return (len(cells) in (width, width + 1) and good >= 2) or good >= max(3, len(cells) - 1)
+    return good >= 3 and 2 * good >= len(cells)

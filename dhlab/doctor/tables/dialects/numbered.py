@@ -1,0 +1,87 @@
+"""One name for each number: ``a1 = 0.05; alpha1 = -pi/2``, SymPy's ``{alpha0: 0, a0: 0, d1: …}``,
+``dh(1).theta = 0``.
+"""
+
+import re
+
+from ..cells import cell_of
+from ..language.roles import role_of
+from ..pasted import Row, from_rows
+
+__all__ = ["read"]
+
+FIELD = re.compile(
+    r"\w+\s*[\[({](\d+)[\])}]\s*\.\s*(\w+)\s*=\s*([^;\n=]+)|\b[A-Za-z]+_?(\d+)\.(\w+)\s*=\s*([^;\n=]+)"
+)
+CELL = re.compile(r"\b([A-Za-z_]+)\s*[\[(](\d+)[\])]\s*=\s*([^;\n=]+)")
+PAIR = re.compile(r"(?<![\w.])([A-Za-z_]+?)_?(\d+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
+NAMES = ("theta", "d", "a", "alpha", "r", "offset")
+
+
+def read(source, nominal=None):
+    """The Pasted table of numbered names; None when d, a and alpha are not all there."""
+    found: dict = {}
+    for name, index, text in _named(source.code):
+        role = role_of(name)[0]
+        value = source.value(text.strip().rstrip(".)"))
+        if role in NAMES and value is not None:
+            found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
+    if "a" not in found and "r" in found:
+        found["a"] = found.pop("r")
+    if not {"d", "alpha"} <= set(found) or len(found["alpha"]) < 2:
+        return None
+    shift, convention = _shift(found)
+    first = min(found["d"])
+    last = max(max(found["d"]), *(k + shift for k in found["alpha"]))
+    rows = []
+    for k in range(first, last + 1):
+        cells = {
+            role: cell_of(*values[at])
+            for role, values in found.items()
+            if (at := k - shift if role in ("a", "alpha") else k) in values
+        }
+        if "alpha" not in cells and "d" not in cells and "a" not in cells:
+            continue
+        rows.append((cells, _kind(cells, found)))
+    gaps = {
+        role: [k for k, (cells, _) in enumerate(rows, first) if role not in cells]
+        for role in ("d", "alpha", "a")
+    }
+    notes = tuple(
+        f"{role} is not given for row {', '.join(map(str, missing))} and is taken for 0"
+        for role, missing in gaps.items()
+        if missing
+    )
+    return from_rows(
+        [Row(cells, kind) for cells, kind in rows],
+        why="as their names say",
+        convention=convention,
+        because="since a and alpha are counted from 0, d from 1" if convention else "",
+        notes=notes,
+    )
+
+
+def _named(code):
+    """(name, index, text) of every assignment with a number in its name."""
+    for match in FIELD.finditer(code):
+        yield (match[2], match[1], match[3]) if match[1] else (match[5], match[4], match[6])
+    for match in CELL.finditer(code):
+        yield match[1], match[2], match[3]
+    for match in PAIR.finditer(code):
+        yield match[1], match[2], match[3]
+
+
+def _shift(found):
+    """1 where alpha0 and a0 stand beside d1: then the rows are Craig's."""
+    if min(found["alpha"]) == 0 and min(found["d"]) == 1 and 0 in found.get("a", {0: 0}):
+        return 1, "craig"
+    return 0, None
+
+
+def _kind(cells, found):
+    """A row whose theta is a number while other rows have variables has no joint."""
+    theta = cells.get("theta")
+    variables = any(value.letters for value, _ in found.get("theta", {}).values())
+    if theta is not None and not theta.letters and variables:
+        return "fixed" if not any(value.letters for value, _ in [*found["d"].values()]) else ""
+    return "R" if theta is None and variables else ""

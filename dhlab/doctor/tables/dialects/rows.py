@@ -1,0 +1,185 @@
+"""Rows between brackets, in any language: a matrix, a list of lists, initialisers, a list of
+dictionaries, a stream of numbers.
+"""
+
+import re
+
+from ..cells import cell_of
+from ..language.brackets import cells_in, groups, keyword
+from ..language.orders import order_in
+from ..language.roles import role_of
+from ..pasted import Row, from_rows
+from .grid import from_grid
+
+__all__ = ["read"]
+
+# function or class: (order, convention, what its own words are for the convention, form)
+MAKERS = {
+    "setfixedtransform": (
+        "a alpha d theta",
+        None,
+        "setFixedTransform of the Robotics System Toolbox",
+    ),
+    "pybotics": ("alpha a theta d", "craig", "pybotics"),
+    "mdhkinematicchain": ("alpha a theta d", "craig", "pybotics"),
+    "robotserial": ("d a alpha theta", None, "visual_kinematics"),
+    "nlinkarm": ("theta alpha a d", "standard", "PythonRobotics"),
+    "robotdef": ("alpha a d theta", None, "SymPyBotics"),
+    "dq_serialmanipulatordh": ("theta d a alpha", "standard", "DQ Robotics"),
+    "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
+    "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
+}
+NAMED = (
+    (r"[\"']mdh[\"']|modified", "craig"),
+    (r"[\"']dh[\"']|[\"'](normal|standard)[\"']", "standard"),
+)
+
+
+def read(source, nominal=None):
+    """The Pasted table of the largest group of rows; None when there is none."""
+    return _dictionaries(source) or _numbers(source)
+
+
+def _dictionaries(source):
+    rows = []
+    for group in groups(source.code):
+        if group.mark != "{" and group.name.lower() != "dict":
+            continue
+        row = {}
+        for item in group.items:
+            pair = keyword(item.text)
+            role = role_of(pair[0])[0] if pair else None
+            value = (
+                source.value(pair[1])
+                if pair and role in ("theta", "d", "a", "alpha", "r", "offset")
+                else None
+            )
+            if value is not None:
+                row[role] = cell_of(value, pair[1])
+            elif role == "type" or (pair and pair[0] in ("type", "joint_type", "kind")):
+                row["type"] = pair[1].strip("'\"").lower()
+        if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= 2:
+            rows.append(row)
+    if len(rows) < 2:
+        return None
+    if all("r" in row and "a" not in row for row in rows):
+        rows = [
+            {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
+        ]
+    kinds = [row.pop("type", "")[:1].upper() for row in rows]
+    return from_rows(
+        [
+            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""))
+            for row, kind in zip(rows, kinds)
+        ],
+        why="as their names say",
+    )
+
+
+def _numbers(source):
+    grid = max(
+        (*map(_matrix, groups(source.code)), *_streams(source.code)), key=_size, default=None
+    )
+    if not grid or len(grid) < 1 or _size(grid) < 4:
+        return None
+    if any(_value(cell, source) is None for _, row in grid for cell in _inner(row)):
+        return None
+    order, convention, form = _made_by(source)
+    why, units = f"as {form} has them" if form else "", {}
+    if order is None:
+        found = order_in(source)
+        if found:
+            order, units, why, _ = found
+    width = len(grid[0][1])
+    if len(grid) in (4, 5) and width not in (4, 5) and "dq" in form.lower() + source.code.lower():
+        grid = [
+            (f"column {k}", list(column))
+            for k, column in enumerate(zip(*(row for _, row in grid[:4])), 1)
+        ]
+        width = 4
+    fits = order if order and width in (4,) else None
+    if order and width > 4:
+        fits = _with_more(order, [row for _, row in grid])
+    table = from_grid(grid, source, fits, why, units, form)
+    if convention:
+        from dataclasses import replace
+
+        table = replace(table, convention=convention, because=f"as {form} has it")
+    return table
+
+
+def _with_more(order, rows):
+    """The order where an index or a name stands before the four, or sigma and an offset after."""
+    first, width = [str(row[0]).strip("'\" ") for row in rows], len(rows[0])
+    if first == [str(k) for k in range(1, len(rows) + 1)] or not re.match(r"[-\d.]", first[0]):
+        return ("label", *order, *("sigma", "offset")[: width - 5])
+    return (*order, *("sigma", "offset")[: width - 4])
+
+
+def _made_by(source):
+    """(order, convention, form) of a maker whose name stands in the text."""
+    low = source.text.lower()
+    for name, (order, convention, form) in MAKERS.items():
+        if re.search(rf"(?<![a-z_]){name}(?![a-z])", low):
+            said = [kind for words, kind in NAMED if re.search(words, low)]
+            return tuple(order.split()), convention or (said[0] if said else None), form
+    return None, None, ""
+
+
+def _matrix(group):
+    """[(where, cells)] of the rows in a group."""
+    rows = []
+    inner = [
+        item.groups[-1]
+        for item in group.items
+        if item.groups
+        and item.text.rstrip().endswith(item.groups[-1].text)
+        and re.fullmatch(r"[\w.:]*\s*", item.text[: -len(item.groups[-1].text)] or "")
+    ]
+    if len(inner) >= 1 and len(inner) == len(group.items):
+        rows = [(f"line {part.line}", [item.text for item in part.items]) for part in inner]
+        rows = [(where, cells_in(cells[0]) if len(cells) == 1 else cells) for where, cells in rows]
+    elif not inner:
+        line: list = []
+        for item in group.items:
+            line.append(item)
+            if item.after != ",":
+                rows.append(line)
+                line = []
+        rows = [
+            (
+                f"line {row[0].line}",
+                cells_in(row[0].text) if len(row) == 1 else [item.text for item in row],
+            )
+            for row in [*rows, *([line] if line else [])]
+        ]
+    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 4 <= len(rows[0][1]) <= 8:
+        return []
+    if len(rows) == 1 and not inner and group.mark != "[":
+        return []
+    return rows
+
+
+def _streams(code):
+    """Eigen's ``DH << 0, 0.1, …;``, by lines."""
+    for match in re.finditer(r"<<\s*([^;<]{8,2000});", code):
+        lines = [
+            cells_in(line.strip().rstrip(",")) for line in match[1].split("\n") if line.strip()
+        ]
+        if len(lines) > 1 and len({len(line) for line in lines}) == 1:
+            first = code.count("\n", 0, match.start()) + 1
+            yield [(f"line {first + k}", line) for k, line in enumerate(lines)]
+
+
+def _size(grid):
+    return sum(len(cells) for _, cells in grid or ())
+
+
+def _inner(row):
+    """The cells of a row that must be numbers: not its name, first or last."""
+    quoted = [cell for cell in row if str(cell)[:1] not in "'\""]
+    return quoted
+
+
+def _value(cell, source):
+    return source.value(cell)

@@ -1,0 +1,76 @@
+"""Sequences of elementary transforms: ``Rz(q1) Tz(0.3) Rx(-90°)``, ``ET.Rz() * ET.tz(0.3)``."""
+
+import math
+import re
+
+from ....transform import rot_x, rot_y, rot_z, trans
+from ..cells import kind_of_letter
+from ..chain import arm_of, joint_along, still
+from ..language.expressions import Value
+from .told import told
+
+__all__ = ["read"]
+
+MOVE = re.compile(
+    r"\b(?:E[T2]?S?3?\.)?(rot|trot|transl?|R|T|t|Rot|Trans)_?([xyz])\b\s*\(\s*((?:[^()]|\([^()]*\))*)\)"
+    r"|\b(Rot|Trans|rot|trans)\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*((?:[^()]|\([^()]*\))*)\)"
+)
+TURNS = {"x": rot_x, "y": rot_y, "z": rot_z}
+
+
+def read(source, nominal=None):
+    """The Readings of a sequence with at least two joints; None of other texts."""
+    moves = [_move(match, source) for match in MOVE.finditer(source.code)]
+    if len(moves) < 3 or any(move is None for move in moves):
+        return None
+    joints = [move for move in moves if move[3]]
+    if len(joints) < 2 or any(
+        kind_of_letter(letter) in ("alpha", "a", "length") for _, _, _, letter, _ in joints
+    ):
+        return None
+    if re.search(r"\bdef\b|\bfunction\b|return\b|\bA_?i\b|T_i\b", source.code):
+        return None
+    angles = [abs(value.number) for turns, _, value, _, _ in moves if turns and not value.unit]
+    degrees = any(angle > 2 * math.pi + 0.01 for angle in angles)
+    lengths = [value.number for turns, _, value, _, _ in moves if not turns]
+    why = "numbers beyond 2π being degrees" if degrees else ""
+
+    def make(scale):
+        return arm_of([step for move in moves for step in _steps(move, scale, degrees)])
+
+    return told("a sequence of elementary transforms", make, lengths, source, why)
+
+
+def _move(match, source):
+    """(whether it turns, axis, value, letter of the joint or "", sign); None when it is no move."""
+    word, axis, text = (
+        (match[1], match[2], match[3]) if match[1] else (match[4], match[5], match[6])
+    )
+    turns = word.lower() in ("r", "rot", "trot")
+    parts = [part.strip() for part in text.split(",")]
+    flip = any(re.fullmatch(r"flip\s*=\s*(True|1|true)", part) for part in parts)
+    unit = " deg" if any(part.strip("'\"") == "deg" for part in parts[1:]) else ""
+    first = next((part for part in parts if part and "=" not in part), "")
+    if not first:
+        return turns, axis, Value(0.0), "q", -1 if flip else 1
+    value = source.value(f"({first}){unit}" if unit else first)
+    if value is None or len(value.letters) > 1:
+        return None
+    letter = next(iter(value.letters), "")
+    if letter and abs(value.letters[letter]) != 1:
+        return None
+    return turns, axis, value, letter, int(value.letters.get(letter, 1)) * (-1 if flip else 1)
+
+
+def _steps(move, scale, degrees):
+    turns, axis, value, letter, sign = move
+    if turns:
+        number = value.number
+        if value.unit == "deg" or (not value.unit and degrees):
+            number = math.radians(number)
+        constant = still(TURNS[axis](number)) if number else None
+    else:
+        number = value.number * scale
+        constant = still(trans([number * (axis == one) for one in "xyz"])) if number else None
+    joint = [joint_along("R" if turns else "P", axis, sign)] if letter else []
+    return [*joint, *([constant] if constant else [])]

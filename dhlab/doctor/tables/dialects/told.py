@@ -1,0 +1,44 @@
+"""Readings of arms that are told as chains: nothing is to be asked but the unit of the lengths."""
+
+import numpy as np
+
+from ..readings import QUESTIONS, Reading
+from ..scales import LONGEST_ARM, SMALL_ARM, TO_METRES, UNIT_WORDS
+
+__all__ = ["told"]
+
+
+def told(form, make, lengths, source, why="", units=None):
+    """The Readings of a chain, one for each unit that its lengths can have.
+
+    Parameters
+    ----------
+    form : str
+        What the text is, in words.
+    make : callable
+        ``make(scale)`` gives the Arm with its lengths scaled to metres.
+    lengths : list of float
+    source : Source
+    """
+    sizes = np.abs([length for length in lengths if length])
+    longest = sizes.max(initial=0.0)
+    said = source.length if not (source.length == "mm" and longest < LONGEST_ARM) else ""
+    if units is None:
+        if said:
+            units = [said]
+        elif source.length == "mm":
+            units = ["m", "mm"]
+        elif longest <= LONGEST_ARM:
+            units = ["m"]
+        else:
+            units = ["mm"] if longest > SMALL_ARM and np.median(sizes) > 1 else ["cm", "mm", "m"]
+    return [
+        Reading(
+            make(TO_METRES[unit]),
+            f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}"
+            + (", as the text says" if unit == said else " by size"),
+            (),
+            tuple(zip(QUESTIONS, ((), "", "rad", unit, (), ""))),
+        )
+        for unit in units
+    ]

@@ -1,0 +1,113 @@
+"""Which row of a pasted table has a joint, of which kind, and how its variable counts; letters that
+stand for nothing are asked about.
+"""
+
+import re
+
+__all__ = ["fixed_rows", "joints_of"]
+
+FLANGE = re.compile(r"flange|tool|hand|\bee\b|end|tcp|gripper|->\s*(ee|g|n)\b")
+MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
+
+
+def joints_of(table, columns, fixed):
+    """("R", "P" or "" of each row, the sign of each).
+
+    Raises
+    ------
+    ValueError
+        Letters stand for numbers that the text does not give, or a joint variable where none can
+        be.
+    """
+    n = len(table.rows)
+    kinds = table.kinds or ("",) * n
+    turning = any(not cell.is_constant for cell in columns["theta"])
+    letters, signs, unknown = [], [], {}
+    for i in range(n):
+        theta, d = columns["theta"][i], columns["d"][i]
+        said = kinds[i] or _by_number(columns, i)
+        slides = said == "P" or (
+            not said
+            and theta.is_constant
+            and not d.is_constant
+            and d.variable in MOVES["d"]
+            and (turning or d.variable == "q" or "*" in d.text)
+        )
+        letter = "" if i in fixed else "P" if slides else "R"
+        cell = d if letter == "P" else theta
+        letters.append(letter)
+        signs.append((table.signs[i] if table.signs else 1) * (cell.sign if letter else 1))
+        _require_one(cell, i, letter)
+        for role in ("theta", "d", "a", "alpha", "offset"):
+            held = columns[role][i] if columns.get(role) else None
+            if held is not None and held is not cell and not held.is_constant:
+                unknown.setdefault(held.letters[0][0], (i + 1, role))
+    if unknown:
+        raise ValueError(_ask(unknown))
+    return letters, signs
+
+
+def _by_number(columns, i):
+    if "sigma" not in columns:
+        return ""
+    return "P" if columns["sigma"][i].value else "R"
+
+
+def _require_one(cell, i, letter):
+    if not cell.letters or not letter:
+        return
+    if len(cell.letters) > 1:
+        names = " and ".join(name for name, _ in cell.letters)
+        raise ValueError(
+            f"recognise_table: row {i + 1}: expected one joint variable, found {names} in"
+            f" {cell.text!r}; are the joints coupled? Give the value of the letter that is"
+            " constant"
+        )
+    if abs(cell.letters[0][1]) != 1:
+        raise ValueError(
+            f"recognise_table: row {i + 1}: expected the joint variable once, found {cell.text!r};"
+            " write it as q, or -q"
+        )
+
+
+def _ask(unknown):
+    """The question about letters that have no value."""
+    names = ", ".join(list(unknown)[:12])
+    row, role = next(iter(unknown.values()))
+    first = next(iter(unknown))
+    have = "have" if len(unknown) > 1 else "has"
+    return (
+        f"recognise_table: {names} {have} no value in this text (the first in row {row}, column"
+        f" {role}); what is it? Give it beside the table, as {first} = 0.1, or with values={{"
+        f"{first!r}: 0.1}}"
+    )
+
+
+def fixed_rows(table, columns, right):
+    """Which rows have no joint, as tuples of row numbers from 0: by their kind, by the missing
+    variable, by their label, or by the number of joints asked for.
+    """
+    n = len(table.rows)
+    kinds = table.kinds or ("",) * n
+    labels = table.labels or ("",) * n
+    moves = [
+        kinds[i] in ("R", "P")
+        or not columns["theta"][i].is_constant
+        or columns["d"][i].variable in ("d", "q", "?")
+        for i in range(n)
+    ]
+    if any(kind == "fixed" for kind in kinds):
+        return [tuple(i for i in range(n) if kinds[i] == "fixed")]
+    if n < 2:
+        return [()]
+    if any(moves):
+        still = tuple(i for i in range(n) if not moves[i])
+        inner = [i for i in still if any(moves[:i]) and any(moves[i + 1 :])]
+        return [still, tuple(i for i in still if i not in inner)] if inner else [still]
+    if labels[0] in ("base", "0 (base)"):
+        return [(0,)]
+    if FLANGE.search(labels[-1]):
+        return [(n - 1,)]
+    if right is not None and n == len(right) + 1:
+        return [(0,), (n - 1,)]
+    return [(), (0,)] if labels[0] == "0" and table.form == "" else [()]

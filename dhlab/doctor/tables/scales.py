@@ -1,0 +1,112 @@
+"""In which units the numbers of a pasted table can be: what the headings say, else the words around
+it, else their size; every unit that fits where these do not settle it.
+"""
+
+import numpy as np
+
+from ...units import convert
+from .columns import LENGTHS, LONGEST_ARM, snapped
+
+__all__ = ["UNIT_WORDS", "angle_units", "length_units", "in_metres", "in_radians"]
+
+TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
+UNIT_WORDS = {
+    "deg": "degrees",
+    "rad": "radians",
+    "mixed": "radians, with numbers beyond 2π as degrees",
+    "m": "metres",
+    "mm": "millimetres",
+    "cm": "centimetres",
+    "in": "inches",
+}
+SMALL_ARM, TOY = 70.0, 3.0  # the longest number: above, millimetres; between, nobody knows
+
+
+def angle_units(table, columns, given):
+    """The (unit, why) that the angles can have; "mixed" when one column holds both."""
+    if given:
+        return [(given, "as you say")]
+    cells = [
+        cell
+        for role in ("theta", "alpha", "offset")
+        for cell in columns.get(role, ())
+        if cell.value
+    ]
+    heads = {table.units.get(role) for role in ("theta", "alpha", "offset")} & {"deg", "rad"}
+    bare = [cell for cell in cells if cell.unit not in ("deg", "rad")]
+    if len(heads) == 1:
+        return _checked_angle(heads.pop(), bare, "as the heading says")
+    if not bare:
+        marked = {cell.unit for cell in cells} or {"rad"}
+        return [("deg" if marked == {"deg"} else "rad", "as the cells say")]
+    beyond = [cell for cell in bare if abs(cell.value) > 2 * np.pi + 0.01]
+    near = [cell for cell in bare if cell not in beyond and snapped(cell.value)[1]]
+    small = [*near, *(cell for cell in cells if cell.unit == "rad")]
+    if beyond and small:
+        return [("mixed", "by size")]
+    if beyond:
+        return [("deg", "by size")]
+    if small:
+        return [("rad", "by size")]
+    if table.angle:
+        return _checked_angle(table.angle, bare, "as the text says")
+    return [("rad", "by size"), ("deg", "by size")]
+
+
+def _checked_angle(unit, cells, why):
+    """The unit that is said; the other beside it where the numbers contradict it."""
+    values = np.array([abs(cell.value) for cell in cells])
+    if not len(values):
+        return [(unit, why)]
+    right = np.abs(values / 90 - np.round(values / 90)).max() < 1e-9
+    if unit == "rad" and right and values.max() > 4 * np.pi:
+        return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
+    if unit == "deg" and all(snapped(value)[1] for value in values):
+        return [("rad", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
+    return [(unit, why)]
+
+
+def length_units(table, columns, given):
+    """The (unit, why) that the lengths can have; several where size does not tell."""
+    if given:
+        return [(given, "as you say")]
+    cells = [cell for role in ("d", "a") for cell in columns[role]]
+    sizes = [abs(cell.value) for cell in cells if cell.value and cell.unit not in LENGTHS]
+    if not sizes:
+        marked = {cell.unit for cell in cells if cell.unit in LENGTHS}
+        return [(marked.pop() if len(marked) == 1 else "m", "as the cells say")]
+    longest = max(sizes)
+    heads = {table.units.get(role) for role in ("d", "a")} & set(LENGTHS)
+    said = heads.pop() if len(heads) == 1 else table.length
+    if said:
+        why = (
+            "as the heading says"
+            if not table.length or said != table.length
+            else "as the text says"
+        )
+        if said == "mm" and longest < TOY:
+            return [("m", "though the text says millimetres"), ("mm", why)]
+        if said == "m" and longest > SMALL_ARM and np.median(sizes) > 1:
+            return [("mm", "though the text says metres"), ("m", why)]
+        return [(said, why)]
+    if longest <= LONGEST_ARM:
+        return [("m", "by size")]
+    if longest <= SMALL_ARM:
+        return [(unit, "by size") for unit in ("cm", "mm", "in", "m")]
+    if np.median(sizes) < 1:
+        return [("m", "by size"), ("mm", "by size")]
+    return [("mm", "by size")]
+
+
+def in_metres(cell, unit):
+    """The number of a length in metres."""
+    return convert(cell.value, TO_METRES[cell.unit if cell.unit in LENGTHS else unit])
+
+
+def in_radians(cell, unit):
+    """The number of an angle in radians."""
+    degrees = cell.unit == "deg" or (
+        cell.unit != "rad"
+        and (unit == "deg" or (unit == "mixed" and abs(cell.value) > 2 * np.pi + 0.01))
+    )
+    return float(np.deg2rad(cell.value)) if degrees else cell.value

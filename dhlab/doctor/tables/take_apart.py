@@ -1,0 +1,82 @@
+"""What a pasted thing is: the readers of all dialects asked in turn."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from .dialects import (
+    arrays,
+    calls,
+    functions,
+    keyed,
+    lines,
+    numbered,
+    opw,
+    rows,
+    segments,
+    sequences,
+    universal,
+)
+from .dialects.grid import from_grid
+from .language.orders import convention_in
+from .language.source import source_of
+from .pasted import Pasted
+
+__all__ = ["take_apart"]
+
+READERS = (
+    universal.read,
+    opw.read,
+    segments.read,
+    calls.read,
+    arrays.read,
+    rows.read,
+    functions.read,
+    keyed.read,
+    numbered.read,
+    sequences.read,
+    lines.read,
+)
+
+
+def take_apart(given, values=None, nominal=None):
+    """The Pasted table in a text, or in rows of numbers and texts; a list of Readings where the
+    text describes an arm otherwise.
+
+    Raises
+    ------
+    ValueError
+        One sentence with the line: expected, found, what to do.
+    """
+    if isinstance(given, str):
+        return _from_text(given, values, nominal)
+    if isinstance(given, (bytes, dict)) or not np.iterable(given):
+        raise ValueError(
+            "recognise_table: expected a text or rows of four numbers, found"
+            f" {type(given).__name__}; paste the table as text"
+        )
+    cells = [
+        list(row) if np.iterable(row) and not isinstance(row, (str, bytes, dict)) else [row]
+        for row in given
+    ]
+    return from_grid([(f"row {i}", row) for i, row in enumerate(cells, 1)])
+
+
+def _from_text(text, values, nominal):
+    source = source_of(text, values)
+    for read in READERS:
+        found = read(source, nominal)
+        if found is not None:
+            return _with_words(found, source) if isinstance(found, Pasted) else found
+    raise AssertionError  # the last reader answers or raises
+
+
+def _with_words(table, source):
+    """What the words of the text and its own functions add to what the dialect says."""
+    if not table.convention:
+        computed = convention_in(source)
+        if computed:
+            table = replace(table, convention=computed[0], because=computed[1])
+        elif source.convention:
+            table = replace(table, convention=source.convention, because="as the text says")
+    return replace(table, length=table.length or source.length, angle=table.angle or source.angle)
