@@ -2,7 +2,7 @@
 frames and the expected table are one arm.
 """
 
-from itertools import permutations, product
+from itertools import pairwise, permutations, product
 
 import numpy as np
 import pytest
@@ -35,6 +35,25 @@ def solved(key, given):
         return [[Z, [0, 0, 0], X], [Y, [0, 0, h], X], [Y, [x, 0, h], X], [X, [x, 0, h], Z]]
     if key == "04.7":
         return [[Z, [0, 0, 0], X], [Y, points[1], X], [Y, points[2], X], [Y, end[:3, 3], X]]
+    if key in ("04.12", "04.13", "04.14"):
+        centre = [0.75, -0.1, 0.1]
+        half = [[Z, [0, 0, 0], X], *([-Y, [x, 0, 0.1], X] for x in (0, 0.4, 0.75))]
+        return (
+            half
+            if key == "04.12"
+            else [*half, [-Z, centre, X], [-Y, centre, X], [-Y, end[:3, 3], X]]
+        )
+    if key == "04.15":
+        heights, fore = [p[2] for p in points], points[4][0]
+        return [
+            [Z, [0, 0, 0], X],
+            [Y, [0, 0, heights[1]], X],
+            [Y, [0, 0, heights[2]], Z],
+            [X, [0, 0, heights[3]], Z],
+            [Y, [fore, 0, heights[3]], Z],
+            [X, [fore, 0, heights[3]], Z],
+            [X, end[:3, 3], Z],
+        ]
     _, side, h = points[3]
     return [
         [Z, [0, 0, 0], X],
@@ -46,7 +65,16 @@ def solved(key, given):
 
 
 # where the origin may slide along its own z, and by how much it slides here
-SLIDES = {"04.2": [0], "04.4": [0, 2], "04.7": [0, 2], "04.10": [0, 3, 4]}
+SLIDES = {
+    "04.2": [0],
+    "04.4": [0, 2],
+    "04.7": [0, 2],
+    "04.10": [0, 3, 4],
+    "04.12": [0, 2, 3],
+    "04.13": [0, 2, 3, 6],
+    "04.14": [0, 2, 3, 6],
+    "04.15": [0, 2, 6],
+}
 
 
 def dressed(key, rows):
@@ -412,3 +440,21 @@ def test_ada_and_bo():
         [2, 1],
         [2, 3],
     ]  # alpha2, d3, alpha3; theta3 = 180° is its own negative here, and q3 counts the other way
+
+
+def test_the_cases_of_04_11_are_those_of_the_axes():
+    """By directions and by the distance of the lines, from the numbers that 04.13 gives."""
+    lines = [(np.array(p, float), np.array(d, float)) for p, d in E["04.13"].given(0)["axes"]]
+    right = []
+    for (p, w), (q, z) in pairwise(lines):
+        normal = np.cross(w, z)
+        if np.linalg.norm(normal) < 1e-9:
+            right.append("line" if np.linalg.norm(np.cross(q - p, w)) < 1e-9 else "parallel")
+        else:
+            right.append("meet" if abs((q - p) @ normal) < 1e-9 else "skew")
+    for cases in product(["parallel", "skew", "line", "meet"], repeat=5):
+        verdict = E["04.11"].judge(list(cases))
+        assert (verdict.status == "right") == (list(cases) == right)
+        if verdict.status == "wrong":
+            first = next(i for i in range(5) if cases[i] != right[i])
+            assert verdict.headline == f"axes {first + 1} and {first + 2} lie otherwise"

@@ -65,7 +65,10 @@ def test_the_normal_is_the_shortest_way(picture):
     )
     # beside the sliding joint there is none
     assert "normal:3" not in picture.points and "normal:4" not in picture.points
-    assert "normal:1" not in view.axes(AXES, END, normals=False).points
+    without = view.axes(AXES, END, normals=False)
+    assert "normal:1" not in without.points
+    assert "to the next axis" in str(picture.table) and "skew" in picture.alt
+    assert "to the next axis" not in str(without.table) and "skew" not in without.alt
 
 
 def test_the_tool_and_placed_frames_are_drawn():

@@ -1,21 +1,10 @@
-"""Lesson 04, placing frames: z on the joint axes, origins and x on the common normals, what is
-free, and three beginner's mistakes.
+"""Lesson 04, first sitting, placing frames on pairs of axes: z on the joint axes, origins and x on
+the common normals.
 """
 
-from ...arm import Arm
-from ...table import DHTable
 from ..kinds import Choice, Option, Order, Prediction
 from ..kinds.placed import Frames
-from .answers04 import (
-    OF_Z,
-    READ,
-    ReadTable,
-    draw_colleagues,
-    draw_shoulder,
-    draw_skew,
-    draw_sliding,
-    explain_lines,
-)
+from .answers04 import OF_Z, draw_colleagues, draw_shoulder, draw_skew, draw_sliding, explain_lines
 
 __all__ = ["EXERCISES"]
 
@@ -115,6 +104,24 @@ EXERCISES = [
             ),
         },
     ),
+    Prediction(
+        id="04.P3",
+        title="An x that points forward",
+        question=(
+            "Axes 2 and 3 are parallel, one above the other, and x1 points forward. x2 shall point"
+            " forward too. What does the board say?"
+        ),
+        options={
+            "kept": "it keeps x2: along parallel axes x is free",
+            "refused": "it refuses: x2 must point from axis 2 to axis 3",
+            "origin": "it keeps x2 when o2 is slid along its axis",
+        },
+        correct="refused",
+        outcome=(
+            "it refuses. The origin is free along parallel axes, the x is not: it is the way from"
+            " one axis to the other."
+        ),
+    ),
     Frames(
         id="04.4",
         title="Shoulder and elbow",
@@ -132,77 +139,6 @@ EXERCISES = [
             ),
         ),
     ),
-    Prediction(
-        id="04.P2",
-        title="Two learners, two tables",
-        question="The two tables differ in every row. And the poses of the tool?",
-        options={
-            "different": "different: one of the two tables must be wrong",
-            "same-at-zero": "the same at q = 0, different elsewhere",
-            "same": "the same for every q",
-        },
-        correct="same",
-        outcome=(
-            "every choice kept the rules, so both tables are the arm. More than half of the numbers"
-            " differ, and no pose does."
-        ),
-    ),
-    ReadTable(
-        id="04.5",
-        title="Read the table off the frames",
-        points=2,
-        answer=lambda: Arm(DHTable.standard(READ, angle="deg")),
-        read=READ,
-        praise="θ and d about and along the old z, a and α along and about the new x.",
-        hints=(
-            (
-                "Row by row: turn about z_{i-1} from x_{i-1} to x_i, shift along z_{i-1}, shift"
-                " along x_i, turn about x_i from z_{i-1} to z_i."
-            ),
-            (
-                "For each angle, thumb along the axis of the turn: do the fingers go from the old"
-                " arrow to the new one? If not, it is negative."
-            ),
-        ),
-    ),
-    Choice(
-        id="04.6",
-        title="A step along parallel axes",
-        question="Where does the step of 0.1 m along the parallel axes 2 and 3 belong?",
-        correct="either-row",
-        hints=(
-            (
-                "Between parallel axes the origin may slide. What happens to d before it, and to d"
-                " behind it?"
-            ),
-            (
-                "Add up the d along the parallel axes, in each of the tables. Which sum is the"
-                " arm's step?"
-            ),
-        ),
-        options={
-            "row-3": Option(
-                "row 3 only: the normal must go through the previous origin, so d2 = 0",
-                "That is a habit of books, and a good one, but no rule: slide o2 and d2 is whatever"
-                " you like.",
-                "table-taken-as-unique",
-            ),
-            "both-rows": Option(
-                "both rows, since both axes are stepped along",
-                "Then the step is made twice, and everything behind it is 0.1 m off.",
-                "parallel-offset-in-both-rows",
-            ),
-            "either-row": Option(
-                "either row, or a part in each, as long as the sum is 0.1 m",
-                "The origin slides along z, d before it grows by what d behind it loses.",
-            ),
-            "neither": Option(
-                "neither: a step sideways belongs into a",
-                "a runs along x, across the axes. This step is along them.",
-                "a-d-exchanged",
-            ),
-        },
-    ),
     Frames(
         id="04.7",
         title="A colleague's frames",
@@ -215,83 +151,6 @@ EXERCISES = [
             ),
             "Go through the origins: does each lie on its own z?",
         ),
-    ),
-    Choice(
-        id="04.8",
-        title="A z axis turned round",
-        question="z2 is turned round, properly. What changes?",
-        correct="five-things",
-        hints=(
-            (
-                "Which entries of the table are measured about or along z2? And which have z2 as"
-                " their start or their end?"
-            ),
-            (
-                "θ3 and d3 are about and along z2. α2 ends at z2, α3 begins there. And which way"
-                " does the joint count now?"
-            ),
-        ),
-        options={
-            "nothing": Option(
-                "nothing: the line is the same, only the arrow differs",
-                "α is an angle between arrows, and d and θ are counted along one.",
-                "z-flip-incomplete",
-            ),
-            "alpha-2": Option(
-                "α2 alone, by 180°",
-                "Then everything behind joint 3 is upside down. The story's two days began like"
-                " this.",
-                "z-flip-incomplete",
-            ),
-            "arm": Option(
-                "the arm: with its z reversed a joint moves to other places",
-                "The arm has never heard of z. Joint 3 counts the other way, that is all.",
-                "joint-reversed",
-            ),
-            "five-things": Option(
-                "α2 and α3 by 180°, θ3 and d3 in sign, and joint 3 counts the other way",
-                "All five together, and the arm is the same.",
-            ),
-        },
-    ),
-    Choice(
-        id="04.9",
-        title="The calibration that never fits",
-        question=(
-            "A camera and an arm report one point. They differ by 0.15 m along the tool's own z,"
-            " whatever the pose. What is wrong?"
-        ),
-        correct="last-frame",
-        hints=(
-            (
-                "The difference is constant in the tool's own directions, and it turns with the"
-                " wrist. On which side of the product must it stand?"
-            ),
-            "Which frame is at that end of the chain, and who said where it is?",
-        ),
-        options={
-            "last-frame": Option(
-                "the two did not agree on the last frame: one means the flange, the other the"
-                " fingertip",
-                "A constant on the right of the product: arm.tool. Neither table is wrong.",
-            ),
-            "length": Option(
-                "one of the tables has a wrong a or d",
-                "Then the difference would change with the joints behind that row.",
-                "length-value",
-            ),
-            "base-frame": Option(
-                "the two did not agree on the base frame",
-                "A base difference is constant in the base's directions. This one turns with the"
-                " wrist.",
-                "base-turned",
-            ),
-            "convention": Option(
-                "one of the two used Craig's convention",
-                "Converted rightly, the pose is the same in both conventions.",
-                "standard-rows-in-craig-matrix",
-            ),
-        },
     ),
     Frames(
         id="04.10",

@@ -55,14 +55,14 @@ def axes(
     frames : dict of int to array (4, 4), optional
         Frames already placed, such as ``frames`` of a :class:`dhlab.placing.Placement`.
     normals : bool
-        Draw the common normals of neighbouring axes as thin lines; of parallel ones, one of the
-        many.
+        Draw the common normals of neighbouring axes as thin lines (of parallel ones, one of the
+        many), and say how each axis lies to the next; without, both are left to the reader.
     title : str, optional
 
     Returns
     -------
     Picture
-        The table holds every axis and how it lies to the next.
+        The table holds every axis and, with ``normals``, how it lies to the next.
 
     Raises
     ------
@@ -105,9 +105,9 @@ def axes(
     rows = [_row(k, *line, pairs) for k, line in enumerate(given, 1)]
     picture = Picture(
         compose([View(scene, camera)], title or ""),
-        _alt(given, pairs, frames),
-        HEADINGS,
-        rows,
+        _alt(given, pairs if normals else [], frames),
+        HEADINGS if normals else HEADINGS[:-1],
+        rows if normals else [row[:-1] for row in rows],
         "Joint axes at q = 0, in the base frame",
         scene.named(),
     )
@@ -219,12 +219,12 @@ def _relation(pair):
 def _alt(given, pairs, frames):
     n = len(given) - 1
     kinds = words.joint_words("".join(letter for *_, letter in given[:-1]))
-    told = " ".join(
-        f"Axis {k} to {f'axis {k + 1}' if k < n else 'the z axis of the tool'}: {_relation(pair)}."
+    told = "".join(
+        f" Axis {k} to {f'axis {k + 1}' if k < n else 'the z axis of the tool'}: {_relation(pair)}."
         for k, pair in enumerate(pairs, 1)
     )
     placed = f" Frames placed: {words.listed(f'{{{i}}}' for i in frames)}." if frames else ""
     return (
         f"The bare axes of {kinds} at q = 0, with the tool at {words.place(given[-1][0])}."
-        f" {told}{placed}"
+        f"{told}{placed}"
     )

@@ -1,0 +1,257 @@
+"""Lesson 04, second sitting, a whole six-axis arm: its frames one after the other, the table read
+off them, what is free, and three beginner's mistakes.
+"""
+
+from ...arm import Arm
+from ...table import DHTable
+from ..kinds import Choice, Option, Order, Prediction
+from ..kinds.placed import Frames
+from .answers04 import READ, ReadTable
+from .answers04b import (
+    PAIRS,
+    draw_half_arm,
+    draw_roll_wrist,
+    draw_spoilt_wrist,
+    draw_whole_arm,
+    explain_pairs,
+)
+
+__all__ = ["EXERCISES"]
+
+EXERCISES = [
+    Order(
+        id="04.11",
+        title="Five pairs of axes",
+        question=(
+            "How does each axis of the article's arm lie to the one before it? Five letters; a"
+            " letter may come twice."
+        ),
+        repeats=True,
+        items={
+            "parallel": "parallel, apart",
+            "skew": "skew",
+            "line": "on one line",
+            "meet": "they meet",
+        },
+        places=("axes 1 and 2", "axes 2 and 3", "axes 3 and 4", "axes 4 and 5", "axes 5 and 6"),
+        accepts=lambda cases: cases == PAIRS,
+        explain=explain_pairs,
+        praise="Two that meet at the foot, three parallel axes, and a wrist whose axes meet.",
+        hints=(
+            "Parallel: the same direction or the opposite one. Do two others have a common point?",
+            "Axis 5 is vertical. Does the vertical line meet axis 4, and axis 6?",
+        ),
+    ),
+    Frames(
+        id="04.12",
+        title="The article's arm, shoulder to forearm",
+        points=2,
+        draw=draw_half_arm,
+        praise="Half the arm stands, and every z is on its joint.",
+        hints=(
+            "Frames 0 and 1 are placed. z2 lies on the axis of joint 3; frame 3 stands at the"
+            " forearm's end.",
+            "Axes 2 and 3 are parallel: x2 points straight across, from one to the other.",
+        ),
+    ),
+    Frames(
+        id="04.13",
+        title="The article's arm, whole",
+        points=3,
+        draw=draw_whole_arm,
+        praise="Seven frames on six bare axes: the table of lesson 06 can be read off them.",
+        hints=(
+            "z4 is on the axis of joint 5, z5 on that of joint 6, and z6 is yours: along the tool.",
+            "Axes 4, 5 and 6 meet in one point. There o4 and o5 stand, each x at right angles to"
+            " its z and the z before it.",
+        ),
+    ),
+    Frames(
+        id="04.14",
+        title="One frame too far",
+        draw=draw_spoilt_wrist,
+        praise="The wrist's axes meet, and the origin stands where they do. All else was allowed.",
+        hints=(
+            "Go from frame to frame and say the case of the two axes: which rule does each keep?",
+            "In the wrist two axes meet. Where does the origin stand then, and where is it here?",
+        ),
+    ),
+    ReadTable(
+        id="04.5",
+        title="Read the table off the frames",
+        points=2,
+        answer=lambda: Arm(DHTable.standard(READ, angle="deg")),
+        read=READ,
+        praise="θ and d about and along the old z, a and α along and about the new x.",
+        hints=(
+            (
+                "Row by row: turn about z_{i-1} from x_{i-1} to x_i, shift along z_{i-1}, shift"
+                " along x_i, turn about x_i from z_{i-1} to z_i."
+            ),
+            (
+                "For each angle, thumb along the axis of the turn: do the fingers go from the old"
+                " arrow to the new one? If not, it is negative."
+            ),
+        ),
+    ),
+    Prediction(
+        id="04.P2",
+        title="Two learners, two tables",
+        question="The two tables differ in every row. And the poses of the tool?",
+        options={
+            "different": "different: one of the two tables must be wrong",
+            "same-at-zero": "the same at q = 0, different elsewhere",
+            "same": "the same for every q",
+        },
+        correct="same",
+        outcome=(
+            "every choice kept the rules, so both tables are the arm. More than half of the numbers"
+            " differ, and no pose does."
+        ),
+    ),
+    Prediction(
+        id="04.P4",
+        title="Turning one x",
+        question=(
+            "In Ada's frames x1 is turned round, and nothing else. Which numbers of the table"
+            " change?"
+        ),
+        options={
+            "a-alpha": "a1 and α1 change sign",
+            "two-rows": "a1 and α1 change sign, and θ1 and θ2 change by 180°",
+            "nothing": "none: either sense of x is right",
+        },
+        correct="two-rows",
+        outcome=(
+            "a1 and α1 are counted along and about x1 and change sign; θ1 ends at x1 and θ2 begins"
+            " there, so both change by 180°."
+        ),
+    ),
+    Choice(
+        id="04.6",
+        title="A step along parallel axes",
+        question="Where does the step of 0.1 m along the parallel axes 2 and 3 belong?",
+        correct="either-row",
+        hints=(
+            (
+                "Between parallel axes the origin may slide. What happens to d before it, and to d"
+                " behind it?"
+            ),
+            (
+                "Add up the d along the parallel axes, in each of the tables. Which sum is the"
+                " arm's step?"
+            ),
+        ),
+        options={
+            "row-3": Option(
+                "row 3 only: the normal must go through the previous origin, so d2 = 0",
+                "That is a habit of books, and a good one, but no rule: slide o2 and d2 is whatever"
+                " you like.",
+                "table-taken-as-unique",
+            ),
+            "both-rows": Option(
+                "both rows, since both axes are stepped along",
+                "Then the step is made twice, and everything behind it is 0.1 m off.",
+                "parallel-offset-in-both-rows",
+            ),
+            "either-row": Option(
+                "either row, or a part in each, as long as the sum is 0.1 m",
+                "The origin slides along z, d before it grows by what d behind it loses.",
+            ),
+            "neither": Option(
+                "neither: a step sideways belongs into a",
+                "a runs along x, across the axes. This step is along them.",
+                "a-d-exchanged",
+            ),
+        },
+    ),
+    Choice(
+        id="04.8",
+        title="A z axis turned round",
+        question="z2 is turned round, properly. What changes?",
+        correct="five-things",
+        hints=(
+            (
+                "Which entries of the table are measured about or along z2? And which have z2 as"
+                " their start or their end?"
+            ),
+            (
+                "θ3 and d3 are about and along z2. α2 ends at z2, α3 begins there. And which way"
+                " does the joint count now?"
+            ),
+        ),
+        options={
+            "nothing": Option(
+                "nothing: the line is the same, only the arrow differs",
+                "α is an angle between arrows, and d and θ are counted along one.",
+                "z-flip-incomplete",
+            ),
+            "alpha-2": Option(
+                "α2 alone, by 180°",
+                "Then everything behind joint 3 is upside down. The story's two days began like"
+                " this.",
+                "z-flip-incomplete",
+            ),
+            "arm": Option(
+                "the arm: with its z reversed a joint moves to other places",
+                "The arm has never heard of z. Joint 3 counts the other way, that is all.",
+                "joint-reversed",
+            ),
+            "five-things": Option(
+                "α2 and α3 by 180°, θ3 and d3 in sign, and joint 3 counts the other way",
+                "All five together, and the arm is the same.",
+            ),
+        },
+    ),
+    Choice(
+        id="04.9",
+        title="The calibration that never fits",
+        question=(
+            "A camera and an arm report one point. They differ by 0.15 m along the tool's own z,"
+            " whatever the pose. What is wrong?"
+        ),
+        correct="last-frame",
+        hints=(
+            (
+                "The difference is constant in the tool's own directions, and it turns with the"
+                " wrist. On which side of the product must it stand?"
+            ),
+            "Which frame is at that end of the chain, and who said where it is?",
+        ),
+        options={
+            "last-frame": Option(
+                "the two did not agree on the last frame: one means the flange, the other the"
+                " fingertip",
+                "A constant on the right of the product: arm.tool. Neither table is wrong.",
+            ),
+            "length": Option(
+                "one of the tables has a wrong a or d",
+                "Then the difference would change with the joints behind that row.",
+                "length-value",
+            ),
+            "base-frame": Option(
+                "the two did not agree on the base frame",
+                "A base difference is constant in the base's directions. This one turns with the"
+                " wrist.",
+                "base-turned",
+            ),
+            "convention": Option(
+                "one of the two used Craig's convention",
+                "Converted rightly, the pose is the same in both conventions.",
+                "standard-rows-in-craig-matrix",
+            ),
+        },
+    ),
+    Frames(
+        id="04.15",
+        title="A small welding robot",
+        points=4,
+        draw=draw_roll_wrist,
+        praise="Six bare axes, seven frames, no help: this is the method.",
+        hints=(
+            "All z first: z0 to z5 on the axes of joints 1 to 6, z6 along the tool.",
+            "Then pair by pair: meet, parallel, skew, meet, meet. Where they are skew, look for the"
+            " foot on the later axis.",
+        ),
+    ),
+]
