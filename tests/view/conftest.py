@@ -121,7 +121,8 @@ def live(opened):
             "toPython", lambda kind, name, value: heard(explorer, kind, name, value)
         )
         page.evaluate(
-            MODEL, explorer.get_state(["_data", "q", "row", "convention", "step", "_answer"])
+            MODEL,
+            explorer.get_state(["_data", "q", "row", "poses", "convention", "step", "_answer"]),
         )
         return page
 
@@ -134,7 +135,7 @@ def heard(explorer, kind, name, value):
         explorer._heard(value)
     else:
         explorer.set_state({name: value})
-    return explorer.get_state(["q", "row", "convention", "step", "_answer"])
+    return explorer.get_state(["q", "row", "poses", "convention", "step", "_answer"])
 
 
 @lru_cache(None)

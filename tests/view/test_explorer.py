@@ -12,6 +12,7 @@ import pytest
 from nbclient import NotebookClient
 
 import dhlab as dh
+from dhlab import transform
 from dhlab.view.explorer import stills, without_widgets
 from dhlab.view.explorer.placing import Placing, axes_of
 from dhlab.view.explorer.widget import MODULE
@@ -93,6 +94,20 @@ def test_branches_mode_follows_the_solution_shown():
         explorer.step = 9
 
 
+def test_pose_mode_holds_poses_and_nothing_else():
+    explorer, seen = dh.explore([np.eye(4), transform.rot_z(0.3)], mode="pose"), []
+    explorer.observe(lambda change: seen.append(change.new), "poses")
+    explorer.set_state({"poses": [transform.trans([1, 2, 3]).tolist(), np.eye(4).tolist()]})
+    assert explorer.poses[0, :3, 3].tolist() == [1, 2, 3] and len(seen) == 1
+    with pytest.raises(ValueError, match="poses.1.: expected a 4×4 pose"):
+        explorer.poses = [np.eye(4), 2 * np.eye(4)]
+    with pytest.raises(ValueError, match="expected 2 × 4 × 4 finite numbers"):
+        explorer.poses = np.eye(4)
+    assert explorer.state()["poses"][0][0][3] == 1
+    with pytest.raises(ValueError, match="one pose or two, found 3"):
+        dh.explore([np.eye(4)] * 3, mode="pose")
+
+
 ERRORS = [
     ({"mode": "branches"}, "one or more configurations"),
     ({"mode": "branches", "q": [0] * 6}, "one or more configurations"),
@@ -106,6 +121,7 @@ ERRORS = [
     ({"mode": "compare", "q": np.zeros((2, 6)), "poses": np.zeros((3, 3))}, "as many finite poses"),
     ({"mode": "compare", "other": dh.load("panda")}, "second arm of 6 joints, found 7"),
     ({"mode": "place", "end": np.eye(4)}, "an arm brings its own"),
+    ({"mode": "pose"}, r"expected a pose \(4, 4\), or two"),
 ]
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import dhlab as dh
+from dhlab import transform
 from dhlab.view.explorer.content import arm_data
 
 Q = np.deg2rad([30, -60, 80, -110, -80, 20])
@@ -31,6 +32,8 @@ def every_mode():
         "compare": dh.explore(wrong(arm), mode="compare", q=qs, poses=arm.forward(qs)),
         "two": dh.explore(arm, mode="compare", other=wrong(arm), q=Q),
         "branches": dh.explore(arm, mode="branches", q=qs),
+        "pose": dh.explore(mode="pose"),
+        "plates": dh.explore([transform.trans([0.4, 0, 0]), transform.rot_z(1.0)], mode="pose"),
         "place": dh.explore(dh.load("stanford"), mode="place"),
     }
 

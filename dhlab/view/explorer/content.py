@@ -34,7 +34,9 @@ def pose_data(T: ArrayLike) -> list[float]:
 
 
 class Numbers(TraitType):
-    """So many finite numbers: a read-only array here, a list on the way to JavaScript."""
+    """So many finite numbers, in the shape ``obj.counts`` has for them: a read-only array here, a
+    list on the way to JavaScript.
+    """
 
     def __init__(self, **keywords: Any) -> None:
         super().__init__(np.zeros(0), **keywords)
@@ -46,15 +48,15 @@ class Numbers(TraitType):
 
     def validate(self, obj: Any, value: Any) -> NDArray[np.float64]:
         """The numbers as an array, or a sentence."""
-        count = obj.counts[self.name]
+        shape = obj.counts[self.name]
         try:
             array = np.array(value)
         except ValueError:  # ragged
             array = np.array(None)
-        if array.dtype.kind not in "iuf" or array.shape != (count,) or not np.isfinite(array).all():
+        if array.dtype.kind not in "iuf" or array.shape != shape or not np.isfinite(array).all():
             raise ValueError(
-                f"explorer.{self.name}: expected {count} finite numbers (radians, metres for"
-                f" lengths), found {value!r}"
+                f"explorer.{self.name}: expected {' × '.join(map(str, shape))} finite numbers"
+                f" (radians, metres for lengths), found {value!r}"
             )
         array = array.astype(float)
         array.flags.writeable = False

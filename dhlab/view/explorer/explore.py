@@ -1,4 +1,4 @@
-"""``dhlab.explore``: one call, six modes; what each needs is checked here and handed on as
+"""``dhlab.explore``: one call, seven modes; what each needs is checked here and handed on as
 numbers.
 """
 
@@ -7,10 +7,12 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...arm import Arm
 from ...geometry.conversion import as_arm, require_uncoupled
 from ...table import DHTable
+from ...transform import require_pose, trans
 from ..pictures.compared import measured_and_predicted
 from . import stills
 from .content import arm_data, pose_data
@@ -21,21 +23,25 @@ __all__ = ["arm_bundle", "explore"]
 
 
 def explore(
-    arm: Arm | DHTable | Sequence[Sequence[Any]], mode: str = "arm", **needs: Any
+    arm: Arm | DHTable | ArrayLike | Sequence[Sequence[Any]] | None = None,
+    mode: str = "arm",
+    **needs: Any,
 ) -> Explorer:
-    """Take hold of an arm, a row of its table, two conventions, measurements or bare axes, in 3D.
+    """Take hold of an arm, a row of its table, two conventions, measurements, bare axes or a
+    single plate, in 3D.
 
     Parameters
     ----------
     arm : Arm or DHTable
-        In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them.
-    mode : "arm", "link", "conventions", "compare", "branches" or "place"
+        In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them. In
+        mode "pose" the pose (4, 4) of a plate, or two of them, ``[T_01, T_12]``; or nothing.
+    mode : "arm", "link", "conventions", "compare", "branches", "place" or "pose"
         The whole arm with its frames; the four numbers of one row and the moves they stand for;
         standard and Craig frames together; predicted against measured, or two arms; several
         configurations of one arm, such as what :meth:`Arm.solve` gives; joint axes on which frames
-        are to be placed.
+        are to be placed; one plate beside its matrix, or two and the product of theirs.
     **needs
-        ``q`` (n,): where the arm stands at first, in every mode but "place", "branches" and
+        ``q`` (n,): where the arm stands at first, in every mode but "place", "pose", "branches" and
         "compare" with poses; zeros when left out. "link": ``joint``, the row, from 1. "compare":
         ``q`` (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as
         many joints. "branches": ``q`` (k, n), all of them. "place": ``convention``, "standard" or
@@ -56,6 +62,8 @@ def explore(
     >>> explorer = dh.explore(dh.load("ur5e"), mode="link", joint=2)
     >>> explorer.row.round(3)
     array([ 0.   ,  0.   , -0.425,  0.   ])
+    >>> dh.explore(mode="pose").poses[0, :3, 3]
+    array([0.4, 0.3, 0.2])
     >>> dh.explore(dh.load("ur5e"), mode="link", row=2)
     Traceback (most recent call last):
     ...
@@ -71,7 +79,8 @@ def explore(
     for name in needs:
         if name not in known:
             raise ValueError(
-                f'explore: mode "{mode}" takes {", ".join(known)}, found {name!r}; leave it out'
+                f'explore: mode "{mode}" takes {", ".join(known) or "poses alone"}, found {name!r};'
+                " leave it out"
             )
     return MODES[mode](arm, **needs)
 
@@ -97,6 +106,7 @@ def _explorer(
     alt=None,
     q=(),
     row=(0, 0, 0, 0),
+    poses=(),
     convention="standard",
     step=0,
     placing=None,
@@ -107,7 +117,7 @@ def _explorer(
         arm,
         data,
         still,
-        state={"q": q, "row": row, "convention": convention, "step": step},
+        state={"q": q, "row": row, "poses": poses, "convention": convention, "step": step},
         placing=placing,
     )
 
@@ -269,6 +279,29 @@ def _place(arm, *, end=None, convention=None):
     )
 
 
+def _pose(arm):
+    given = [PLATE] if arm is None else arm
+    if isinstance(given, (Arm, DHTable)) or np.ndim(given) not in (2, 3):
+        raise ValueError(
+            'explore: mode "pose" expected a pose (4, 4), or two, [T_01, T_12], found'
+            f" {type(arm).__name__}; build one with dhlab.transform (trans, rot_z, ...)"
+        )
+    given = [given] if np.ndim(given) == 2 else list(given)
+    if not 1 <= len(given) <= 2:
+        raise ValueError(f'explore: mode "pose" expected one pose or two, found {len(given)}')
+    poses = np.array([require_pose(T, f"explore: pose {k}") for k, T in enumerate(given, 1)])
+    far = np.abs(np.cumsum(poses[:, :3, 3], axis=0)).max()
+    return _explorer(
+        "pose",
+        None,
+        "A plate and its pose" if len(poses) == 1 else "Two plates, and the product of their poses",
+        lambda: stills.plates(poses),
+        {"reach": max(0.5, float(round(1.3 * far, 2)))},
+        poses=poses,
+    )
+
+
+PLATE = trans([0.4, 0.3, 0.2])
 MODES: dict[str, Callable[..., Explorer]] = {
     "arm": _arm,
     "link": _link,
@@ -276,6 +309,7 @@ MODES: dict[str, Callable[..., Explorer]] = {
     "compare": _compare,
     "branches": _branches,
     "place": _place,
+    "pose": _pose,
 }
 
 

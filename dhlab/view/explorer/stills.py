@@ -16,13 +16,14 @@ from ..given import spread
 from ..picture import Picture
 from ..pictures.arm import TABLE
 from ..pictures.arm import arm as arm_picture
+from ..pictures.arm import frames as frames_picture
 from ..pictures.axes import axes as axes_picture
 from ..pictures.compared import compared as measured
 from ..pictures.conventions import conventions
 from ..pictures.link import link
 from .placing import Placing
 
-__all__ = ["arm", "branches", "conventions", "link", "measured", "two", "place"]
+__all__ = ["arm", "branches", "conventions", "link", "measured", "place", "plates", "two"]
 
 SECOND = "#916008"
 OTHERS = "#c9ced4"
@@ -56,6 +57,16 @@ def branches(arm: Arm, qs: NDArray[np.float64]) -> Picture:
             for k, q in enumerate(qs, 1)
         ],
         "Every configuration",
+    )
+
+
+def plates(poses: NDArray[np.float64]) -> Picture:
+    """Frame 0 and the plates seen from it; of two also the product the other way round."""
+    if len(poses) == 1:
+        return frames_picture([np.eye(4), poses[0]], ["0", "1"])
+    T_01, T_12 = poses
+    return frames_picture(
+        [np.eye(4), T_01, T_01 @ T_12, T_12 @ T_01], ["0", "1", "2 = 01·12", "12·01"]
     )
 
 

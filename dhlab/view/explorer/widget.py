@@ -13,6 +13,7 @@ from traitlets import Dict, Enum, Int, observe, validate
 from ...arm import Arm
 from ...placing.words import Judgement
 from ...table import CONVENTIONS, DHTable
+from ...transform import require_pose
 from .content import Numbers
 from .page import wrapped
 from .placing import Placing
@@ -29,13 +30,15 @@ class Explorer(anywidget.AnyWidget):
     Attributes
     ----------
     mode : str
-        "arm", "link", "conventions", "compare", "branches" or "place".
+        "arm", "link", "conventions", "compare", "branches", "place" or "pose".
     arm : Arm or None
-        The arm shown; in mode "place" the finished one, None until then.
+        The arm shown; in mode "place" the finished one, None until then; None in mode "pose".
     q : array (n,)
         Radians, metres for a prismatic joint. Set it and the view follows.
     row : array (4,)
         Mode "link": theta, d, a, alpha as shown, joint variable included; radians and metres.
+    poses : array (k, 4, 4)
+        Mode "pose": plate 1 seen from frame 0, and plate 2 seen from plate 1.
     convention : str
         Mode "link": the order in which the four moves are made; else the arm's.
     step : int
@@ -45,7 +48,7 @@ class Explorer(anywidget.AnyWidget):
     Notes
     -----
     ``explorer.observe(f, "q")`` calls ``f`` with ``change.new`` whenever q changes, from whichever
-    side; "row", "convention" and "step" likewise.
+    side; "row", "poses", "convention" and "step" likewise.
 
     Examples
     --------
@@ -60,6 +63,7 @@ class Explorer(anywidget.AnyWidget):
     _data = Dict().tag(sync=True)
     q = Numbers()
     row = Numbers()
+    poses = Numbers()
     convention = Enum(list(CONVENTIONS), "standard").tag(sync=True)
     step = Int().tag(sync=True)
     _answer = Dict().tag(sync=True)
@@ -75,7 +79,7 @@ class Explorer(anywidget.AnyWidget):
         placing: Placing | None = None,
     ) -> None:
         self.mode, self._arm, self._still, self.placing = mode, arm, still, placing
-        self.counts = {"q": len(state["q"]), "row": len(state["row"])}
+        self.counts = {name: np.shape(state[name]) for name in ("q", "row", "poses")}
         super().__init__(_data=data, **state)
         if placing is not None:
             self._answer = placing.answer()
@@ -135,6 +139,12 @@ class Explorer(anywidget.AnyWidget):
         self._answer = self.placing.answer(judgement)
         return judgement
 
+    @validate("poses")
+    def _checked_poses(self, proposal):
+        for k, T in enumerate(proposal.value):
+            require_pose(T, f"explorer.poses[{k}]")
+        return proposal.value
+
     @validate("step")
     def _checked_step(self, proposal):
         low, high = self._data.get("steps", (0, 0))
@@ -167,13 +177,16 @@ class Explorer(anywidget.AnyWidget):
 
     def state(self) -> dict[str, Any]:
         """What a page without a kernel starts from."""
-        return {
+        state = {
             "q": self.q.tolist(),
             "row": self.row.tolist(),
             "convention": self.convention,
             "step": self.step,
             "_answer": self._answer,
         }
+        if self.poses.size:  # a page says nothing of what is not there
+            state["poses"] = self.poses.tolist()
+        return state
 
     def __repr__(self) -> str:
         return f"<Explorer, mode {self.mode}: {self._data['title']}>"

@@ -3,12 +3,13 @@
 import { h } from "./dom.js";
 import { DEGREE, below } from "./format.js";
 
-// A quantity in radians or metres, shown in degrees or millimetres. `changed` gets it back in radians or metres.
-export function slider({ symbol, name, turn, low, high, changed }) {
-  const factor = turn ? DEGREE : 1000, unit = turn ? "°" : "mm";
-  const step = turn ? 0.5 : 1; // limits are rounded inward to whole steps, so that a slider can stand at 0; the field goes all the way
+// A quantity in radians or metres, shown in degrees or millimetres, or in metres where the text beside it has metres. `changed` gets it back in
+// radians or metres.
+export function slider({ symbol, name, turn, low, high, changed, metres = false }) {
+  const [factor, unit, word, step, digits] = turn ? [DEGREE, "°", "degrees", 0.5, 2] : metres ? [1, "m", "metres", 0.01, 3] : [1000, "mm", "millimetres", 1, 1];
+  // limits are rounded inward to whole steps, so that a slider can stand at 0; the field goes all the way
   const bounds = { min: Math.ceil((low * factor) / step - 1e-9) * step, max: Math.floor((high * factor) / step + 1e-9) * step, step };
-  const words = `${name}, ${turn ? "degrees" : "millimetres"}`;
+  const words = `${name}, ${word}`;
   const range = h("input", { type: "range", "aria-label": words, ...bounds, oninput: () => changed(Number(range.value) / factor) });
   let known = ""; // what stands in the field and is the value already
   const take = () => {
@@ -22,9 +23,9 @@ export function slider({ symbol, name, turn, low, high, changed }) {
   const mute = (kind, text) => h("span", { class: kind, "aria-hidden": "true" }, text);
   const element = h("div", { class: "slider" }, mute("symbol", symbol), range, field, mute("unit", unit));
   const set = (value) => {
-    const shown = String(round(value * factor, turn ? 2 : 1));
+    const shown = String(round(value * factor, digits));
     if (Math.abs(Number(range.value) - value * factor) > 1e-9) range.value = value * factor;
-    range.setAttribute("aria-valuetext", `${shown} ${turn ? "degrees" : "millimetres"}`);
+    range.setAttribute("aria-valuetext", `${shown} ${word}`);
     if (field.value !== shown) field.value = shown;
     known = shown;
     element.classList.toggle("beyond", value < low - 1e-9 || value > high + 1e-9);

@@ -17,10 +17,10 @@ export function write(element, text) {
 }
 
 export class Table {
-  constructor(caption, headings, rows) {
+  constructor(caption, headings, rows, named = true) { // named: the first cell of a row is its name
     this.caption = h("caption", {}, caption);
     this.head = headings.map((heading) => h("th", { scope: "col" }, heading));
-    this.rows = Array.from({ length: rows }, () => headings.map((_, k) => (k ? h("td") : h("th", { scope: "row" }))));
+    this.rows = Array.from({ length: rows }, () => headings.map((_, k) => (k || !named ? h("td") : h("th", { scope: "row" }))));
     const body = this.rows.map((cells) => h("tr", {}, ...cells));
     const table = h("table", {}, this.caption, h("thead", {}, h("tr", {}, ...this.head)), h("tbody", {}, ...body));
     this.lines = body;

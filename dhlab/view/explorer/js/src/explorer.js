@@ -7,11 +7,12 @@ import { compareMode } from "./modes/compare.js";
 import { conventionsMode } from "./modes/conventions.js";
 import { linkMode } from "./modes/link.js";
 import { placeMode } from "./modes/place.js";
+import { poseMode } from "./modes/pose.js";
 import { Stage } from "./stage.js";
 import style from "./style.css";
 import { theme, watchTheme } from "./theme.js";
 
-const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, branches: branchesMode, place: placeMode };
+const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, branches: branchesMode, place: placeMode, pose: poseMode };
 const SILENCE = 700; // ms after the last change before a screen reader is told
 
 // `host` is what holds the state, a notebook's model or the page: {data, get, set, listen, send}. Returns the way to take everything down.
@@ -22,6 +23,7 @@ export function mount(element, host) {
   const mode = MODES[host.data.mode](host, () => stage?.redraw());
   stage = new Stage(host.data.alt, mode);
   if (!stage.works) host.send({ still: true });
+  mode.camera = stage.camera;
   stage.readout.append(...(mode.readout ? [mode.readout.element] : []));
   const words = h("p", { class: "hidden", role: "status", "aria-live": "polite" });
   const layout = h("div", { class: "explorer", role: "group", "aria-label": host.data.title },

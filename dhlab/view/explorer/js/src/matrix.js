@@ -36,6 +36,27 @@ export function rollPitchYaw(T) {
   return [Math.atan2(T[9], T[10]), Math.atan2(-T[8], cosPitch), Math.atan2(T[4], T[0])];
 }
 
+// The pose with its origin at p and the turns of rollPitchYaw.
+export function poseOf(p, [roll, pitch, yaw]) {
+  const [cr, sr, cp, sp, cy, sy] = [roll, pitch, yaw].flatMap((angle) => [Math.cos(angle), Math.sin(angle)]);
+  return [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, p[0], sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, p[1],
+    -sp, cp * sr, cp * cr, p[2], 0, 0, 0, 1];
+}
+
+// The turn about the origin that takes one unit vector to another by the shortest way.
+export function turnTo(from, to) {
+  const v = cross(from, to), c = dot(from, to);
+  if (c < -1 + 1e-9) return IDENTITY.slice(); // half a turn has no shortest way; a hand comes past it
+  const k = 1 / (1 + c), [x, y, z] = v;
+  return [1 - k * (y * y + z * z), k * x * y - z, k * x * z + y, 0, k * x * y + z, 1 - k * (x * x + z * z), k * y * z - x, 0,
+    k * x * z - y, k * y * z + x, 1 - k * (x * x + y * y), 0, 0, 0, 0, 1];
+}
+
+export function inverse(T) {
+  const p = origin(T), back = [0, 1, 2].map((k) => -dot(axis(T, k), p));
+  return [T[0], T[4], T[8], back[0], T[1], T[5], T[9], back[1], T[2], T[6], T[10], back[2], 0, 0, 0, 1];
+}
+
 // Two unit vectors that complete a direction to a right-handed frame.
 export function sides(direction) {
   const least = [0, 1, 2].reduce((k, j) => (Math.abs(direction[j]) < Math.abs(direction[k]) ? j : k), 0);

@@ -4,7 +4,7 @@ import { mount } from "./explorer.js";
 
 export { forward, frames } from "./kinematics.js";
 
-const STATE = ["q", "row", "convention", "step", "_answer"];
+const STATE = ["q", "row", "poses", "convention", "step", "_answer"];
 
 // In a notebook: anywidget hands in the model and an element.
 function render({ model, el }) {

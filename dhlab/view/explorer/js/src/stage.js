@@ -8,6 +8,8 @@ import { Paper } from "./paper.js";
 import { Scene } from "./scene.js";
 import { COLORS, theme } from "./theme.js";
 
+const MOUSE = 16, FINGER = 28; // pixels around what is meant
+const near = (event) => (event.pointerType === "touch" ? FINGER : MOUSE);
 const KEYS = { ArrowLeft: [8, 0], ArrowRight: [-8, 0], ArrowUp: [0, 6], ArrowDown: [0, -6] };
 
 export class Stage {
@@ -72,15 +74,18 @@ export class Stage {
     if (!clientWidth || !clientHeight || !renderer().works) return;
     const scene = new Scene(COLORS[theme()], this.mode.size);
     scene.time = time;
+    scene.metres = this.mode.metres; // the unit that is named
     scene.lowest = this.lowest ?? 0;
     this.mode.build(scene);
     const lowest = Math.min(...scene.kept.map((p) => p[2]));
-    if (!(this.lowest <= lowest + 1e-9)) { // the floor goes down with what reaches below it, and then stays
+    if (!this.hand && !(this.lowest <= lowest + 1e-9)) { // the floor goes down with what reaches below it, and then stays
       this.lowest = lowest;
       return this.draw(time);
     }
-    this.camera.include(scene.kept, scene.size);
-    this.camera.fit(clientWidth, clientHeight);
+    if (!this.hand) { // what a hand holds must not run away under it
+      this.camera.include(scene.kept, scene.size);
+      this.camera.fit(clientWidth, clientHeight);
+    }
     this.paper.paint(scene, this.camera);
     this.wanted = scene.labels.length;
     this.drawn++;
@@ -89,22 +94,44 @@ export class Stage {
   takeHold() {
     const { canvas } = this, held = new Map();
     canvas.addEventListener("pointerdown", (event) => {
+      if (!held.size) this.hand = this.mode.grab?.(this.at(event), this.camera, near(event)) ?? null;
       held.set(event.pointerId, [event.clientX, event.clientY]);
       canvas.setPointerCapture(event.pointerId);
     });
+    canvas.addEventListener("touchstart", (event) => { // a finger on something that can be moved does not scroll the page
+      const [touch] = event.touches;
+      if (event.touches.length === 1 && this.mode.grab?.(this.at(touch), this.camera, FINGER)) event.preventDefault();
+    }, { passive: false });
     canvas.addEventListener("pointermove", (event) => {
       const last = held.get(event.pointerId);
-      if (!last) return;
+      if (!last) return this.hover(event);
+      if (this.hand && held.size === 1) return this.hand(this.at(event));
       held.set(event.pointerId, [event.clientX, event.clientY]);
       this.dragged(event, last, [...held].filter(([id]) => id !== event.pointerId).map(([, at]) => at));
     });
-    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => held.delete(event.pointerId));
+    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => {
+      held.delete(event.pointerId);
+      if (this.hand) this.redraw();
+      this.hand = null;
+    });
+    canvas.addEventListener("pointerleave", () => this.mode.hover?.(null, this.camera));
     canvas.addEventListener("wheel", (event) => { // only when the view was taken hold of before, so that the page scrolls past it
       if (!event.ctrlKey && canvas.getRootNode().activeElement !== canvas) return;
       event.preventDefault();
       this.zoom(Math.exp(-event.deltaY / 500));
     }, { passive: false });
     canvas.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  // Where a pointer is on the canvas, in CSS pixels.
+  at({ clientX, clientY }) {
+    const box = this.canvas.getBoundingClientRect();
+    return [clientX - box.left, clientY - box.top];
+  }
+
+  hover(event) {
+    const found = this.mode.hover?.(this.at(event), this.camera, near(event));
+    this.canvas.style.cursor = found ? "pointer" : "";
   }
 
   dragged(event, last, others) {

@@ -1,7 +1,7 @@
 // The tables under the view: the DH table as it is now, and the frames for those who read instead of look.
 
 import { Table } from "./dom.js";
-import { SYMBOLS, TITLES, degrees, millimetres, vector } from "./format.js";
+import { SYMBOLS, TITLES, degrees, millimetres, number, vector } from "./format.js";
 import { COLUMNS, isTurn, rowAt } from "./kinematics.js";
 import { axis, origin } from "./matrix.js";
 
@@ -27,12 +27,14 @@ export class DHTable extends Table {
 export const rowTexts = (row) => COLUMNS.map((kind, k) => (isTurn(kind) ? degrees(row[k]) : millimetres(row[k])));
 
 export class FramesTable extends Table {
-  constructor(titles, caption = "The frames, in the world") {
-    super(caption, ["frame", "x (mm)", "y (mm)", "z (mm)", "x axis", "y axis", "z axis"], titles.length);
+  constructor(titles, caption = "The frames, in the world", metres = false) {
+    const unit = metres ? "m" : "mm";
+    super(caption, ["frame", `x (${unit})`, `y (${unit})`, `z (${unit})`, "x axis", "y axis", "z axis"], titles.length);
+    this.metres = metres;
     this.titles = titles;
   }
 
   update(poses) {
-    this.set(poses.map((T, k) => [this.titles[k], ...origin(T).map((v) => millimetres(v).slice(0, -3)), ...[0, 1, 2].map((j) => vector(axis(T, j)))]));
+    this.set(poses.map((T, k) => [this.titles[k], ...origin(T).map((v) => (this.metres ? number(v, 3) : number(v * 1000, 1))), ...[0, 1, 2].map((j) => vector(axis(T, j)))]));
   }
 }
