@@ -79,6 +79,13 @@ def doctor(
             help="Write the repaired arm; an existing file is kept.",
         ),
     ] = "",
+    budget: Annotated[
+        float,
+        typer.Option(
+            metavar="SECONDS",
+            help="Processor time for the search; the best answer so far is given when it is over.",
+        ),
+    ] = 10.0,
     motion: Annotated[
         bool, typer.Option("--motion", help="The file holds sweeps: one joint moved at a time.")
     ] = False,
@@ -105,25 +112,24 @@ def doctor(
     """
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
+    if units:
+        units_of(units, "doctor")
     if poses and not motion and is_arm(poses):
         against_arm(arm, poses, free_base, free_tool, as_json)
         return
     axes = None if protocol or motion else sheet_in(arm)
     if axes is not None:
-        given = units_of(units or _written_units(poses), "doctor")
-        axes_of(axes, poses, given, level, repair, as_json)
+        axes_of(axes, poses, _units(units, poses), level, repair, as_json)
         return
-    lengths, angles = (
-        (None, None) if protocol else units_of(units or _written_units(poses), "doctor")
-    )
     model = arm_of(arm)
+    lengths, angles = (None, None) if protocol else _units(units, poses)
     if protocol:
         _give_protocol(model, sheet, as_json)
         return
     answer = (
         _motion(model, poses, lengths, angles, level)
         if motion
-        else _poses(model, poses, lengths, angles, level, free_base, free_tool)
+        else _poses(model, poses, lengths, angles, level, free_base, free_tool, budget)
     )
     print(json.dumps(answer.to_dict(), ensure_ascii=False) if as_json else answer)
     if repair:
@@ -159,17 +165,29 @@ def _check(poses, protocol, sheet, repair, motion, free):
             )
 
 
-def _written_units(path):
-    """The units that a comment line of the poses file names."""
-    found = re.search(
-        r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE
-    )
-    if not found:
+def _units(told, path):
+    """The lengths' and the angles' factor: as told, as a line of the file says, or both alike."""
+    written = _written_units(path)
+    if not (told or written):
         raise ValueError(
             f"doctor: expected the units of {path}, found none; add --units mm,deg or --units"
             " m,rad, or a line # units: mm,deg to the file"
         )
-    return found[1]
+    units = units_of(told or written, "doctor")
+    if told and written and units_of(written, "doctor") != units:
+        raise ValueError(
+            f"doctor: --units: expected the units that {path} names, {written}, found {told}; leave"
+            " --units out, or correct the line in the file"
+        )
+    return units
+
+
+def _written_units(path):
+    """The units that a comment line of the poses file names, "" where none does."""
+    found = re.search(
+        r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE
+    )
+    return found[1] if found else ""
 
 
 def _noise(text):
@@ -199,7 +217,7 @@ def _bad_noise(text):
     )
 
 
-def _poses(model, path, lengths, angles, noise, free_base, free_tool):
+def _poses(model, path, lengths, angles, noise, free_base, free_tool, budget):
     from ..doctor import diagnose
     from ..formats.posefile import read_poses
 
@@ -211,6 +229,7 @@ def _poses(model, path, lengths, angles, noise, free_base, free_tool):
         noise=noise,
         base="free" if free_base else "fixed",
         tool="free" if free_tool else "fixed",
+        budget=budget,
     )
 
 

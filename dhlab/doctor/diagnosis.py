@@ -12,9 +12,10 @@ from ..printing import number
 from .catalogue import catalogue
 from .finding import Finding
 
-__all__ = ["Diagnosis", "AGREES", "CALIBRATED", "EXPLAINED", "UNEXPLAINED"]
+__all__ = ["Diagnosis", "AGREES", "CALIBRATED", "EXPLAINED", "UNDECIDED", "UNEXPLAINED"]
 
 AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED = "agrees", "calibrated", "explained", "unexplained"
+UNDECIDED = "undecided"  # too few poses to tell
 WIDTH = 100  # characters of a line, in a terminal
 
 
@@ -24,7 +25,7 @@ class Diagnosis:
 
     Parameters
     ----------
-    verdict : "agrees", "calibrated", "explained" or "unexplained"
+    verdict : "agrees", "calibrated", "explained", "undecided" or "unexplained"
     headline : str
         One sentence.
     findings : tuple of Finding
@@ -38,6 +39,9 @@ class Diagnosis:
     next_pose : array (n,) or None
         A configuration whose measurement would tell the remaining explanations apart; radians and
         metres.
+    fits : tuple of Finding
+        Where ``verdict`` is "undecided": what fits these poses, the likeliest first; none of them
+        is claimed.
     fitted : Arm or None
         Where there is no finding and still something was found: the arm with its free base and tool
         in place, or as calibrated.
@@ -62,6 +66,7 @@ class Diagnosis:
     after: tuple | None = None
     notes: tuple = ()
     next_pose: np.ndarray | None = None
+    fits: tuple[Finding, ...] = ()
     fitted: Arm | None = field(default=None, repr=False, compare=False)
     compared: tuple | None = field(default=None, repr=False, compare=False)
 
@@ -86,6 +91,7 @@ class Diagnosis:
             "verdict": self.verdict,
             "headline": self.headline,
             "findings": [finding.to_dict() for finding in self.findings],
+            "fits": [finding.to_dict() for finding in self.fits],
             "before": _pair(self.before),
             "after": _pair(self.after),
             "notes": list(self.notes),
@@ -111,6 +117,10 @@ class Diagnosis:
                     "looks the same on this arm: "
                     + "; ".join(catalogue()[name].title for name in finding.look_alikes),
                 )
+        for finding in self.fits:
+            told = ": ".join(part for part in (finding.place, finding.detail) if part)
+            title = catalogue()[finding.mistake].title
+            yield "Fits", title + (f" ({told})" if told else "")
         if self.before is not None:
             yield (
                 "Off by",

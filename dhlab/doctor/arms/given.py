@@ -6,12 +6,16 @@ from ...arm import Arm
 from ...geometry.conversion import require_uncoupled
 from ...printing import number
 from ...transform import pose_fault
+from .digits import written_noise
 from .search.measured import Measured
 
-__all__ = ["EXACT", "measured"]
+__all__ = ["EXACT", "distinct", "measured", "oddities"]
 
-EXACT = (1e-6, 1e-6)  # what counts as no noise (m, rad): a micrometre, and digits lost in printing
+EXACT = 1e-6  # what counts as no noise, of the arm's reach and in radians: digits lost in printing
+GUESSED = (1e-3, 2e-3)  # what the search reckons with where no noise is stated (of the reach, rad)
 COARSEST = 0.2  # of the arm's reach, and radians: nobody measures worse
+TURNS = 2 * 2 * np.pi  # a joint value beyond two full turns was hardly meant in radians
+TIMES = 20  # a table so many times larger or smaller than what was measured has another unit
 
 
 def measured(arm, q, poses, noise, base, tool):
@@ -46,16 +50,65 @@ def measured(arm, q, poses, noise, base, tool):
             f"diagnose: poses: expected poses, but one is none: {fault}; give positions (m, 3) if"
             " the rotations are not known"
         )
-    level = EXACT if noise is None else _noise(noise, arm, poses, full)
-    R = _orthonormal(poses[:, :3, :3]) if full else None
+    p = poses[:, :3, 3] if full else poses.astype(float)
+    reach = _reach(arm, p)
+    floor = np.maximum(written_noise(p, poses[:, :3, :3] if full else None), _exact(reach))
+    level = GUESSED * np.array([reach, 1])
+    if noise is not None:
+        level = np.array(_noise(noise, arm, p, full))
     return Measured(
         q,
-        poses[:, :3, 3] if full else poses.astype(float),
-        R,
-        level,
+        p,
+        _orthonormal(poses[:, :3, :3]) if full else None,
+        tuple(np.maximum(level, floor)),
         base == "free",
         tool == "free",
+        stated=noise is not None,
+        floor=tuple(floor),
+        reach=reach,
     )
+
+
+def _exact(reach):
+    return np.array([EXACT * reach, EXACT])
+
+
+def _size(arm):
+    """About how far the arm reaches by its table, m."""
+    return float(np.abs(arm.table.rows[:, 1:3]).sum() + np.linalg.norm(arm.tool[:3, 3]))
+
+
+def _reach(arm, p):
+    """About how far the arm reaches, m: as far as its end was seen to move, or as far from the base
+    as it was, if the table reaches so far; a table may be in another unit.
+    """
+    seen = max(float(np.ptp(p, axis=0).max()), min(_size(arm), float(np.abs(p).max())))
+    return seen or _size(arm) or 1.0
+
+
+def distinct(q):
+    """How many configurations differ."""
+    return len(np.unique(np.round(q, 6), axis=0))
+
+
+def oddities(arm, data):
+    """Sentences on what can hardly be meant; read before anything else is."""
+    lines, kinds = len(data.q), distinct(data.q)
+    if kinds < lines:
+        what = "one and the same configuration" if kinds == 1 else f"only {kinds} configurations"
+        yield f"The {lines} lines hold {what}; a line that repeats another proves nothing new."
+    turned = np.abs(data.q[:, ~arm.table.prismatic]).max(initial=0)
+    if turned > TURNS:
+        yield (
+            f"A joint stands at {number(turned, 1)} radians, which is"
+            f" {number(turned / (2 * np.pi), 1)} turns: are these degrees?"
+        )
+    size, seen = _size(arm), float(np.abs(data.p).max())
+    if size > TIMES * max(seen, 1e-9) or size < seen / TIMES:
+        yield (
+            f"The table's lengths add up to {number(size, 3)} m, the measured points lie within"
+            f" {number(seen, 3)} m: expected metres in both, is one of them in another unit?"
+        )
 
 
 def _orthonormal(R):
@@ -63,7 +116,7 @@ def _orthonormal(R):
     return U @ Vt
 
 
-def _noise(noise, arm, poses, full):
+def _noise(noise, arm, p, full):
     values = np.atleast_1d(np.asarray(noise, dtype=float))
     if values.shape not in ((1,), (2,)) or not (np.isfinite(values).all() and (values >= 0).all()):
         raise ValueError(f"diagnose: noise: expected (m, rad), two numbers from 0, found {noise!r}")
@@ -72,13 +125,10 @@ def _noise(noise, arm, poses, full):
             "diagnose: noise: expected two numbers, since the poses have rotations, found"
             f" {noise!r}; add the angle's, such as 1mm,0.2deg or (0.001, 0.0035)"
         )
-    seen = np.ptp(poses[:, :3, 3] if full else poses, axis=0).max()
-    reach = float(
-        max(np.abs(arm.table.rows[:, 1:3]).sum() + np.linalg.norm(arm.tool[:3, 3]), seen, 0.1)
-    )  # either may be in another unit
+    reach = max(_size(arm), float(np.ptp(p, axis=0).max()), 0.1)  # either may be in another unit
     if values[0] > COARSEST * reach or (full and values[1] > COARSEST):
         raise ValueError(
             "diagnose: noise: expected metres and radians, much smaller than the arm"
             f" ({number(reach, 3)} m), found {noise!r}; 4 mm are 0.004"
         )
-    return max(values[0], EXACT[0] / 10), max(values[-1], EXACT[1] / 10)
+    return values[0], values[-1]

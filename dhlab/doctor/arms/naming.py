@@ -15,7 +15,7 @@ from .numbers import name_number
 from .search.fitting import misfit
 from .search.measured import Measured
 
-__all__ = ["name_change", "name_data_fault"]
+__all__ = ["name_change", "name_data_fault", "name_every_change"]
 
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical
 # purposes
@@ -67,6 +67,22 @@ def name_data_fault(fault, arm):
     """The Finding for a mistake that sits in the measurements."""
     mistake, joint, parameter, place = fault
     return Finding(mistake, joint, parameter, place, "", arm)
+
+
+def name_every_change(wrong, right, entries):
+    """A Finding for each thing in which a rebuilt arm differs: the convention, senses of joints,
+    and the entries (row, column) that were fitted.
+    """
+    found = []
+    if right.table.convention != wrong.table.convention:
+        mistake = value_mistake(f"rows are {right.table.convention}")
+        found.append((mistake, None, None, "", ""))
+    found += [
+        (value_mistake("sign"), int(i) + 1, "sign", f"joint {i + 1}", "counts the other way")
+        for i in np.flatnonzero(right.sign != wrong.sign)
+    ]
+    found += [_by_number(wrong, right, entry) for entry in entries]
+    return tuple(Finding(*parts, right) for parts in found)
 
 
 # ---- every mistake, tried

@@ -10,23 +10,19 @@ from ...arm import Arm
 from ...printing import number
 from ...table import DHTable
 from ...transform import to_xyz_rpy
-from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
-from .given import EXACT, measured
+from ..diagnosis import AGREES, UNEXPLAINED
+from .given import measured, oddities
 from .ranking import ranked
+from .rebuilding import rebuilt
+from .search.budget import SECONDS, Budget
 from .search.fitting import misfit
-from .search.singles import calibrated, singles
-from .unexplained import all_but_one, still_right
+from .unexplained import all_but_one, right_part, still_right
 from .verdict import decide, explained
 
 __all__ = ["diagnose"]
 
-SPARE = 8  # so many numbers more than are fitted tell the noise
-LARGEST_NOISE = (0.01, 0.05)  # beyond this nothing is explained any more
-COARSE = (2e-3, 4e-3)  # supposed where the noise cannot be estimated: a ruler, a phone
-FINE = 2e-3  # noise that all numbers together, fitted, do not leave by chance (m)
 
-
-def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
+def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed", budget=SECONDS):
     """What is wrong with an arm's table, from measured poses.
 
     Parameters
@@ -43,26 +39,29 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
     base, tool : "fixed" or "free"
         Free: the measurements were taken in another base frame (to another tool frame), which is
         found as well.
+    budget : float
+        Seconds of processor time; when they are over, the best answer so far is given.
 
     Returns
     -------
     Diagnosis
-        ``verdict`` "agrees", "calibrated", "explained" or "unexplained"; ``findings`` together
-        explain the data.
+        ``verdict`` "agrees", "calibrated", "explained", "undecided" or "unexplained"; ``findings``
+        together explain the data.
 
     Raises
     ------
     ValueError
         Wrong shapes, numbers that are not finite, matrices that are no poses; noise as large as the
-        arm, or without an angle where there are rotations.
+        arm, or without an angle where there are rotations; a budget that is no time.
 
     Notes
     -----
     The rule: an explanation must leave no more misfit than the noise (χ² passed by noise alone but
-    once in ten million draws). One mistake goes before two; among these, fewer numbers that nobody
-    would have guessed, then the smaller misfit. A small misfit (rms below 12 mm and 1.1°) that
-    small changes of all numbers (1 mm, 0.1°) explain about as well as one mistake does is called a
-    calibration.
+    once in ten million draws), and it must be worth its price: a number that is fitted costs as
+    much as a measured number tells, one that anybody would have guessed next to nothing. So six
+    numbers fitted to six measured ones explain nothing. One mistake goes before two. A small misfit
+    that small changes of all numbers explain about as well as one or two mistakes do is called a
+    calibration. The noise is never taken for less than the digits of the measurements leave.
 
     Examples
     --------
@@ -78,24 +77,52 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed"):
     """
     arm = Arm(arm) if isinstance(arm, DHTable) else arm
     data = measured(arm, q, poses, noise, base, tool)
-    answer = decide(arm, data, ()) if noise is not None else _without_level(arm, data)
-    if answer.verdict == UNEXPLAINED:
-        answer = _looked_at_again(
-            arm, data if noise is not None else replace(data, noise=COARSE), answer
-        )
+    clock = Budget(_seconds(budget))
+    try:
+        answer = decide(arm, data, tuple(oddities(arm, data)), clock)
+        if answer.verdict == UNEXPLAINED:
+            answer = _looked_at_again(arm, data, answer, clock)
+    finally:
+        clock.close()
+    answer = replace(answer, notes=_cut_short(clock) + answer.notes)
     placed = misfit(arm, data).arm
     if answer.verdict == AGREES and (data.base_free or data.tool_free):
         answer = replace(answer, fitted=placed, notes=answer.notes + _found_ends(placed, data))
     return replace(answer, compared=(placed, data.q, np.asarray(poses, dtype=float)))
 
 
-def _looked_at_again(arm, data, answer):
+def _seconds(budget):
+    number_like = isinstance(budget, (int, float, np.integer, np.floating))
+    if isinstance(budget, bool) or not number_like or not 0 < budget < np.inf:
+        raise ValueError(
+            f"diagnose: budget: expected seconds of processor time above 0, found {budget!r}"
+        )
+    return float(budget)
+
+
+def _cut_short(clock):
+    """What was not tried to the end."""
+    if clock.cut_short:
+        tried = ", ".join(dict.fromkeys(clock.cut_short))
+        said = (
+            f"The time of {number(clock.seconds, 1)} s was over before everything was tried"
+            f" ({tried}): this is the best so far; more time (budget=, --budget) may find more."
+        )
+        return (said,)
+    return ()
+
+
+def _looked_at_again(arm, data, answer, clock):
     """An answer that explained nothing, looked at once more: without one measurement, or with what
     is right all the same.
     """
-    found = all_but_one(arm, data)
+    as_given, data = data, replace(data, stated=True)
+    found = all_but_one(arm, data, clock)
     if found is None:
-        return replace(answer, notes=answer.notes + still_right(arm, data))
+        again = rebuilt(arm, as_given, clock)
+        if again is None:
+            return replace(answer, notes=answer.notes + still_right(arm, data))
+        return replace(again, notes=answer.notes + tuple(right_part(misfit(arm, data), data)))
     k, rest, ones = found
     best = ranked(arm, ones, rest)[0].fit.arm if ones else misfit(arm, rest).arm
     off = 1e3 * (best.forward(data.q[k])[:3, 3] - data.p[k])
@@ -140,72 +167,3 @@ def _found_ends(arm, data):
                 f" mm{turn}."
             )
     return tuple(said)
-
-
-def _without_level(arm, data):
-    """The verdict where the noise is not known: one mistake in exact data, one in data with little
-    noise, then two, then more noise.
-    """
-    answer = decide(arm, data, ("The measurements are exact to a micrometre.",), two=False)
-    if answer.verdict in (AGREES, EXPLAINED):
-        return answer
-    estimated, enough = _estimate(arm, data)
-    needed = -(-(4 * len(arm) + SPARE) * len(data.q) // data.count)
-    few = (
-        ()
-        if enough
-        else (
-            (
-                f"With {len(data.q)} poses the noise cannot be told from a mistake; say what it is,"
-                f" or measure {needed} general ones."
-            ),
-        )
-    )
-    small = (
-        [(estimated, False)] if enough and EXACT[0] < estimated[0] < FINE else []
-    )  # two mistakes in exact data would leave more
-    rounds = [
-        *small,
-        (EXACT, True),
-        (estimated if estimated[0] < LARGEST_NOISE[0] else COARSE, True),
-    ]
-    for level, two in rounds if answer.verdict == UNEXPLAINED else [(estimated, True)]:
-        said = (
-            f"The noise was estimated from the data: {level[0] * 1e3:.2g} mm"
-            + ("" if data.R is None else f", {np.rad2deg(level[1]):.2g}°")
-            + "."
-        )
-        answer = decide(arm, replace(data, noise=level), (said, *few), two=two)
-        if answer.verdict != UNEXPLAINED:
-            break
-    return answer
-
-
-def _estimate(arm, data):
-    """The noise that is left when every number is fitted, begun at the most promising arms; and
-    whether the data suffice for it.
-    """
-    loose = replace(data, noise=(1e-3, 2e-3))
-    spare = data.count - 4 * len(arm)
-    enough = spare >= SPARE
-    if not enough:
-        return COARSE, False
-    starts = [arm] + [
-        e.fit.arm
-        for e in sorted(singles(arm, loose), key=lambda e: e.fit.chi2)[:3]
-        if e.data_fault is None
-    ]
-    best = None
-    for start in starts:
-        r = loose.residual(calibrated(start, loose).arm.forward(data.q))
-        share = np.sqrt(data.count / spare)
-        position = loose.noise[0] * np.sqrt((r[:, :3] ** 2).mean()) * share
-        turn = (
-            loose.noise[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else 0.0
-        )
-        if best is None or position < best[0]:
-            best = position, turn
-    return (
-        float(np.clip(best[0], EXACT[0], LARGEST_NOISE[0])),
-        float(np.clip(best[1], EXACT[1], LARGEST_NOISE[1])),
-    ), True

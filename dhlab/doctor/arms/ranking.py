@@ -13,7 +13,16 @@ from .naming import name_change, name_data_fault
 from .search.fitting import Fit, fit, misfit
 from .search.measured import Measured, limit
 
-__all__ = ["ranked", "named", "with_equivalents", "rivals_of", "telling_pose"]
+__all__ = [
+    "differs",
+    "named",
+    "ranked",
+    "rivals_of",
+    "snapped",
+    "taken_over",
+    "telling_pose",
+    "with_equivalents",
+]
 
 MOST_EQUIVALENTS = 4
 
@@ -22,9 +31,8 @@ def ranked(arm, explanations, data):
     """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that
     nobody would have guessed, then the smaller misfit.
     """
-    snapped = (_snapped(e, data) for e in explanations)
     return sorted(
-        snapped,
+        (snapped(e, data) for e in explanations),
         key=lambda e: (
             e.changes,
             e.odd + 6 * len(e.ends),
@@ -89,7 +97,7 @@ def with_equivalents(finding, best, others, data):
         wrong, repaired = other.chain[0], other.fit.arm
         if any(
             np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables
-        ) or _differs(best.fit.arm, repaired, data):
+        ) or differs(best.fit.arm, repaired, data):
             continue
         same = name_change(wrong, repaired, data, other.entries)
         tables.append(repaired.table.rows)
@@ -101,7 +109,7 @@ def with_equivalents(finding, best, others, data):
     ), tuple(notes)
 
 
-def _snapped(explanation, data):
+def snapped(explanation, data):
     """Fitted numbers made round where a round one fits: -90, not -89.97."""
     if not explanation.entries or explanation.fit.sigma is None:
         return replace(explanation, odd=len(explanation.entries))
@@ -109,29 +117,33 @@ def _snapped(explanation, data):
     rows = arm.table.rows
     for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
         rows[entry] = _round(rows[entry], start.table.rows, entry, max(4 * sigma, 1e-8))
-    snapped = with_rows(arm, rows)
+    made_round = with_rows(arm, rows)
     found = (
-        fit(snapped, data, ())
+        fit(made_round, data, ())
         if data.base_free or data.tool_free or explanation.ends
-        else misfit(snapped, data)
+        else misfit(made_round, data)
     )
     if explanation.ends:
         found = Fit(
-            snapped,
-            float((data.residual(snapped.forward(data.q)) ** 2).sum()),
+            made_round,
+            float((data.residual(made_round.forward(data.q)) ** 2).sum()),
             explanation.fit.fitted,
         )
     if found.chi2 > max(limit(data.count), explanation.fit.chi2 * 1.5 + 20):
         return replace(explanation, odd=len(explanation.entries))
     odd = sum(rows[entry] == arm.table.rows[entry] for entry in explanation.entries)
     found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
+    return replace(explanation, fit=found, chain=taken_over(explanation, found.arm), odd=odd)
+
+
+def taken_over(explanation, arm):
+    """The arms on the way to another last one, whose fitted numbers they take over."""
+    rows, fitted = arm.table.rows, explanation.fit.arm.table.rows
     middle = [
-        with_rows(link, _take(link.table.rows, rows, explanation.entries, arm.table.rows))
+        with_rows(link, _take(link.table.rows, rows, explanation.entries, fitted))
         for link in explanation.chain[1:-1]
     ]
-    return replace(
-        explanation, fit=found, chain=(explanation.chain[0], *middle, found.arm), odd=odd
-    )
+    return (explanation.chain[0], *middle, arm)
 
 
 def _take(link_rows, rows, entries, fitted):
@@ -180,14 +192,15 @@ def rivals_of(best, others, data):
         if other.changes > best.changes or other.data_fault is not None or len(rivals) == 3:
             continue
         if all(
-            _differs(other.fit.arm, arm, data)
+            differs(other.fit.arm, arm, data)
             for arm in [best.fit.arm, *(r.fit.arm for r in rivals)]
         ):
             rivals.append(other)
     return rivals
 
 
-def _differs(a, b, data):
+def differs(a, b, data):
+    """Whether two arms move otherwise by more than the noise would hide."""
     q = np.random.default_rng(3).uniform(-2.5, 2.5, (6, len(a)))
     T, U = a.forward(q), b.forward(q)
     sample = Measured(
@@ -196,14 +209,19 @@ def _differs(a, b, data):
     return (sample.residual(T) ** 2).max() > 1
 
 
-def telling_pose(best, others, data):
-    """Of 200 random configurations the one at which the explanations differ most."""
+def telling_pose(arms):
+    """Of 200 random configurations inside the limits the one at which the arms differ most: the
+    pair that is told apart least well decides.
+    """
     rng = np.random.default_rng(4)
-    bounds = [(-2.5, 2.5) if pair is None else pair for pair in best.limits or [None] * len(best)]
-    low, high = np.array(bounds).T
-    q = rng.uniform(low, high, (200, len(best)))
-    apart = [
-        np.linalg.norm(best.forward(q)[:, :3, 3] - other.forward(q)[:, :3, 3], axis=1)
-        for other in others
+    first = arms[0]
+    slides = first.table.prismatic
+    bounds = [
+        pair or ((0.0, 0.5) if slide else (-2.5, 2.5))
+        for pair, slide in zip(first.limits or [None] * len(first), slides)
     ]
-    return q[np.argmax(np.min(apart, axis=0))]
+    low, high = np.array(bounds).T
+    q = rng.uniform(np.maximum(low, -2.5), np.minimum(high, 2.5), (200, len(first)))
+    ends = [arm.forward(q)[:, :3, 3] for arm in arms]
+    apart = [np.linalg.norm(a - b, axis=1) for a, b in itertools.combinations(ends, 2)]
+    return q[np.argmax(np.min(apart, axis=0))] if apart else q[0]

@@ -11,7 +11,7 @@ from .search.fitting import misfit
 from .search.measured import limit, rotation_vectors
 from .search.singles import singles
 
-__all__ = ["all_but_one", "still_right"]
+__all__ = ["all_but_one", "right_part", "still_right"]
 
 MOST_POSES = 40  # beyond these a line is looked for by eye
 SUSPECTS = 3  # a search for each of them left out
@@ -23,7 +23,7 @@ TWO_TURNS = 4 * np.pi  # no table needs a larger angle
 LOUDER = 6  # noise so many times as large as stated is worth a word
 
 
-def all_but_one(arm, data):
+def all_but_one(arm, data, clock):
     """(index of the one measurement that does not belong, the rest, explanations of the rest); None
     unless there is exactly one such.
 
@@ -40,7 +40,7 @@ def all_but_one(arm, data):
     for k in _suspects(arm, data):
         ones = [
             e
-            for e in singles(arm, rests[k])
+            for e in clock.within(singles(arm, rests[k]), "all measurements but one")
             if e.data_fault is None and len(e.entries) <= 1 and e.fit.explains(rests[k])
         ]
         if ones:
@@ -72,7 +72,7 @@ def still_right(arm, data):
     agree.
     """
     now = misfit(arm, data)
-    found = (*_of_ends_and_units(arm, data), *_right_part(now, data))
+    found = (*_of_ends_and_units(arm, data), *right_part(now, data))
     return found or _louder(now, data) or _pose_by_pose(now, data)
 
 
@@ -91,7 +91,7 @@ def _of_ends_and_units(arm, data):
         )
 
 
-def _right_part(now, data):
+def right_part(now, data):
     """Whether rotation, or position, is right at every pose."""
     if data.R is None:
         return

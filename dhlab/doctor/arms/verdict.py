@@ -1,102 +1,119 @@
-"""The verdict at a known level of noise: whether the table agrees, which mistakes explain what was
-measured, whether the arm is only a little off its table.
+"""The verdict: whether the table agrees, which mistakes explain what was measured, whether the arm
+is only a little off its table, or whether these poses cannot tell.
 """
+
+from dataclasses import replace
 
 import numpy as np
 
+from ...printing import number
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
-from .differences import difference_text
-from .given import EXACT
+from .agreement import FEW, agreement
+from .calibration import calibration, changes_by_size, explains_better, is_small
+from .choosing import choose, least_needed
+from .given import distinct
 from .ranking import named, ranked, rivals_of, telling_pose, with_equivalents
 from .search.fitting import misfit
-from .search.measured import limit, rotation_vectors
+from .search.measured import limit
 from .search.pairs import pairs
-from .search.singles import calibrated, singles
+from .search.singles import singles
+from .undecided import undecided
+from .weighing import as_it_is, largest
 
 __all__ = ["decide", "explained"]
 
-SMALL = (0.012, 0.02)  # a misfit that a calibration might make (m, rad, root mean square)
-# how far a calibration moves a number, standard deviation (m, rad): the arms of dh_facts are 1 to
-# 5 mm off at the end
-CALIBRATION = (1e-3, 2e-3)
-DOUBT = 10  # a mistake must explain noisy data this much better than a calibration does (χ²)
+DOUBT = 8.0  # nats by which mistakes must explain a small misfit better than a calibration does
+RIVAL = 4.0  # nats dearer, and still as good where the poses are few
+FOR_PAIRS = 0.4  # share of the time that the search for two mistakes may take
+CHEAPEST_PAIR = 10.0  # nats; where two mistakes could not convince, they are not looked for
+CLEAR = 4.0  # nats by which a calibration must be better than the table as it is
 
 
-def decide(arm, data, notes, two=True):
-    """The verdict at a known level of noise; ``two`` asks for pairs of mistakes as well."""
+def decide(arm, data, notes, budget):
+    """The verdict, with the time that there is."""
     now = misfit(arm, data)
-    before = _size(arm, data, now)
-    if now.explains(data):
+    seen = agreement(now, data)
+    if seen.agrees:
         words = "The table agrees with the measurements."
-        return Diagnosis(AGREES, words, before=before, notes=notes + _weak(data))
-    small = _is_small(now, data)
-    nearly = _explaining(singles(arm, data), data)
-    whole = _calibration(arm, data) if small else None
-    ones = [e for e in nearly if not small or _is_no_calibration(e, whole, data)]
-    if ones:
-        return explained(arm, data, now, ones, notes)
-    if whole:
-        return _calibrated(arm, data, whole, before, notes + _nearest_number(arm, nearly, data))
-    exact = data.noise[0] <= 2 * EXACT[0]
-    twos = (
-        [e for e in pairs(arm, data) if e.fit.explains(data)]
-        if two and (exact or not small)
-        else []
-    )
-    if twos:
-        return explained(arm, data, now, twos, notes)
+        said = (*notes, *_scatter(seen, data), *_weak(data))
+        return Diagnosis(AGREES, words, before=largest(now.arm, data), notes=said)
+    if not seen.shown:
+        return undecided(data, now, (), notes, budget)
+    small = is_small(now, data)
+    whole = calibration(arm, now, data) if small else None
+    found = list(budget.within(singles(arm, data), "one mistake"))
+    choice = choose(arm, found, data, now)
+    if not _settles(choice, whole) and least_needed(now.arm, data) > CHEAPEST_PAIR:
+        found += budget.within(pairs(arm, data), "two mistakes", share=FOR_PAIRS)
+        choice = choose(arm, found, data, now)
+    if _settles(choice, whole):
+        return _told(arm, data, now, choice, notes, budget)
+    if whole and whole.cost + CLEAR < as_it_is(now.arm, data) and explains_better(whole, data):
+        return _calibrated(arm, data, whole, now, choice, notes)
+    if distinct(data.q) < FEW or (data.stated and now.chi2 <= limit(data.count)):
+        return undecided(data, now, choice.fitting, notes, budget)
     words = "No one or two mistakes explain these measurements."
-    return Diagnosis(UNEXPLAINED, words, before=before, notes=notes)
+    return Diagnosis(UNEXPLAINED, words, before=largest(now.arm, data), notes=notes)
 
 
-def _explaining(explanations, data):
-    """Those that fit; measurements are blamed only where no change of the arm fits."""
-    fitting = [e for e in explanations if e.fit.explains(data)]
-    of_arm = [e for e in fitting if e.data_fault is None]
-    return of_arm or fitting
+def _settles(choice, whole):
+    """Whether the best explanation is good enough that nothing else need be tried."""
+    return choice.best is not None and (whole is None or choice.best.cost + DOUBT < whole.cost)
 
 
-def _is_no_calibration(explanation, whole, data):
-    """Whether an explanation of a small misfit is clearly better than a calibration."""
-    if len(explanation.entries) > 1:
-        return False
-    exact = data.noise[0] <= EXACT[0]
-    return exact or whole is None or explanation.fit.chi2 + DOUBT < whole.chi2
+def _told(arm, data, now, choice, notes, budget):
+    """The best explanation, or the list of those that are as good where few poses cannot tell."""
+    best = choice.best
+    as_good = [w for w in choice.fitting if w.cost <= best.cost + RIVAL]
+    at = data if data.stated else replace(data, noise=best.level)
+    explanations = [w.explanation for w in as_good]
+    if distinct(data.q) < FEW and rivals_of(explanations[0], explanations[1:], at):
+        return undecided(data, now, choice.fitting, notes, budget)
+    told = [w.explanation for w in choice.convincing]
+    return explained(arm, at, now, told, (*notes, *_noise_left(best, data)))
 
 
-def _calibrated(arm, data, whole, before, notes):
+def _noise_left(best, data):
+    if data.stated:
+        return
+    if all(s <= 2 * least for s, least in zip(best.level, data.floor)):
+        yield "The measurements are exact to their digits."
+    else:
+        yield f"What is left is noise of {_level_text(best.level, data)}."
+
+
+def _scatter(seen, data):
+    """How large the noise is that an agreement supposes, where nobody stated it."""
+    if not data.stated and any(s > 2 * least for s, least in zip(seen.level, data.floor)):
+        yield (
+            f"What is left looks like scatter of {_level_text(seen.level, data)} in each direction;"
+            " no number of the table would take much of it away."
+        )
+
+
+def _level_text(level, data):
+    words = f"{number(1e3 * level[0], 3)} mm"
+    return words if data.R is None else words + f" and {number(np.rad2deg(level[1]), 3)}°"
+
+
+def _calibrated(arm, data, whole, now, choice, notes):
+    before = largest(now.arm, data)
+    words = (
+        "No one or two mistakes: every number of this arm is a little off the table, together by"
+        f" {number(before[0], 1)} mm at the worst pose."
+    )
+    nearest = [w.explanation for w in choice.fitting if len(w.explanation.entries) == 1][:1]
+    said = tuple(
+        f"If it is one number, this is the nearest: {named(e, data)[0].detail}." for e in nearest
+    )
     return Diagnosis(
         CALIBRATED,
-        "The table is right; this arm is a little off it, as every real arm is.",
+        words,
         before=before,
-        after=_size(whole.arm, data, whole),
-        notes=notes,
-        fitted=whole.arm,
+        after=largest(whole.fit.arm, data),
+        notes=(*notes, *changes_by_size(arm, whole, data), *said),
+        fitted=whole.fit.arm,
     )
-
-
-def _nearest_number(arm, explanations, data):
-    numbers = [e for e in explanations if len(e.entries) == 1 and e.data_fault is None]
-    if not numbers:
-        return ()
-    nearest = difference_text(arm, ranked(arm, numbers, data)[0].fit.arm)
-    return (f"If it is one number, this is the nearest: {nearest}.",)
-
-
-def _is_small(now, data):
-    r = data.residual(now.arm.forward(data.q))
-    position = data.noise[0] * np.sqrt((r[:, :3] ** 2).sum(1).mean())
-    turn = data.noise[1] * np.sqrt((r[:, 3:] ** 2).sum(1).mean()) if data.R is not None else 0
-    return position < SMALL[0] and turn < SMALL[1]
-
-
-def _calibration(arm, data):
-    """The fit of all numbers, held near where they stand, when it explains the data; its χ² counts
-    how far they had to go.
-    """
-    whole = calibrated(arm, data, CALIBRATION)
-    left = float((data.residual(whole.arm.forward(data.q)) ** 2).sum())
-    return whole if left <= limit(data.count) and whole.chi2 < 3 * limit(data.count) else None
 
 
 def explained(arm, data, now, explanations, notes):
@@ -113,7 +130,7 @@ def explained(arm, data, now, explanations, notes):
     words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
     pose = None
     if others:
-        pose = telling_pose(best.fit.arm, [e.fit.arm for e in others], data)
+        pose = telling_pose([best.fit.arm, *(e.fit.arm for e in others)])
         notes += (
             "Another explanation fits these poses as well: "
             + "; ".join(named(e, data)[0].message.split(". ")[0] for e in others[:3])
@@ -123,21 +140,11 @@ def explained(arm, data, now, explanations, notes):
         EXPLAINED,
         f"{words} the measurements.",
         tuple(findings),
-        _size(arm, data, now),
-        _size(best.fit.arm, best.changed or data, best.fit),
+        largest(now.arm, data),
+        largest(best.fit.arm, best.changed or data),
         notes + _weak(data),
         pose,
     )
-
-
-def _size(arm, data, found):
-    """Largest residual in mm and degrees."""
-    T = found.arm.forward(data.q)
-    millimetres = 1e3 * np.linalg.norm(T[:, :3, 3] - data.p, axis=1).max()
-    if data.R is None:
-        return float(millimetres), float("nan")
-    turn = np.linalg.norm(rotation_vectors(np.swapaxes(T[:, :3, :3], -1, -2) @ data.R), axis=1)
-    return float(millimetres), float(np.rad2deg(turn.max()))
 
 
 def _weak(data):

@@ -32,7 +32,7 @@ def _read_as(convention):
     return ArmChange(make, undo=undo)
 
 
-@mistake("standard-rows-in-craig-matrix", preference=CONVENTION)
+@mistake("standard-rows-in-craig-matrix", preference=CONVENTION, value_of=("rows are standard",))
 def standard_rows_in_craig_matrix():
     yield _read_as("craig")
     yield Slip(
@@ -42,7 +42,7 @@ def standard_rows_in_craig_matrix():
     )
 
 
-@mistake("craig-rows-in-standard-matrix", preference=CONVENTION)
+@mistake("craig-rows-in-standard-matrix", preference=CONVENTION, value_of=("rows are craig",))
 def craig_rows_in_standard_matrix():
     yield _read_as("standard")
     yield Slip(

@@ -68,6 +68,8 @@ def _aligned(T, U):
     """The base rotation from relative motions: conjugate rotations have rotation vectors turned by
     it.
     """
+    if len(T) == 1:
+        return np.eye(3)  # one pose has no motion; the tool takes it all
     a = rotation_vectors(T[1:, :3, :3] @ T[0, :3, :3].T)
     b = rotation_vectors(U[1:, :3, :3] @ U[0, :3, :3].T)
     return _kabsch(np.vstack([a, -a]), np.vstack([b, -b]))[:3, :3]

@@ -12,7 +12,7 @@ from ...mistakes.remade import A, D, with_rows
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "fit"]
+__all__ = ["Fit", "misfit", "fit", "jacobian"]
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     held = _Held(arm, free, prior)
     damping, far = 1e-9, _hopeless(data)
     for _ in range(steps):
-        J, r = _jacobian(arm, data, free, base, tool)
+        J, r = jacobian(arm, data, free, base, tool)
         trial = _moved(arm, held.step(arm, J, r, damping), free, base, tool)
         chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + held.cost(trial)
         if chi2 < best:
@@ -93,7 +93,7 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
             damping = max(damping * 30, 1e-5)
             if damping > 1e4:
                 break
-    J, _ = _jacobian(arm, data, free, base, tool)
+    J, _ = jacobian(arm, data, free, base, tool)
     sigma = np.sqrt(np.clip(np.diag(np.linalg.pinv(J.T @ J, rcond=1e-10, hermitian=True)), 0, None))
     rank = np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300))
     return Fit(arm, float(best), rank, sigma)
@@ -123,7 +123,7 @@ class _Held:
         return np.linalg.lstsq(H + damping * np.diag(np.diag(H) + 1e-12), -g, rcond=1e-13)[0]
 
 
-def _jacobian(arm, data, free, base, tool):
+def jacobian(arm, data, free, base, tool):
     """Residuals' derivatives: each number of a row turns or shifts what is behind it, like a joint
     of its own.
     """

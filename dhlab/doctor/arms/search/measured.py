@@ -15,6 +15,10 @@ FALSE_ALARM = 1e-7  # how often right data may look wrong
 class Measured:
     """What was measured: ``q`` (m, n), positions ``p`` (m, 3) in m, rotations ``R`` (m, 3, 3) or
     None, the noise per axis (m, rad), what is free.
+
+    ``stated`` is False where nobody said how large the noise is: then ``noise`` is only what the
+    search reckons with, and ``floor`` the least that it can be, as the digits of the numbers tell.
+    ``reach`` is about how far the arm reaches, m.
     """
 
     q: np.ndarray
@@ -23,6 +27,9 @@ class Measured:
     noise: tuple
     base_free: bool = False
     tool_free: bool = False
+    stated: bool = True
+    floor: tuple = (1e-7, 1e-7)
+    reach: float = 1.0
 
     @property
     def count(self):

@@ -1,0 +1,96 @@
+"""How long a search may take: processor time, counted inside the search, and where it stands."""
+
+import sys
+import time
+
+__all__ = ["SECONDS", "Budget"]
+
+SECONDS = 10.0  # of processor time, unless told
+SEARCH = 0.65  # share of it for the search; the rest is for putting what was found into words
+SILENT = 2.0  # a search that takes no longer says nothing on its way
+EVERY = 0.5  # seconds between two words
+
+
+class Budget:
+    """Processor time that a search may take; asked between two steps, since neither signals nor
+    threads are had everywhere.
+
+    Parameters
+    ----------
+    seconds : float
+    shown : callable, optional
+        Is told in words where the search stands, and ``""`` at its end; when left out, a terminal
+        or a notebook shows it, and nothing does elsewhere.
+
+    Examples
+    --------
+    >>> budget = Budget(0.0)
+    >>> list(budget.within(range(10), "numbers")), budget.over, budget.cut_short
+    ([], True, ['numbers'])
+    """
+
+    def __init__(self, seconds=SECONDS, shown=None):
+        self.seconds, self.cut_short = seconds, []
+        self._begun, self._said = time.process_time(), SILENT
+        self._shown = shown or _screen()
+
+    @property
+    def spent(self):
+        """Seconds of processor time so far."""
+        return time.process_time() - self._begun
+
+    @property
+    def over(self):
+        """Whether the time for searching is used up."""
+        return self.spent >= SEARCH * self.seconds
+
+    def within(self, items, doing, share=SEARCH):
+        """The items one by one, as long as there is time, or a share of it; ``doing`` says in words
+        what is tried.
+        """
+        for count, item in enumerate(items):
+            spent = self.spent
+            if spent >= share * self.seconds:
+                self.cut_short.append(doing)
+                return
+            if self._shown and spent > self._said:
+                self._said = spent + EVERY
+                self._shown(f"{spent:.0f} s of {self.seconds:.0f}: {doing}, {count} tried")
+            yield item
+
+    def close(self):
+        """Take the last words off the screen."""
+        if self._shown and self._said > SILENT:
+            self._shown("")
+
+
+def _screen():
+    """What shows a line that the next one replaces: a notebook's output, a terminal's last line."""
+    if "IPython" in sys.modules:
+        from IPython import get_ipython
+
+        if getattr(get_ipython(), "kernel", None) is not None:
+            return _Notebook()
+    stream = sys.stderr
+    return _on_terminal if stream is not None and stream.isatty() else None
+
+
+def _on_terminal(words):
+    sys.stderr.write("\r\x1b[K" + words)
+    sys.stderr.flush()
+
+
+class _Notebook:
+    """One output of a cell, whose words are replaced."""
+
+    def __init__(self):
+        self.output = None
+
+    def __call__(self, words):
+        from IPython.display import display
+
+        text = {"text/plain": words}
+        if self.output is None:
+            self.output = display(text, raw=True, display_id=True)
+        else:
+            self.output.update(text, raw=True)
