@@ -9,7 +9,7 @@ from ...formats.axisfile import AxisSheet
 from ...geometry.frames import assign_frames
 from ...geometry.inputs import axes_from
 from ...transform import require_pose
-from ..arms.given import EXACT, measured
+from ..arms.given import measured
 from ..arms.ranking import telling_pose
 from ..arms.search.measured import limit, rotation_vectors
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
@@ -157,7 +157,7 @@ def _explained(sheet, data, fitting, before, notes, name):
             + ".",
         )
         arms = [_arm(e.chain, name) for e in others.values()]
-        pose = telling_pose(repaired, arms, data)
+        pose = telling_pose([repaired, *arms])
     return AxisDiagnosis(
         EXPLAINED,
         "One mistake in the axes explains the measurements.",
@@ -233,8 +233,8 @@ def _without_level(sheet, data, name):
 
 
 def _decided_exactly(sheet, data, name):
-    exact = replace(data, noise=EXACT)
-    said = ("The measurements are exact to a micrometre.",)
+    exact = replace(data, noise=data.floor)
+    said = ("The measurements are exact to their digits.",)
     if misfit(sheet, exact) <= limit(data.count):
         return _decided(sheet, exact, said, name)
     fitting = [e for e in explanations(sheet, exact) if e.explains(exact)]
@@ -251,10 +251,10 @@ def _estimated(sheet, data):
     r = loose.residual(chain.forward(data.q))
     share = np.sqrt(data.count / (data.count - free))
     position = COARSE[0] * np.sqrt((r[:, :3] ** 2).mean()) * share
-    turn = COARSE[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else EXACT[1]
+    turn = COARSE[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else data.floor[1]
     return (
-        float(np.clip(position, EXACT[0], LARGEST_NOISE[0])),
-        float(np.clip(turn, EXACT[1], LARGEST_NOISE[1])),
+        float(np.clip(position, data.floor[0], LARGEST_NOISE[0])),
+        float(np.clip(turn, data.floor[1], LARGEST_NOISE[1])),
     ), True
 
 
