@@ -22,6 +22,7 @@ from .ik import ik
 from .lab import lab
 from .release import release
 from .robots import list_robots
+from .to_urdf import to_urdf
 
 __all__ = ["app", "main"]
 
@@ -52,6 +53,7 @@ app.command()(fk)
 app.command()(ik)
 app.command(name="from-urdf")(from_urdf)
 app.command(name="from-axes")(from_axes)
+app.command(name="to-urdf")(to_urdf)
 app.command()(convert)
 app.command()(compare)
 app.command()(generate)

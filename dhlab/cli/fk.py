@@ -2,13 +2,15 @@
 
 import json
 import re
+from dataclasses import replace
 from typing import Annotated
 
 import numpy as np
 import typer
+from scipy.spatial.transform import Rotation
 
 from ..printing import matrix_text, number
-from ..transform import to_xyz_rpy
+from ..transform import from_xyz_rpy, to_xyz_rpy
 from .common import ArmName, Json, arm_of
 
 __all__ = ["fk"]
@@ -29,6 +31,14 @@ def fk(
             ),
         ),
     ] = False,
+    tool: Annotated[
+        str,
+        typer.Option(
+            "--tool",
+            metavar="x,y,z[,roll,pitch,yaw]",
+            help="A tool on the arm's own end; m and, angles about fixed x, y, z, deg with --deg.",
+        ),
+    ] = "",
     frames: Annotated[
         bool, typer.Option("--frames", help="Print every frame of the chain as well.")
     ] = False,
@@ -37,6 +47,8 @@ def fk(
     """Forward kinematics: where the end is, tool included."""
     model = arm_of(arm)
     values = _joint_values(q, model, deg)
+    if tool:
+        model = replace(model, tool=model.tool @ _tool(tool, deg))
     pose = model.forward(values)
     if as_json:
         answer = {
@@ -44,6 +56,7 @@ def fk(
             "units": {"length": "m", "angle": "rad"},
             "q": values.tolist(),
             "pose": pose.tolist(),
+            **_orientations(pose),
             "within_limits": model.within_limits(values).tolist(),
         }
         print(
@@ -85,16 +98,55 @@ def _joint_values(text, model, deg):
     return np.where(model.table.prismatic | (not deg), values, np.deg2rad(values))
 
 
+def _tool(text, deg):
+    """The pose (4, 4) of a tool in the frame of the arm's end."""
+    cells = [cell for cell in re.split(r"[,\s]+", text.strip()) if cell]
+    try:
+        values = np.array([float(cell) for cell in cells])
+    except ValueError:
+        values = np.array([])
+    if len(values) not in (3, 6) or not np.isfinite(values).all():
+        raise ValueError(
+            "fk: --tool: expected x,y,z in metres and perhaps roll,pitch,yaw, found"
+            f" {text[:60]!r}; write 0,0,0.1 for a tool 100 mm long"
+        )
+    rpy = values[3:] if len(values) == 6 else np.zeros(3)
+    return from_xyz_rpy(values[:3], np.deg2rad(rpy) if deg else rpy)
+
+
+def _orientations(pose):
+    """The same rotation as others write it: radians; each by its name."""
+    turn = Rotation.from_matrix(pose[:3, :3])
+    x, y, z, w = turn.as_quat(canonical=True)
+    _, (roll, pitch, yaw) = to_xyz_rpy(pose)
+    return {
+        "roll_pitch_yaw": [float(v) for v in (roll, pitch, yaw)],
+        "rotation_vector": turn.as_rotvec().tolist(),
+        "quaternion_wxyz": [float(v) for v in (w, x, y, z)],
+        "quaternion_xyzw": [float(v) for v in (x, y, z, w)],
+        "kuka_abc": [float(v) for v in (yaw, pitch, roll)],
+    }
+
+
 def _pose_text(title, pose):
     xyz, rpy = to_xyz_rpy(pose)
+    given = _orientations(pose)
+
+    def degrees(values):
+        return "  ".join(number(v, 4) for v in np.rad2deg(values))
+
+    def plain(values):
+        return "  ".join(number(v) for v in values)
+
     return "\n".join(
         [
             title,
-            f"  position (m)              {'  '.join(number(v) for v in xyz)}",
-            (
-                f"  roll, pitch, yaw (deg)    {'  '.join(number(v, 4) for v in np.rad2deg(rpy))}  "
-                " (about fixed x, y, z)"
-            ),
+            f"  position (m)              {plain(xyz)}",
+            f"  roll, pitch, yaw (deg)    {degrees(rpy)}   (about fixed x, y, z)",
+            f"  KUKA A, B, C (deg)        {degrees(given['kuka_abc'])}   (about moving z, y, x)",
+            f"  rotation vector (rad)     {plain(given['rotation_vector'])}   (as UR prints it)",
+            f"  quaternion w, x, y, z     {plain(given['quaternion_wxyz'])}",
+            f"  quaternion x, y, z, w     {plain(given['quaternion_xyzw'])}   (as ROS has it)",
             *("  " + line for line in matrix_text(pose).splitlines()),
         ]
     )

@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -19,9 +20,9 @@ from .files import write_text
 if TYPE_CHECKING:
     from ..geometry.frames import PlacedArm
 
-__all__ = ["ENDINGS", "read_urdf", "to_urdf"]
+__all__ = ["ENDINGS", "read_description", "read_urdf", "to_urdf"]
 
-ENDINGS = (".urdf", ".xacro")
+ENDINGS = (".urdf", ".xacro", ".xml")
 
 FREE = 1e6  # m or rad; URDF wants limits on every sliding joint, and no arm goes further than this
 DUST = 1e-16  # what a cosine of 90° leaves in a length
@@ -34,6 +35,9 @@ def read_urdf(
     tip: str | None = None,
     *,
     convention: str = "standard",
+    parallel: float | None = None,
+    arguments: Mapping[str, object] | None = None,
+    packages: Mapping[str, str | Path] | None = None,
 ) -> PlacedArm:
     """The chain between two links of a URDF file, as an arm.
 
@@ -43,31 +47,36 @@ def read_urdf(
     Parameters
     ----------
     path : str or path
-        A ``.urdf`` file; of a xacro file, what ``xacro`` makes of it.
+        A ``.urdf`` file, or a xacro file, which the package xacro expands (extra ``[urdf]``).
     base : str, optional
         The link whose frame poses are given in; the root when left out.
     tip : str, optional
-        The link whose frame is the end point; the only leaf below base when left out.
+        The link whose frame is the end point. Left out: the end of the longest chain of arm joints;
+        a gripper's fingers are no arm joints. Where that was a choice, a warning says so.
     convention : "standard" or "craig"
 
     Returns
     -------
     Arm
-        ``arm.forward(q)`` is the pose of the tip in the base for every q. ``name`` is the robot's,
-        ``limits`` are the file's (None where a joint is continuous, states none, or has lower above
-        upper), ``source`` names file, links and joints, ``steps`` says how frames were assigned.
+        ``arm.forward(q)`` is the pose of the tip in the base for every q (but see ``parallel``).
+        ``name`` is the robot's, ``limits`` are the file's (None where a joint is continuous, states
+        none, or has lower above upper), ``source`` names file, links and joints, ``steps`` says how
+        frames were assigned.
 
     Raises
     ------
     ValueError
-        Not a URDF file, xacro, mimic joints, floating or planar joints, loops, several leaves, a
-        tip that is not below the base: one sentence each.
+        Not a URDF file, xacro that cannot be expanded, mimic joints, floating or planar joints,
+        loops, two chains that are equally long, a tip that is not below the base: one sentence
+        each.
 
     Warns
     -----
     NearlyParallelWarning
-        Axes that the file's rounded angles (1.5708, 3.141592653) keep from being parallel:
-        :func:`dhlab.geometry.frames.assign_frames`.
+        Axes that the file's rounded angles (1.5708, 3.141592653) keep from being parallel, and what
+        was done about it.
+    UserWarning
+        Which chain was taken, where there were several.
 
     Examples
     --------
@@ -77,10 +86,10 @@ def read_urdf(
     >>> read_urdf(path).forward([0] * 6)[:3, 3].round(4)
     array([-0.8172, -0.2329,  0.0628])
     """
-    from ..geometry.frames import NearlyParallelWarning, assign_frames
+    from .placed import placed_arm
     from .urdftree import read_chain
 
-    joints, name, base, tip = read_chain(path, base, tip)
+    joints, name, base, tip, chosen = read_chain(path, base, tip, arguments, packages)
     axes, limits, end = [], [], np.eye(4)
     for joint in joints:
         end = end @ joint.origin
@@ -94,19 +103,30 @@ def read_urdf(
             " only; name another base or tip"
         )
     moving = ", ".join(joint.name for joint in joints if joint.kind != "fixed")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", NearlyParallelWarning)
-        arm = assign_frames(
-            axes,
-            end=end,
-            convention=convention,
-            limits=limits if any(limits) else None,
-            name=name,
-            source=f"{Path(path).name}, from {base} to {tip}; joints: {moving}",
-        )
-    for sentence in arm.warnings:
-        warnings.warn(f"{path}: {sentence}", NearlyParallelWarning, stacklevel=2)
-    return arm
+    if chosen:
+        warnings.warn(f"{path}: {chosen}", stacklevel=2)
+    return placed_arm(
+        path,
+        axes,
+        end,
+        parallel,
+        convention=convention,
+        limits=limits if any(limits) else None,
+        name=name,
+        source=f"{Path(path).name}, from {base} to {tip}; joints: {moving}",
+    )
+
+
+def read_description(path: str | Path, *given: Any, **more: Any) -> PlacedArm:
+    """A robot description of either kind: URDF (and xacro), or MJCF where the outermost element
+    says so; what is given goes to :func:`read_urdf` or :func:`dhlab.read_mjcf`.
+    """
+    from .mjcf import read_mjcf
+    from .urdfxml import parsed
+
+    if Path(path).suffix.lower() == ".xml" and parsed(path, "a robot").tag == "mujoco":
+        return read_mjcf(path, *given, **more)
+    return read_urdf(path, *given, **more)
 
 
 def _limits(stated):

@@ -1,42 +1,51 @@
 """The chain of joints between two links of a URDF file."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+from .urdfends import chosen_tip
 from .urdfjoint import Joint, read_joint
+from .urdfwords import listed
 from .urdfxml import read_parts
 
 __all__ = ["read_chain"]
 
 
 def read_chain(
-    path: str | Path, base: str | None, tip: str | None
-) -> tuple[list[Joint], str, str, str]:
-    """The joints from ``base`` to ``tip`` in order, and the names of the robot and of the two
-    links.
+    path: str | Path,
+    base: str | None,
+    tip: str | None,
+    arguments: Mapping[str, object] | None = None,
+    packages: Mapping[str, str | Path] | None = None,
+) -> tuple[list[Joint], str, str, str, str]:
+    """The joints from ``base`` to ``tip`` in order, the names of the robot and of the two links,
+    and in words how the tip was chosen, where it had to be.
 
     Parameters
     ----------
     path : str or path
     base, tip : str or None
-        Names of links; None: the root and the only leaf.
+        Names of links; None: the root and the end of the longest chain of arm joints.
+    arguments, packages
+        Of a xacro file, as :func:`dhlab.formats.xacrofile.expanded` takes them.
 
     Returns
     -------
     joints : list of dhlab.formats.urdfjoint.Joint
         Fixed ones included.
-    name, base, tip : str
+    name, base, tip, said : str
 
     Raises
     ------
     ValueError
         One sentence: what was expected, what was found, what to do.
     """
-    name, links, joints = read_parts(path)
+    name, links, joints = read_parts(path, arguments, packages)
     above = _joint_above(links, joints, path)
-    base, tip = _ends(links, above, base, tip, path)
+    base, tip, said = _ends(links, above, base, tip, path)
     chain = _chain(above, base, tip, path)
-    return [read_joint(joint, path) for joint in chain], name, base, tip
+    return [read_joint(joint[3], path) for joint in chain], name, base, tip, said
 
 
 def _joint_above(links, joints, path):
@@ -65,10 +74,10 @@ def _ends(links, above, base, tip, path):
         if link is not None and link not in links:
             raise ValueError(
                 f"{path}: {name}: expected a link of the file, found {link!r}; the links are"
-                f" {_listed(links)}"
+                f" {listed(links)}"
             )
     if base is None and tip is not None:
-        return _path(above, tip, path)[-1], tip
+        return _path(above, tip, path)[-1], tip, ""
     if base is None:
         roots = [link for link in links if link not in above]
         if not roots:
@@ -78,25 +87,21 @@ def _ends(links, above, base, tip, path):
             )
         if len(roots) > 1:
             raise ValueError(
-                f"{path}: expected one root link, found {_listed(roots)}; name one of them as base"
+                f"{path}: expected one root link, found {listed(roots)}; name one of them as base"
             )
         base = roots[0]
     if tip is None:
-        tip = _only_leaf(links, above, base, path)
-    return base, tip
+        return base, *_last_link(links, above, base, path)
+    return base, tip, ""
 
 
-def _only_leaf(links, above, base, path):
+def _last_link(links, above, base, path):
     parents = {joint[1] for joint in above.values()}
     leaves = [link for link in links if link not in parents and base in _path(above, link, path)]
     if leaves == [base] or not leaves:
         raise ValueError(f"{path}: expected joints below {base}, found none; name another base")
-    if len(leaves) > 1:
-        raise ValueError(
-            f"{path}: expected one tip, found {len(leaves)} leaves below {base}; "
-            f"name one of them (or a link before it) as tip: {_listed(leaves)}"
-        )
-    return leaves[0]
+    joints = list(above.values())
+    return chosen_tip(leaves, base, lambda link: _chain(above, base, link, path), joints, path)
 
 
 def _path(above, link, path):
@@ -113,18 +118,11 @@ def _path(above, link, path):
 
 
 def _chain(above, base, tip, path):
-    """The joint elements from base to tip."""
+    """The joints (name, parent, child, element) from base to tip."""
     up = _path(above, tip, path)
     if base not in up:
         raise ValueError(
             f"{path}: expected a chain from {base} to {tip}, found that {tip} is not below {base}"
-            f" (it hangs on {_listed(up[1:])}); name a base above the tip"
+            f" (it hangs on {listed(up[1:])}); name a base above the tip"
         )
-    return [above[link][3] for link in reversed(up[: up.index(base)])]
-
-
-def _listed(names, most=20):
-    return (
-        ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
-        or "nothing"
-    )
+    return [above[link] for link in reversed(up[: up.index(base)])]

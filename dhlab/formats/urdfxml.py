@@ -1,31 +1,42 @@
 """URDF's XML read safely, down to the names of its links and joints; numbers stay text here."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 from xml.parsers import expat
 
 from .files import read_text
+from .xacrofile import expanded
 
-__all__ = ["EXPAND", "XACRO", "read_parts"]
+__all__ = ["EXPAND", "XACRO", "parsed", "read_parts"]
 
 XACRO = re.compile(r"\$[({]")
 OTHER_FORMATS = {
     "sdf": "an SDF file",
-    "mujoco": "a MuJoCo file",
+    "mujoco": "a MuJoCo file, which dhlab.read_mjcf reads",
     "COLLADA": "a COLLADA file",
     "html": "a web page",
 }
-EXPAND = "expand it first: xacro file.urdf.xacro > file.urdf"
+EXPAND = "call the file .xacro, so that it is expanded"
+LOOKS = {"visual", "collision", "inertial", "material", "gazebo", "transmission", "ros2_control"}
+DEFINED = {"xacro:property", "xacro:arg", "xacro:macro"}  # of no effect where nothing uses them
 
 
-def read_parts(path: str | Path) -> tuple[str, list[str], list[tuple[str, str, str, Element]]]:
+def read_parts(
+    path: str | Path,
+    arguments: Mapping[str, object] | None = None,
+    packages: Mapping[str, str | Path] | None = None,
+) -> tuple[str, list[str], list[tuple[str, str, str, Element]]]:
     """The name of the robot, its links and its joints.
 
     Parameters
     ----------
     path : str or path
+        A URDF, or a xacro file, which is expanded.
+    arguments, packages
+        Of a xacro file, as :func:`dhlab.formats.xacrofile.expanded` takes them.
 
     Returns
     -------
@@ -38,8 +49,16 @@ def read_parts(path: str | Path) -> tuple[str, list[str], list[tuple[str, str, s
     ValueError
         One sentence: what was expected, what was found, what to do.
     """
-    robot = _parse(read_text(path, "a URDF file"), path)
+    robot = parsed(path, "a URDF file")
+    if arguments or _wants_expanding(robot):
+        robot = _parse(expanded(path, arguments, packages), path)
+    _require_robot(robot, path)
     return robot.get("name", ""), *_parts(robot, path)
+
+
+def parsed(path: str | Path, what: str) -> Element:
+    """The outermost element of an XML file, read safely."""
+    return _parse(read_text(path, what), path)
 
 
 def _parse(text, path):
@@ -57,18 +76,34 @@ def _parse(text, path):
             f"{path}: line {error.lineno}: expected XML, found {expat.ErrorString(error.code)}; "
             "open the file and look at this line"
         ) from None
-    robot = builder.close()
-    if robot.tag.startswith("xacro:") or any(
-        element.tag.startswith("xacro:") for element in robot.iter()
-    ):
-        raise ValueError(f"{path}: expected a URDF file, found xacro macros in it; {EXPAND}")
+    return builder.close()
+
+
+def _wants_expanding(robot):
+    """Whether macros are used: definitions that nothing asks for stand in many a plain file."""
+    return robot.tag.startswith("xacro:") or any(
+        element.tag.startswith("xacro:") or any(map(XACRO.search, element.attrib.values()))
+        for element in _that_count(robot)
+    )
+
+
+def _that_count(robot):
+    """The elements of a file, without definitions and what joints do not depend on."""
+    waiting = [robot]
+    while waiting:
+        for child in waiting.pop():
+            if child.tag not in DEFINED | LOOKS:
+                yield child
+                waiting.append(child)
+
+
+def _require_robot(robot, path):
     if robot.tag != "robot":
         found = OTHER_FORMATS.get(robot.tag, f"the element <{robot.tag}>")
         raise ValueError(
             f"{path}: expected a URDF file, whose outermost element is <robot>, found {found};"
             " convert it or name another file"
         )
-    return robot
 
 
 def _refuse_doctype(path):

@@ -17,7 +17,7 @@ from ..formats.plainyaml import fields, number, text
 from ..formats.tablefile import read_arm
 from ..formats.tableyaml import ARM_KEYS, arm_from_item, read_limits
 from ..formats.urdf import ENDINGS as URDF
-from ..formats.urdf import read_urdf
+from ..formats.urdf import read_description
 from .examples import example
 
 __all__ = ["load", "robots", "entry", "example", "Entry", "CheckPose"]
@@ -75,8 +75,8 @@ def load(name: str | Path) -> Arm:
     ----------
     name : str or path
         ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), or the path of a
-        ``.yaml`` or ``.csv`` table file or of a ``.urdf`` or ``.xacro`` file (as :func:`read_urdf`
-        takes it without further options).
+        ``.yaml`` or ``.csv`` table file or of a ``.urdf``, ``.xacro`` or MJCF file (as
+        :func:`read_urdf` takes it without further options).
 
     Returns
     -------
@@ -99,7 +99,7 @@ def load(name: str | Path) -> Arm:
     """
     ending = Path(str(name)).suffix.lower()
     if ending in URDF:
-        return read_urdf(name)
+        return read_description(name)
     if isinstance(name, Path) or ending in (".yaml", ".yml", ".csv"):
         return read_arm(name)
     key, _, table = str(name).partition(".")

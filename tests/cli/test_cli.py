@@ -164,3 +164,37 @@ def test_two_arms_are_compared(tmp_path):
     library.to_urdf(library.load("piper"), tmp_path / "piper.urdf")
     done = dhlab("compare", "piper", tmp_path / "piper.urdf", "--json")
     assert json.loads(done.stdout)["kind"] == "same"
+
+
+def test_fk_writes_a_rotation_as_others_do():
+    """Roll 10°, pitch 20°, yaw 30° about fixed axes, by hand in each of the other ways."""
+    answer = json.loads(dhlab("fk", "ur5e", "--deg", "--tool", "0,0,0.1,10,20,30", "--json").stdout)
+    bare = np.array(json.loads(dhlab("fk", "ur5e", "--json").stdout)["pose"])
+    R = np.linalg.inv(bare)[:3, :3] @ np.array(answer["pose"])[:3, :3]
+    half = np.deg2rad([10, 20, 30]) / 2
+    (cr, cp, cy), (sr, sp, sy) = np.cos(half), np.sin(half)
+    w = cr * cp * cy + sr * sp * sy  # the textbook's quaternion of these three angles
+    assert np.isclose(np.trace(R), 4 * w**2 - 1)
+    shift = np.array(answer["pose"])[:3, 3] - bare[:3, 3]
+    assert np.allclose(shift, 0.1 * bare[:3, 2])
+    a, b, c = answer["kuka_abc"]
+    assert [c, b, a] == answer["roll_pitch_yaw"]
+    w, *xyz = answer["quaternion_wxyz"]
+    assert answer["quaternion_xyzw"] == [*xyz, w]
+    v = np.array(answer["rotation_vector"])
+    angle = np.linalg.norm(v)
+    assert np.allclose(xyz, v / angle * np.sin(angle / 2)) and np.isclose(w, np.cos(angle / 2))
+    for word in ("KUKA A, B, C", "rotation vector", "quaternion w, x, y, z"):
+        assert word in dhlab("fk", "ur5e").stdout
+    assert "expected x,y,z in metres" in dhlab("fk", "ur5e", "--tool", "0,0").stderr
+
+
+def test_an_arm_as_urdf_and_readable(tmp_path):
+    done = dhlab("to-urdf", "ur5e", "--out", tmp_path / "ur5e.urdf")
+    assert done.returncode == 0 and dhlab("to-urdf", "ur5e").stdout.startswith("<?xml")
+    done = dhlab("convert", tmp_path / "ur5e.urdf", "--tidy", "--out", tmp_path / "tidy.yaml")
+    assert "do not drive the arm by this table" in done.stderr
+    assert library.equivalent(library.load(tmp_path / "tidy.yaml"), library.load("ur5e"))
+    done = dhlab("convert", "ur5e", "--hayati", "--out", tmp_path / "h.csv")
+    assert "Hayati" in done.stdout and (tmp_path / "h.csv").read_text().startswith("theta_rad,")
+    assert "expected what to make of the arm" in dhlab("convert", "ur5e").stderr
