@@ -60,6 +60,12 @@ class Log:
         except OSError:
             pass
 
+    def wrong_tries(self, exercise: str) -> int:
+        """How many wrong answers to an exercise were checked in this session."""
+        return sum(
+            entry["exercise"] == exercise and entry["status"] == WRONG for entry in self.session
+        )
+
     def entries(self) -> list[dict[str, Any]]:
         """Every entry, oldest first: the file's, then this session's that are not in it."""
         folder = course_folder()

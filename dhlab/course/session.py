@@ -46,12 +46,14 @@ def check(exercise_id: str, answer: Any) -> Verdict:
         Such as ``"05.2"``.
     answer
         A value, a function, a table, a letter or a list of letters, as the exercise asks; "?" is
-        an answer to every question with letters.
+        an answer to every exercise.
 
     Returns
     -------
     Verdict
-        Shown by the notebook; ``.status``, ``.mistake`` and ``.points`` for programs.
+        Shown by the notebook; ``.status``, ``.mistake`` and ``.points`` for programs. Where the
+        mistake is what the exercise asks for, the first wrong answer is told the kind of mistake,
+        the second also its place, the third everything.
 
     Raises
     ------
@@ -65,7 +67,7 @@ def check(exercise_id: str, answer: Any) -> Verdict:
     """
     verdict = _exercise(exercise_id).judge(answer, _variant)
     _log.add(verdict)
-    return verdict
+    return verdict.at_try(_log.wrong_tries(exercise_id))
 
 
 def hint(exercise_id: str, level: int = 1) -> "Note":

@@ -1,6 +1,6 @@
 """``Verdict``: what the course says of an answer, as text and in a notebook."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 
 __all__ = ["Verdict", "RIGHT", "WRONG", "NOT_ATTEMPTED", "RECORDED"]
@@ -38,6 +38,9 @@ class Verdict:
         Of a pre-test: whether the answer was right, which is not shown.
     chosen : tuple of str
         Of an answer in letters: the ids of the options chosen, or "?".
+    sparing : bool
+        Whether the mistake is what the exercise asks for, so that it is told bit by bit
+        (:meth:`at_try`).
 
     Examples
     --------
@@ -58,6 +61,34 @@ class Verdict:
     of: float = 0
     known: bool | None = None
     chosen: tuple[str, ...] = ()
+    sparing: bool = False
+
+    def at_try(self, count: int) -> "Verdict":
+        """What is told at a learner's first, second or later wrong answer: the kind of mistake,
+        then also its place, then all. Of a verdict that is not sparing, all.
+
+        Examples
+        --------
+        >>> said = Verdict("05.7", WRONG, "one entry is wrong", "row 2: its sign", sparing=True)
+        >>> print(said.at_try(2))
+        ✗ 05.7  Not yet: one entry is wrong
+          Where: row 2
+          Next:  hint("05.7") gives a first hint; another try is told more.
+        """
+        if not self.sparing or self.status != WRONG or count > 2:
+            return self
+        return replace(
+            self,
+            headline=self.kind,
+            place="" if count < 2 else self.place.split(":")[0],
+            why="",
+            next=f'hint("{self.exercise}") gives a first hint; another try is told more.',
+        )
+
+    @property
+    def kind(self) -> str:
+        """The kind of mistake: the headline up to its first stop or colon."""
+        return self.headline.split(". ")[0].split(": ")[0]
 
     @property
     def lines(self) -> list[tuple[str, str]]:

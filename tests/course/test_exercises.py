@@ -339,7 +339,7 @@ def test_choices(key):
     assert "expected one of" in exercise.judge("z").headline
 
 
-def test_all_five_orders_of_the_moves_pass_and_no_other():
+def test_the_four_other_orders_of_the_moves_pass_and_no_other():
     from itertools import permutations
 
     from dhlab.transform import rot_x, rot_z, trans_x, trans_z
@@ -349,7 +349,7 @@ def test_all_five_orders_of_the_moves_pass_and_no_other():
     moves = {"a": rot_z(0.3), "b": trans_z(0.2), "c": trans_x(0.4), "d": rot_x(0.5)}
     for order in permutations("abcd"):
         w, x, y, z = (moves[letter] for letter in order)
-        right = np.allclose(w @ x @ y @ z, closed(0.3, 0.2, 0.4, 0.5))
+        right = np.allclose(w @ x @ y @ z, closed(0.3, 0.2, 0.4, 0.5)) and order != tuple("abcd")
         verdict = exercise.judge(list(order))
         assert (verdict.status == "right") == right and (right or verdict.mistake)
     assert (

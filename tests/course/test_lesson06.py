@@ -153,7 +153,8 @@ def upright(offset_2, offset_3):
 def test_06_6_says_how_the_arm_stands(variant):
     judge = exercises()["06.6"].judge
     for radians in ((np.pi / 2, -np.pi / 2), (1.57, -1.57), (np.pi / 2, 0)):
-        assert judge(upright(*radians), variant).headline == "the offsets look like radians"
+        verdict = judge(upright(*radians), variant)
+        assert verdict.mistake == "angle-unit" and "radians" in verdict.headline
     words = {
         (1, 0): "level, pointing forward",
         (0, 1): "straight up",

@@ -77,7 +77,7 @@ def test_the_broken_table_itself_is_no_attempt(key):
 def test_wrong_repairs_fail_and_are_named_or_placed(key):
     right = dh.Arm(dh.DHTable.standard(REPAIRS[key], angle="deg"))
     broken = EX[key].given(0)["rows"]
-    seen = named = 0
+    seen = 0
     for _, _, table in few(wrong_tables(right.table), 40):
         rows = table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
         if (
@@ -90,16 +90,17 @@ def test_wrong_repairs_fail_and_are_named_or_placed(key):
         ):
             continue
         verdict = EX[key].judge(table)
-        seen, named = seen + 1, named + (verdict.mistake is not None)
+        seen += 1
         assert verdict.status == "wrong"
-    assert seen >= 20 and named == seen, (seen, named)
+        assert verdict.mistake or "right before" in f"{verdict.place} {verdict.headline}", verdict
+    assert seen >= 20
     for i in range(6):
         for k in range(4):
             tried = broken.copy()
             tried[i, k] += 0.02 if k in (1, 2) else 20
             verdict = EX[key].judge(tried)
             assert verdict.status == "wrong" and (
-                verdict.mistake or f"row {i + 1}" in verdict.place or "look at" in verdict.place
+                verdict.mistake or f"row {i + 1}" in verdict.place
             ), verdict
 
 
@@ -302,7 +303,7 @@ def test_offsets_as_the_library_gives_them_are_told_what_they_are(variant):
     ).offsets
     said = exercise.judge([found[1], found[2]], variant)
     assert (
-        said.headline.startswith("these are radians")
+        "joint 2 and joint 3 in radians" in said.headline
         and "rad2deg" in said.next
         and "function" not in str(said)
     )

@@ -22,12 +22,17 @@ __all__ = [
 ]
 
 
-def general_pose(rng: np.random.Generator, reach: float = 0.5) -> NDArray:
-    """A pose without zeros and without right angles."""
-    return from_xyz_rpy(
+def general_pose(
+    rng: np.random.Generator, reach: float = 0.5, digits: int | None = None
+) -> NDArray:
+    """A pose without zeros and without right angles; rounded where it is to be read, and then no
+    rotation to the last digit.
+    """
+    T = from_xyz_rpy(
         rng.uniform(0.1, reach, 3) * rng.choice([-1, 1], 3),
         rng.uniform(0.3, 1.2, 3) * rng.choice([-1, 1], 3),
-    ).round(3)
+    )
+    return T if digits is None else T.round(digits)
 
 
 def draw_pose(rng: np.random.Generator) -> dict[str, Any]:
@@ -107,7 +112,10 @@ def wrong_plates(x: float, y: float, z: float) -> Mistakes:
     )
     yield (
         "mirror",
-        "the y arrow",
+        Said(
+            "the y arrow points the wrong way: x, y and z form a left hand",
+            next="Point your right hand's fingers from x to y: the thumb is z.",
+        ),
         trans([x, y, z]) @ np.array([[0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
     )
     yield (
@@ -118,7 +126,6 @@ def wrong_plates(x: float, y: float, z: float) -> Mistakes:
         ),
         trans([x, y, z]),
     )
-    yield "length-unit", "", trans([1000 * x, 1000 * y, 1000 * z]) @ rot_z(np.pi / 2)
     yield "last-row-missing", "", np.vstack([T[:3], np.zeros(4)])
     yield (
         "product-reversed",

@@ -85,13 +85,17 @@ FALSE_TURN = Said(
 )
 
 
+HALF_A_TURN = Said(
+    "θ is off by half a turn",
+    next="np.arctan2(y, x) keeps the signs of both; a quotient y / x forgets them.",
+)
+X1 = "a and α are counted along and about x1 as it is given: which sign has x1 · p?"
+
+
 def misread(T_01: NDArray) -> Mistakes:
     """What comes out when one of the four is taken otherwise."""
     theta, d, a, alpha = read_off(T_01)
     x, z, p = T_01[:3, 0], T_01[:3, 2], T_01[:3, 3]
-    yield "angle-unit", "θ and α, in radians", [np.deg2rad(theta), d, a, np.deg2rad(alpha)]
-    yield "angle-unit", "θ, in radians", [np.deg2rad(theta), d, a, alpha]
-    yield "angle-unit", "α, in radians", [theta, d, a, np.deg2rad(alpha)]
     yield "a-d-exchanged", "", [theta, a, d, alpha]
     yield "theta-alpha-exchanged", "", [alpha, d, a, theta]
     yield (
@@ -119,25 +123,33 @@ def misread(T_01: NDArray) -> Mistakes:
     )
     yield (
         "atan-for-atan2",
-        "θ: the two arguments have changed places",
+        "θ: the two arguments of arctan2 have changed places",
         [degrees(x[0], x[1]), d, a, alpha],
     )
     yield (
         "atan-for-atan2",
-        "α: the two arguments have changed places",
+        "α: the two arguments of arctan2 have changed places",
         [theta, d, a, degrees(T_01[2, 2], T_01[2, 1])],
     )
     if theta > 90:
-        yield "atan-for-atan2", "θ: the quotient forgets both signs", [theta - 180, d, a, alpha]
+        yield "atan-for-atan2", HALF_A_TURN, [theta - 180, d, a, alpha]
     yield "alpha-sign", FALSE_TURN, [theta, d, a, -alpha]
     if a < 0:
-        yield "lengths-made-positive", "a", [theta, d, -a, alpha]
         yield (
             "lengths-made-positive",
-            "a: x1 was turned round to make it positive, but x1 is given",
+            Said("a has lost its minus sign", next=X1),
+            [theta, d, -a, alpha],
+        )
+        yield (
+            "lengths-made-positive",
+            "a is positive, as if x1 were turned round; but x1 is given",
             [theta - 180, d, -a, -alpha],
         )
-        yield "lengths-made-positive", "a and α", [theta, d, -a, -alpha]
+        yield (
+            "lengths-made-positive",
+            Said("a and α have lost their minus signs", next=X1),
+            [theta, d, -a, -alpha],
+        )
 
 
 def array_in_row(
@@ -260,8 +272,6 @@ def miscopied(arm: str, rows: list[list[float]]) -> Mistakes:
         Said("the columns stand as printed: θ, a, d, α", next="Which two change places?"),
         right[:, [0, 2, 1, 3]],
     )
-    yield "angle-unit", "α, in radians", np.column_stack([right[:, :3], np.deg2rad(right[:, 3])])
-    yield "angle-unit", "θ and α", np.rad2deg(right) * [1, 0, 0, 1] + right * [0, 1, 1, 0]
     for order in ([0, 3, 2, 1], [3, 1, 2, 0]):
         yield (
             "columns-misread",
@@ -355,20 +365,18 @@ def wrong_tubes(q2: float) -> Mistakes:
         ),
         [offset - q2, 0, a, 0],
     )
-    yield "atan-for-atan2", "θ: the two arguments have changed places", [q2 + 90 - offset, 0, a, 0]
-    yield "angle-unit", "θ", [np.deg2rad(q2 + offset), 0, a, 0]
-    yield "angle-unit", "θ: radians were added to degrees", [q2 + np.deg2rad(offset), 0, a, 0]
-    yield "length-unit", "a", [q2 + offset, 0, 1000 * a, 0]
     yield (
-        "alpha-sign",
+        "atan-for-atan2",
+        "θ: the two arguments of arctan2 have changed places",
+        [q2 + 90 - offset, 0, a, 0],
+    )
+    yield "angle-unit", "θ: radians were added to degrees", [q2 + np.deg2rad(offset), 0, a, 0]
+    yield (
+        "alpha-value",
         "α: the two axes are parallel and point the same way",
         [q2 + offset, 0, a, 180],
     )
-    yield (
-        "measured-in-other-frame",
-        "α: the tube is bent, the two axes are not",
-        [q2 + offset, 0, a, offset],
-    )
+    yield ("alpha-value", "α: the tube is bent, the two axes are not", [q2 + offset, 0, a, offset])
 
 
 MEASURED = ["about-old-z", "along-old-z", "along-new-x", "about-new-x"]  # θ, d, a, α

@@ -81,18 +81,20 @@ def _wrong_numbers(given, right):
 def explain_sides(given: list[str]) -> Known | None:
     wrong = _wrong_numbers(given, SIDES)
     if len(wrong) == 6:
-        return "frame-at-other-end", "all six: the two have changed places"
-    named = f"statement {', '.join(map(str, wrong))}"
+        return "frame-at-other-end", "all six: the two conventions have changed places"
+    named = ", ".join(map(str, wrong))
     if set(wrong) <= {3, 6}:
         return "frame-at-other-end", Said(
-            f"{named}: look at what lies between plate {{i-1}} and plate {{i}}",
-            place=named,
+            f"look again at statement {named}: what lies between plate {{i-1}} and plate {{i}}",
             next=(
                 "From plate to plate: do you meet the joint first, or the link? And which link is"
                 " it, that before the joint or that behind it?"
             ),
         )
-    return "frame-at-other-end", named
+    return "frame-at-other-end", Said(
+        f"look again at statement {named}",
+        next="Which convention's plate i swings when joint i turns, and which one's stays?",
+    )
 
 
 STANDARD_ORDER = Said(
@@ -161,9 +163,13 @@ def explain_published(given: list[str]) -> Known | None:
 
 
 def explain_reasons(given: list[str]) -> Known | None:
-    return (
-        "tables-differ-otherwise",
-        f"pair {', '.join(map(str, _wrong_numbers(given, REASONS)))}",
+    wrong = ", ".join(map(str, _wrong_numbers(given, REASONS)))
+    return "tables-differ-otherwise", Said(
+        f"look again at pair {wrong}",
+        next=(
+            "Read the sentence of dh.equivalent once more: the same arm, only the end, a fraction"
+            " of a millimetre, a zero moved, or counted the other way?"
+        ),
     )
 
 
@@ -201,28 +207,61 @@ def half_to_craig(rows: list[list[float]]) -> Mistakes:
         np.vstack([np.zeros(4), given[:-1]]),
         np.column_stack([np.roll(given[:, :2], 1, axis=0), given[:, 2:]]),
     )
-    for place, wrong in (
-        ("the rows are unchanged", given),
-        ("α moved, a did not", np.column_stack([given[:, :3], right[:, 3]])),
-        ("a moved, α did not", np.column_stack([right[:, :3], given[:, 3]])),
-        ("θ and d moved as well; they stay in their rows", whole),
-        ("the pairs moved up; from standard to Craig they move down", up),
-        ("the last pair came back in row 1; it belongs into the tool", rolled),
-        ("θ and d moved, a and α did not", joints),
+    for everywhere, below, wrong in (
+        (
+            "the rows are those of the standard table",
+            "row 1 is right, and the others are those of the standard table",
+            given,
+        ),
+        (
+            "α moved, a did not",
+            "α moved; from row 2 on a did not",
+            np.column_stack([given[:, :3], right[:, 3]]),
+        ),
+        (
+            "a moved, α did not",
+            "a moved; from row 2 on α did not",
+            np.column_stack([right[:, :3], given[:, 3]]),
+        ),
+        (
+            "θ and d moved as well; they stay in their rows",
+            "from row 2 on θ and d moved as well; they stay in their rows",
+            whole,
+        ),
+        (
+            "the pairs moved up; from standard to Craig they move down",
+            "from row 2 on the pairs moved up; from standard to Craig they move down",
+            up,
+        ),
+        ("the last pair came back in row 1; it belongs into the tool", "", rolled),
+        ("θ and d moved, a and α did not", "from row 2 on θ and d moved, a and α did not", joints),
     ):
-        yield "conversion-incomplete", place, wrong
+        yield "conversion-incomplete", _half(everywhere), wrong
         if not np.allclose(wrong[1:], right[1:]):
-            yield "conversion-incomplete", place, np.vstack([right[:1], wrong[1:]])
+            yield "conversion-incomplete", _half(below), np.vstack([right[:1], wrong[1:]])
     round_up = np.column_stack([given[:, :2], np.roll(given[:, 2:], -1, axis=0)])
     yield (
         "conversion-incomplete",
-        "the pairs moved up; from standard to Craig they move down",
+        _half("from row 2 on the pairs moved up; from standard to Craig they move down"),
         np.vstack([right[:1], round_up[1:]]),
     )
     for k in range(1, len(given)):
         forgotten = right.copy()
         forgotten[k] = given[k]
-        yield "conversion-incomplete", f"row {k + 1} is unchanged", forgotten
+        yield (
+            "conversion-incomplete",
+            _half(f"row {k + 1} is still that of the standard table"),
+            forgotten,
+        )
+
+
+def _half(headline):
+    """What is said of a conversion of which a part was forgotten or went another way."""
+    return Said(
+        headline,
+        why="θ and d belong to the joint and stay; a and α belong to a link and move together.",
+        next="Pick one link and find its a and its α in both tables.",
+    )
 
 
 def _shifted(rows, step):
@@ -244,30 +283,30 @@ def to_standard(rows: list[list[float]]) -> Arm:
 
 def half_to_standard(rows: list[list[float]]) -> Mistakes:
     given, right = np.array(rows), np.array(numbers(to_standard(rows).table))
-    yield "conversion-incomplete", "the rows are unchanged", given
+    yield "conversion-incomplete", _half("the rows are those of Craig's table"), given
     yield (
         "conversion-incomplete",
-        "α moved, a did not",
+        _half("α moved, a did not"),
         np.column_stack([given[:, :3], right[:, 3]]),
     )
     yield (
         "conversion-incomplete",
-        "a moved, α did not",
+        _half("a moved, α did not"),
         np.column_stack([right[:, :3], given[:, 3]]),
     )
     yield (
         "conversion-incomplete",
-        "the pairs moved down; from Craig to standard they move up",
+        _half("the pairs moved down; from Craig to standard they move up"),
         _shifted(given, 1),
     )
     yield (
         "conversion-incomplete",
-        "θ and d moved as well; they stay in their rows",
+        _half("θ and d moved as well; they stay in their rows"),
         np.vstack([given[1:], np.zeros(4)]),
     )
     yield (
         "conversion-incomplete",
-        "the last row keeps a pair; nothing comes after it",
+        _half("the last row keeps a pair; nothing comes after it"),
         np.vstack([right[:-1], given[-1]]),
     )
 
@@ -308,7 +347,7 @@ def badly_repaired(standard: list[list[float]], converted: list[list[float]]) ->
     yield from half_to_craig(standard)
     yield (
         "conversion-incomplete",
-        "both columns moved, α for the second time",
+        _half("both columns moved, α for the second time"),
         _shifted(np.array(converted), 1),
     )
 
@@ -365,7 +404,7 @@ def wrong_points(
     T = arm.forward(angles)
     yield (
         mistake,
-        "the check pose does not fit this reading",
+        "this is the rows' other reading, which the check pose does not fit",
         _read_as(other, rows).forward(angles)[:3, 3],
     )
     yield "joint-values-unused", "this is the point at q = 0", arm.forward(0 * angles)[:3, 3]
@@ -377,10 +416,14 @@ def wrong_points(
     )
     yield (
         "offset-missing",
-        "",
+        "the rows' θ were left out",
         _read_as(right, np.array(rows) * [0, 1, 1, 1]).forward(angles)[:3, 3],
     )
-    yield "offset-subtracted", "all joints", arm.forward(-angles)[:3, 3]
+    yield (
+        "offset-subtracted",
+        "this is the point at −q: all joints turned the other way",
+        arm.forward(-angles)[:3, 3],
+    )
     yield (
         "conversion-incomplete",
         "the rows were converted and then read in the convention they came from",
@@ -391,10 +434,9 @@ def wrong_points(
         "the rows were converted, and base or tool forgotten",
         _read_as(other, numbers(arm.to(other).table)).forward(angles)[:3, 3],
     )
-    yield "length-unit", "", 1000 * T[:3, 3]
     yield "rotation-block-misread", "this is the end's z arrow", T[:3, 2]
     yield "rotation-block-misread", "this is the last row of the rotation", T[2, :3]
-    yield "pose-inverted", "", -T[:3, :3].T @ T[:3, 3]
+    yield "pose-inverted", "this is the base's origin, seen from the end", -T[:3, :3].T @ T[:3, 3]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -126,10 +126,20 @@ def explain_lines(lines: list[str]) -> Known | None:
         f"z{i}" for i, (line, wanted) in enumerate(zip(lines, OF_Z)) if line != wanted
     )
     if lines[1:] == OF_Z[:2]:
-        return "frame-at-other-end", f"{wrong}: every z is one joint late"
-    if set(lines) & {"upper-arm", "base-to-tool"}:
-        return "z-across-joint-axis", wrong
-    return "frame-at-other-end", wrong
+        return "frame-at-other-end", Said(
+            "z1 and z2: these are the axes of joints 1 and 2",
+            next="The first row turns about z0, and that is the motion of joint 1. Count on.",
+        )
+    metal = ", ".join(f"z{i}" for i, line in enumerate(lines) if line not in OF_Z)
+    if metal:
+        return "z-across-joint-axis", Said(
+            f"{metal}: this line is no joint's axis",
+            next="Move a joint alone. Which line stands still? That line is z.",
+        )
+    return "frame-at-other-end", Said(
+        f"{wrong}: the axis of another joint",
+        next="The first row turns about z0, and that is the motion of joint 1. Count on.",
+    )
 
 
 ABOUT = (
@@ -153,6 +163,8 @@ class ReadTable(Table):
 
     def compare(self, answer: object, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
+        if verdict.mistake in ("angle-unit", "length-unit"):
+            return verdict
         rows = _numbers(answer, np.shape(self.read))
         if rows is None or verdict.status not in (RIGHT, WRONG):
             return verdict

@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor.programs.slipsearch import wrong_entries
-from ...doctor.programs.wrong.links import WRONG_LINKS, standard
+from ...doctor.programs.wrong.craig import craig
+from ...doctor.programs.wrong.links import standard
+from ...transform import inverse
 from ..kinds import Function, Known, Mistakes, Said
 
 __all__ = [
     "OF_THE_MATRIX",
-    "RIGHT_ORDERS",
+    "OTHER_ORDERS",
     "ClosedForm",
     "draw_angle",
     "draw_column",
@@ -29,8 +31,8 @@ __all__ = [
     "wrong_slides",
 ]
 
-RIGHT_ORDERS = (
-    ["rz", "tz", "tx", "rx"],
+PRINTED = ["rz", "tz", "tx", "rx"]  # the order that 05.3 gives
+OTHER_ORDERS = (
     ["tz", "rz", "tx", "rx"],
     ["rz", "tz", "rx", "tx"],
     ["tz", "rz", "rx", "tx"],
@@ -128,7 +130,6 @@ def slide(q3: float) -> NDArray:
 
 def wrong_slides(q3: float) -> Mistakes:
     half = np.pi / 2
-    row = (-half, q3, 0.05, half)
     yield (
         "offset-missing",
         Said("θ is −90° here, not 0", next="θ is a constant of this row: −90° at every q3."),
@@ -158,7 +159,13 @@ def wrong_slides(q3: float) -> Mistakes:
         standard(-half, 0, 0.05, half),
     )
     for theta in (-half + q3, q3):
-        yield "prismatic-variable-in-theta", "", standard(theta, 0, 0.05, half)
+        yield (
+            "prismatic-variable-in-theta",
+            Said(
+                "q3 was added to θ; this joint slides", next="Put q3 in place of d; θ stays −90°."
+            ),
+            standard(theta, 0, 0.05, half),
+        )
     for theta, alpha in product((half, 1.57, 1.571, 1.5708), repeat=2):
         if (theta, alpha) != (half, half):
             yield (
@@ -168,11 +175,33 @@ def wrong_slides(q3: float) -> Mistakes:
                 ),
                 standard(-theta, q3, 0.05, alpha),
             )
-    for mistake, place, version in WRONG_LINKS:
-        yield mistake, place, version(*row)
+    yield from _as_other_matrices(q3, half)
+
+
+def _as_other_matrices(q3, half):
+    """The row put into the matrix otherwise, or the matrix written down otherwise."""
+    right = standard(-half, q3, 0.05, half)
+    yield "degrees-in-sin-cos", "the angles went in in degrees", standard(-90, q3, 0.05, 90)
+    yield "a-d-exchanged", "d and a have changed places", standard(-half, 0.05, q3, half)
+    yield "columns-misread", "θ and d have changed places", standard(q3, -half, 0.05, half)
+    yield "length-value", "a was left out: it is 0.05", standard(-half, q3, 0, half)
+    yield "length-value", "a is 0.05, not 0.5", standard(-half, q3, 0.5, half)
+    yield "alpha-value", "α was left out: it is 90°", standard(-half, q3, 0.05, 0)
+    yield "standard-rows-in-craig-matrix", "this is Craig's matrix", craig(-half, q3, 0.05, half)
+    yield "rotation-transposed", "", inverse(right)[:, [0, 1, 2, 3]] * _BLOCK + right * ~_BLOCK
+    yield "matrix-transposed", "", right.T
+    yield "pose-inverted", "this is the inverse of the right matrix", inverse(right)
+
+
+_BLOCK = np.pad(np.ones((3, 3), dtype=bool), (0, 1))
 
 
 def explain_order(order: list[str]) -> Known | None:
+    if order == PRINTED:
+        return "order-taken-for-free", Said(
+            "this is the order that was given, and another is asked",
+            next="Which two neighbours may change places, and nothing changes?",
+        )
     if set(order[:2]) == {"tx", "rx"}:
         return "standard-rows-in-craig-matrix", Said(
             "the x moves come before the z moves",

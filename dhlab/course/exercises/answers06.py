@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...doctor.programs.wrong.products import WRONG_PRODUCTS, product
+from ...doctor.programs.wrong.craig import craig
+from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Known, Mistakes, Said
@@ -46,14 +47,12 @@ UPRIGHT: list[list[float]] = [
 ]
 
 
+IN_DEGREES = np.array([180 / np.pi, 1, 1, 180 / np.pi])
+THETA, ALPHA = np.eye(4)[[0, 3]]
+
+
 def _article_rows():
     return DHTable.standard(ARTICLE, angle="deg").rows
-
-
-def _wrong_poses(rows, q):
-    """What the wrong programs give for these rows and this q."""
-    for mistake, place, version in WRONG_PRODUCTS:
-        yield mistake, place, version(rows, q)
 
 
 def zero_pose() -> NDArray:
@@ -61,10 +60,41 @@ def zero_pose() -> NDArray:
 
 
 def wrong_zero_poses() -> Mistakes:
-    yield from _wrong_poses(_article_rows(), np.zeros(6))
-    in_degrees = _article_rows()
-    in_degrees[:, 3] = np.rad2deg(in_degrees[:, 3])
-    yield "alpha-in-degrees", "", product(in_degrees, np.zeros(6))
+    rows, q = _article_rows(), np.zeros(6)
+    yield "alpha-in-degrees", "α went in in degrees", product(rows * IN_DEGREES, q)
+    yield (
+        "converted-to-radians-twice",
+        Said("the rows were converted twice", next="`rows` is converted already: pass it on."),
+        product(rows / IN_DEGREES, q),
+    )
+    yield from _of_the_chain(rows, q)
+
+
+def _of_the_chain(rows, q):
+    """Slips of the product that a finished pose can tell."""
+    T = product(rows, q)
+    yield (
+        "standard-rows-in-craig-matrix",
+        "this is what Craig's matrix makes of the rows",
+        product(rows, q, link=craig),
+    )
+    yield "product-stops-early", "the last row was left out", product(rows[:-1], q[:-1])
+    yield "product-starts-late", "the first row was left out", product(rows[1:], q[1:])
+    yield "pose-inverted", "this is the base's pose, seen from the end", np.linalg.inv(T)
+    yield "matrix-transposed", "", T.T
+    turned = T.copy()
+    turned[:3, :3] = T[:3, :3].T
+    yield "rotation-transposed", "", turned
+    yield "a-d-exchanged", "", product(rows[:, [0, 2, 1, 3]], q)
+    yield "product-reversed", "the links are multiplied in the reverse order", _backwards(rows, q)
+    bare = T.copy()
+    bare[3] = 0
+    yield "last-row-missing", "", bare
+
+
+def _backwards(rows, q):
+    """The product with its factors in the reverse order."""
+    return product(rows[::-1], q[::-1])
 
 
 def draw_unseen(rng: np.random.Generator) -> dict[str, Any]:
@@ -76,20 +106,52 @@ def unseen_pose(q: list[float]) -> NDArray:
 
 
 def wrong_unseen(q: list[float]) -> Mistakes:
-    rows = load("irb120").table.rows
-    twice = rows * [np.pi / 180, 1, 1, np.pi / 180]
-    yield (
-        "converted-to-radians-twice",
-        Said(
-            "the rows were converted twice",
-            next="Run the cell that makes irb120 once more, then convert once.",
+    rows, q_rad = load("irb120").table.rows, np.deg2rad(q)
+    no_offset = rows * [0, 1, 1, 1]
+    for mistake, said, wrong, values in (
+        (
+            "converted-to-radians-twice",
+            Said(
+                "the rows were converted twice",
+                next="Run the cell that makes irb120 once more, then convert once.",
+            ),
+            rows / IN_DEGREES,
+            q_rad,
         ),
-        product(twice, np.deg2rad(q)),
-    )
-    yield from _wrong_poses(rows, np.deg2rad(q))
-    in_degrees = rows * [180 / np.pi, 1, 1, 180 / np.pi]
-    yield "degrees-in-sin-cos", "the rows were left in degrees", product(in_degrees, np.deg2rad(q))
-    yield "degrees-in-sin-cos", "rows and q were left in degrees", product(in_degrees, q)
+        ("degrees-in-sin-cos", "the rows were left in degrees", rows * IN_DEGREES, q_rad),
+        ("degrees-in-sin-cos", "rows and q were left in degrees", rows * IN_DEGREES, q),
+        ("degrees-in-sin-cos", "q was left in degrees", rows, q),
+        ("alpha-in-degrees", "α was left in degrees", rows * IN_DEGREES[0] ** ALPHA, q_rad),
+        ("offset-in-degrees", "θ was left in degrees", rows * IN_DEGREES[0] ** THETA, q_rad),
+        ("converted-to-radians-twice", "q was converted twice", rows, np.deg2rad(q_rad)),
+        ("offset-missing", "both offsets were left out", no_offset, q_rad),
+        ("offset-counted-twice", "both offsets were added twice", rows * [2, 1, 1, 1], q_rad),
+        ("offset-subtracted", "q was taken off the offsets, not added", rows, -q_rad),
+        ("offset-sign", "both offsets have the other sign", rows * [-1, 1, 1, 1], q_rad),
+        ("joint-values-unused", "this is the pose at q = 0", rows, 0 * q_rad),
+        (
+            "joint-index-off-by-one",
+            "every joint has the q of the joint behind it",
+            rows,
+            np.roll(q_rad, -1),
+        ),
+        (
+            "joint-index-off-by-one",
+            "every joint has the q of the joint before it",
+            rows,
+            np.roll(q_rad, 1),
+        ),
+    ):
+        yield mistake, said, product(wrong, np.asarray(values, dtype=float))
+    for k in np.flatnonzero(rows[:, 0]):
+        alone = rows.copy()
+        alone[k, 0] = 0
+        yield (
+            "offset-missing",
+            Said(f"the offset of joint {k + 1} was left out", next="Which rows have a θ?"),
+            product(alone, q_rad),
+        )
+    yield from _of_the_chain(rows, q_rad)
 
 
 ON_THE_ARM = {
@@ -152,11 +214,9 @@ def explain_structures(structures: list[str]) -> Known | None:
     headline = "look again at " + " and ".join(
         filter(None, (", ".join(name for name, _, _ in wrong[:-1]), wrong[-1][0]))
     )
-    return (
-        "structure-from-prose"
-        if arm in ("the article's arm", "the UR5e")
-        else "standard-rows-in-craig-matrix"
-    ), Said(headline, next=f"{arm[0].upper()}{arm[1:]}: look at {look}?")
+    return "structure-from-prose", Said(
+        headline, next=f"{arm[0].upper()}{arm[1:]}: look at {look}?"
+    )
 
 
 def _upright(offset_2, offset_3):

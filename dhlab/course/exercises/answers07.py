@@ -165,8 +165,8 @@ def wrong_offsets(q: NDArray, points: NDArray) -> Mistakes:
         offsets_of(q, points),
         np.rad2deg(calibrate_offsets(article(), q, points, base="fixed").offsets),
     )
-    yield "offset-sign", "model minus measurement, where measurement minus model was asked", -right
-    yield "offset-on-wrong-joint", "joints 2 and 3 have changed places", right[::-1]
+    yield "offset-sign", "both offsets have the other sign", -right
+    yield "offset-on-wrong-joint", "the offsets of joints 2 and 3 have changed places", right[::-1]
     yield (
         "offset-missing",
         Said(
@@ -175,14 +175,7 @@ def wrong_offsets(q: NDArray, points: NDArray) -> Mistakes:
         ),
         np.zeros(2),
     )
-    yield "offset-counted-twice", "", 2 * right
-    yield (
-        "converted-to-radians-twice",
-        Said(
-            "these are radians; degrees were asked", next="np.rad2deg turns the one into the other."
-        ),
-        np.deg2rad(right),
-    )
+    yield "offset-counted-twice", "both offsets are twice as large as they should be", 2 * right
     yield "offset-missing", Said("joint 3 has an offset too"), [right[0], 0]
     yield "offset-missing", Said("joint 2 has an offset too"), [0, right[1]]
     for names, found in (
@@ -199,8 +192,8 @@ def wrong_offsets(q: NDArray, points: NDArray) -> Mistakes:
             ),
             found,
         )
-    yield "offset-sign", "joint 2", right * [-1, 1]
-    yield "offset-sign", "joint 3", right * [1, -1]
+    yield "offset-sign", "the offset of joint 2 has the other sign", right * [-1, 1]
+    yield "offset-sign", "the offset of joint 3 has the other sign", right * [1, -1]
 
 
 def draw_pasted(rng: np.random.Generator) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...doctor.programs.wrong.jacobians import WRONG_JACOBIANS, geometric_jacobian
+from ...doctor.programs.wrong.jacobians import geometric_jacobian
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy
@@ -38,10 +38,6 @@ PEN = Said(
     "the lever does not run to the tip of the pen: ω is right, v is not",
     next="Which of the inputs knows of the pen: frames or T_end?",
 )
-DEG = 180 / np.pi
-SPEEDS = np.array(
-    [DEG, DEG, 1, DEG, DEG, DEG]
-)  # of the Stanford arm's joints: degrees where they turn, metres where joint 3 slides
 
 
 def general(rng: np.random.Generator, low: float, high: float, *shape: int) -> NDArray:
@@ -83,17 +79,45 @@ def third_column(q: list[float]) -> NDArray:
 
 
 def wrong_columns(q: list[float]) -> Mistakes:
-    seen = _seen("article-6r", q)
-    for mistake, place, version in WRONG_JACOBIANS:
-        yield mistake, place, version(*seen)[:, 2]
+    frames, T_end, sliding = seen = _seen("article-6r", q)
     for place, column in _of_bent(*seen):
         yield (
             "jacobian-not-renewed",
             Said(place, next="Take frames and end anew, at q_mine."),
             column,
         )
-    yield "joint-index-off-by-one", "this is column 2", geometric_jacobian(*seen)[:, 1]
-    yield "joint-index-off-by-one", "this is column 4", geometric_jacobian(*seen)[:, 3]
+    J = geometric_jacobian(*seen)
+    yield "joint-index-off-by-one", "this is column 2", J[:, 1]
+    yield "joint-index-off-by-one", "this is column 4", J[:, 3]
+    z, o, p = frames[2, :3, 2], frames[2, :3, 3], T_end[:3, 3]
+    v, nothing = np.cross(z, p - o), np.zeros(3)
+    for mistake, said, upper, lower in (
+        ("cross-product-reversed", "ω is right, and v has the other sign", -v, z),
+        ("error-sign", "v is right, and ω has the other sign", v, -z),
+        ("joint-reversed", "all six numbers have the other sign", -v, -z),
+        ("jacobian-rows-exchanged", "ω stands above v, and v above ω is asked", z, v),
+        ("angular-part-missing", "v is right, and ω is left out", v, nothing),
+        ("prismatic-column-wrong", "this is a sliding joint's column: v = z, ω = 0", z, nothing),
+        ("lever-arm-wrong", _lever("this lever runs from the base's origin"), np.cross(z, p), z),
+        ("lever-arm-wrong", _lever("this v is the lever, without the axis"), p - o, z),
+        ("lever-arm-wrong", _lever("this lever ends at the joint"), np.cross(z, o), z),
+        ("lever-arm-wrong", _lever("this lever is p + o"), np.cross(z, p + o), z),
+        ("jacobian-frame", "written in the end's own axes", v @ T_end[:3, :3], z @ T_end[:3, :3]),
+    ):
+        yield mistake, said, np.concatenate([upper, lower])
+    in_degrees = load("article-6r").frames(np.asarray(q)), load("article-6r").forward(q)
+    yield (
+        "degrees-in-sin-cos",
+        "q was left in degrees",
+        geometric_jacobian(*in_degrees, sliding)[:, 2],
+    )
+
+
+def _lever(what):
+    return Said(
+        f"ω is right, v is not: {what}",
+        next="Draw the axis of joint 3 and the end point. Which vector swings?",
+    )
 
 
 def _of_bent(frames, T_end, sliding):
@@ -156,7 +180,6 @@ def joint_speeds(q: list[float], v: list[float], omega: list[float]) -> NDArray:
 def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes:
     frames, T_end, sliding = seen = _seen("stanford", q)
     right, J, twist = joint_speeds(q, v, omega), geometric_jacobian(*seen), np.array([*v, *omega])
-    yield "degrees-for-radians", "the turning joints are in degrees per second", right * SPEEDS
     yield (
         "jacobian-rows-exchanged",
         "v was put where ω belongs",
@@ -234,10 +257,46 @@ def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes
             ),
             np.linalg.solve(geometric_jacobian(frames, other, sliding), twist),
         )
-    for mistake, place, version in WRONG_JACOBIANS:
-        wrong = version(frames, T_end, sliding)
+    yield from _by_other_jacobians(frames, T_end, sliding, twist)
+
+
+def _by_other_jacobians(frames, T_end, sliding, twist):
+    """Speeds that fit a Jacobian with one slip in it."""
+    J, p, R = geometric_jacobian(frames, T_end, sliding), T_end[:3, 3], T_end[:3, :3]
+    moved = np.concatenate([frames[1:], T_end[None]])
+    z = frames[:-1, :3, 2]
+    to_base = np.where(sliding, z.T, np.cross(z, p).T)
+    turns_too = J.copy()
+    turns_too[3:, sliding] = z[sliding].T
+    for mistake, said, wrong in (
+        (
+            "cross-product-reversed",
+            "these speeds fit a Jacobian whose cross products are the wrong way round",
+            np.vstack([np.where(sliding, J[:3], -J[:3]), J[3:]]),
+        ),
+        (
+            "jacobian-axis-off-by-one",
+            "these speeds fit a Jacobian that takes the axis of joint i from frame i",
+            geometric_jacobian(moved, T_end, sliding),
+        ),
+        (
+            "lever-arm-wrong",
+            "these speeds fit a Jacobian whose levers all begin at the base's origin",
+            np.vstack([to_base, J[3:]]),
+        ),
+        (
+            "prismatic-column-wrong",
+            "these speeds fit a Jacobian in which joint 3 slides and turns",
+            turns_too,
+        ),
+        (
+            "jacobian-frame",
+            "these speeds fit a Jacobian that is written in the end's own axes",
+            np.vstack([R.T @ J[:3], R.T @ J[3:]]),
+        ),
+    ):
         if np.linalg.cond(wrong) < 1e6:
-            yield mistake, place, np.linalg.solve(wrong, twist)
+            yield mistake, said, np.linalg.solve(wrong, twist)
 
 
 def _damped(J, twist, damping):

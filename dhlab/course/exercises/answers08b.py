@@ -83,7 +83,13 @@ WRONG_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what is said
         "step-not-accumulated",
         Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
     ),
-    "undamped": ("damping-missing", "the line without damping**2"),
+    "undamped": (
+        "damping-missing",
+        Said(
+            "a line without damping**2 is among the five",
+            why="Near a singularity the plain inverse asks for enormous joint steps.",
+        ),
+    ),
     "error-reversed": (
         "error-sign",
         Said(
@@ -128,8 +134,12 @@ def a_way_to(T: list[list[float]]) -> NDArray:
 def wrong_ways(T: list[list[float]]) -> Mistakes:
     """Some of each kind; :class:`Reaches` finds the others by where they lead."""
     for q in load("ur5e").solve(T).q[:3]:
-        yield "degrees-for-radians", "", np.rad2deg(q)
-        yield "only-position-checked", "", q + np.array([0, 0, 0, 0, 0, 0.5])
+        yield "degrees-for-radians", "q is in degrees, and radians are asked", np.rad2deg(q)
+        yield (
+            "only-position-checked",
+            "the hand is there, turned otherwise",
+            q + np.array([0, 0, 0, 0, 0, 0.5]),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)

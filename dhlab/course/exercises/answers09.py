@@ -70,6 +70,13 @@ MAKERS: list[list[float]] = [
 ]
 
 
+MILLIMETRES = {
+    "all": "in other units: the points and the end in millimetres; metres are asked",
+    "points": "in other units: the points of the axes in millimetres; metres are asked",
+    "end": "in other units: the end in millimetres; metres are asked",
+}
+
+
 def wrong_axes(axes: list, end: NDArray) -> Mistakes:
     """Arms from axes with one slip each."""
     yield from _wrong_lines(axes, end)
@@ -90,28 +97,34 @@ def wrong_axes(axes: list, end: NDArray) -> Mistakes:
     metres = end.copy()
     metres[:3, 3] *= 1000
     thousand = [(np.multiply(point, 1000), z) for point, z in axes]
-    yield "length-unit", "points and end", assign_frames(thousand, end=metres)
-    yield "length-unit", "the points of the axes", assign_frames(thousand, end=end)
-    yield "length-unit", "the end", assign_frames(axes, end=metres)
+    yield "length-unit", MILLIMETRES["all"], assign_frames(thousand, end=metres)
+    yield "length-unit", MILLIMETRES["points"], assign_frames(thousand, end=end)
+    yield "length-unit", MILLIMETRES["end"], assign_frames(axes, end=metres)
 
 
 def _wrong_lines(axes, end):
     for k, (point, z) in enumerate(axes):
         yield (
             "joint-reversed",
-            f"the direction of joint {k + 1}",
+            Said(
+                f"the direction of joint {k + 1} is reversed",
+                next="Which way does the sheet's arrow point? A joint turns by the right hand.",
+            ),
             assign_frames(_with(axes, k, (point, np.negative(z))), end=end),
         )
         for other in ([1, 0, 0], [0, 1, 0], [0, 0, 1]):
             yield (
                 "z-across-joint-axis",
-                f"the direction of joint {k + 1}",
+                Said(
+                    f"the direction of joint {k + 1} is another one",
+                    next="About which line does this joint turn, seen in the sheet?",
+                ),
                 assign_frames(_with(axes, k, (point, other)), end=end),
             )
         if k:
             yield (
                 "length-value",
-                f"the point on axis {k + 1} is that of axis {k}",
+                Said(f"axis {k + 1} goes through the point that axis {k} was given"),
                 assign_frames(_with(axes, k, (axes[k - 1][0], z)), end=end),
             )
         for i, name in enumerate("xyz"):
@@ -119,7 +132,7 @@ def _wrong_lines(axes, end):
             mirrored[i] *= -1
             yield (
                 "length-sign",
-                f"the point on axis {k + 1}, {name}",
+                Said(f"the {name} of the point on axis {k + 1} has the other sign"),
                 assign_frames(_with(axes, k, (mirrored, z)), end=end),
             )
 
@@ -219,14 +232,6 @@ def half_moved() -> Mistakes:
     ]
     for mistake, headline, wrong in known:
         yield mistake, Said(headline, why=still, next=next_row), _in(right, wrong)
-    yield (
-        "angle-unit",
-        Said(
-            "the angles are in radians",
-            next="This answer takes degrees, as the task says: np.rad2deg for θ and α.",
-        ),
-        _in(right, moved * [np.pi / 180, 1, 1, np.pi / 180]),
-    )
 
 
 def _in(arm, rows):
@@ -258,8 +263,8 @@ def misread_arrow(T: NDArray) -> Mistakes:
     yield "rotation-block-misread", "this is the hand's x arrow", T[:3, 0]
     yield "rotation-block-misread", "this is the hand's y arrow", T[:3, 1]
     yield "rotation-block-misread", "this is the hand's place", T[:3, 3]
-    yield "pose-inverted", "", np.linalg.inv(T)[:3, 3]
-    yield "mirror", "the arrow points the other way", -T[:3, 2]
+    yield "pose-inverted", "this is the base's place, seen from the hand", np.linalg.inv(T)[:3, 3]
+    yield "mirror", "this is the hand's z arrow turned round", -T[:3, 2]
 
 
 def draw_rows(rng: np.random.Generator) -> dict[str, Any]:
@@ -286,15 +291,25 @@ def misread_rows(table: DHTable, joint: int) -> Mistakes:
     )
     yield (
         "standard-rows-in-craig-matrix",
-        "in Craig's convention these stand in the row of the later joint",
+        "these are a and α of the earlier joint's row; in Craig's table the later joint's has them",
         [here[3], here[2]],
     )
-    yield "columns-misread", "the angle is asked first, then the distance", [a, alpha]
-    yield "a-d-exchanged", "the distance", [alpha, there[1]]
-    yield "theta-alpha-exchanged", "the angle", [there[0], a]
-    yield "angle-unit", "degrees were asked", [np.deg2rad(alpha), a]
-    yield "length-unit", "metres were asked", [alpha, 1000 * a]
-    yield "standard-rows-in-craig-matrix", "theta and d of the earlier joint", [here[0], here[1]]
+    yield "columns-misread", "angle and distance have changed places", [a, alpha]
+    yield (
+        "a-d-exchanged",
+        "the angle is right; the distance is d, and a is asked",
+        [alpha, there[1]],
+    )
+    yield (
+        "theta-alpha-exchanged",
+        "the distance is right; the angle is θ, and α is asked",
+        [there[0], a],
+    )
+    yield (
+        "standard-rows-in-craig-matrix",
+        "these are θ and d of the earlier joint's row",
+        [here[0], here[1]],
+    )
 
 
 def reversed_product(rows: NDArray, q: NDArray) -> NDArray:

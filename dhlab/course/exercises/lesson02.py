@@ -111,6 +111,7 @@ EXERCISES = [
         misshapen=array_in_row,
         entries=ENTRIES,
         turns=(0, 3),
+        units=("deg", "m", "m", "deg"),
         praise="Two numbers off the first column and the origin, two about the new x.",
         hints=(
             "a is the part of the origin that lies along x1: which product gives it?",
@@ -145,6 +146,7 @@ EXERCISES = [
         misshapen=array_in_row,
         entries=ENTRIES,
         turns=(0, 3),
+        units=("deg", "m", "m", "deg"),
         praise="a is negative, and rightly so: the link goes against x1. α has its sign too.",
         hints=(
             "x1 is given: you may not turn it round. Which sign has its product with the origin?",
@@ -238,6 +240,7 @@ EXERCISES = [
         misshapen=array_in_row,
         entries=ENTRIES,
         turns=(0, 3),
+        units=("deg", "m", "m", "deg"),
         praise=(
             "Only the two axes count: 0.2895 m apart, on a line that leans by 79.35°. The bend is"
             " nowhere in the row."

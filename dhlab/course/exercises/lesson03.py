@@ -262,6 +262,7 @@ EXERCISES = [
         mistakes=badly_repaired,
         words=SIGNS,
         handed_out=lambda standard, converted: converted,
+        sparing=True,
         praise="One column. A half-converted table looks as tidy as a right one.",
         hints=(
             (
@@ -278,6 +279,7 @@ EXERCISES = [
         draw=draw_unseen,
         answer=unseen_point,
         mistakes=wrong_points,
+        units="m",
         entries=("x", "y", "z"),
         praise="One check pose settled what no looking at the rows could.",
         hints=(

@@ -143,6 +143,7 @@ EXERCISES = [
         id="04.7",
         title="A colleague's frames",
         draw=draw_colleagues,
+        sparing=True,
         praise="One point. The reversed z2, the reversed x2 and the slid o2 were all allowed.",
         hints=(
             (

@@ -8,7 +8,7 @@ from ...transform import rot_x
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 from .answers05 import (
     OF_THE_MATRIX,
-    RIGHT_ORDERS,
+    OTHER_ORDERS,
     ClosedForm,
     draw_angle,
     draw_column,
@@ -114,12 +114,9 @@ EXERCISES = [
             " four others that do."
         ),
         items={"rz": "Rz(θ)", "tz": "Tz(d)", "tx": "Tx(a)", "rx": "Rx(α)"},
-        accepts=lambda order: order in RIGHT_ORDERS,
+        accepts=lambda order: order in OTHER_ORDERS,
         explain=explain_order,
-        praise=(
-            "Five of the 24 orders give this matrix, and yours is one. If it is the order that was"
-            " given, find another."
-        ),
+        praise="Five of the 24 orders give this matrix, and yours is one of the four others.",
         hints=(
             "Two of the moves belong to z, two to x. Which pair does a standard row make first?",
             "Tx(a) must come after Rz(θ), and Rx(α) after both z moves.",
@@ -161,6 +158,7 @@ EXERCISES = [
         draw=draw_column,
         answer=lambda **row: row_in_radians(**row)[:3, 3],
         mistakes=wrong_origins,
+        units="m",
         entries=("x", "y", "z"),
         praise="The link swings with θ; d lifts it; α has no say in the position.",
         hints=(
@@ -180,6 +178,7 @@ EXERCISES = [
         answer=standard,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
+        sparing=True,
         praise="The same matrix, in closed form.",
         words=OF_THE_MATRIX,
         hints=(
@@ -201,6 +200,7 @@ EXERCISES = [
         answer=standard,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
+        sparing=True,
         handed_out=from_a_blog,
         praise="One sign. It hides whenever α is 0, and also at θ = ±90°.",
         words=OF_THE_MATRIX,
@@ -251,6 +251,7 @@ EXERCISES = [
         draw=draw_slide,
         answer=slide,
         mistakes=wrong_slides,
+        units="pose",
         tolerance=1e-6,
         praise="For a sliding joint d moves and θ stays: the matrix is the same.",
         hints=(

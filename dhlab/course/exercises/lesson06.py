@@ -71,6 +71,7 @@ EXERCISES = [
         title="The pose at q = 0",
         answer=zero_pose,
         mistakes=wrong_zero_poses,
+        units="pose",
         tolerance=1e-6,
         praise=(
             "Position (0.75, -0.2, 0.1), as the article has it; the tool's z arrow points along"
@@ -201,6 +202,7 @@ EXERCISES = [
         handed_out=lambda rows, q: product(rows, np.roll(q, 1)),
         praise="One index. At q = 0 nobody would have noticed.",
         words=IN_THE_LOOP,
+        sparing=True,
         hints=(
             "The program is right when all q are equal. What could be mixed up, then?",
             "Print i and the q it uses, for the first row.",
@@ -269,6 +271,7 @@ EXERCISES = [
         draw=draw_unseen,
         answer=unseen_pose,
         mistakes=wrong_unseen,
+        units="pose",
         tolerance=1e-6,
         praise="An ABB IRB 120, with two offsets in its table.",
         hints=(

@@ -59,6 +59,7 @@ EXERCISES = [
         names=("rows", "q"),
         family="forward_kinematics",
         handed_out=two_sources,
+        sparing=True,
         praise="One conversion too many. On a flat arm, where every α is 0, nobody could notice.",
         hints=(
             (
@@ -200,6 +201,7 @@ EXERCISES = [
         answer=offsets_of,
         mistakes=wrong_offsets,
         turns=(0, 1),
+        units=("deg", "deg"),
         tolerance=0.04,
         entries=("joint 2", "joint 3"),
         praise="Added to θ, these two bring the model from centimetres down to the noise.",

@@ -53,20 +53,7 @@ EXERCISES = [
         draw=draw_bend,
         answer=third_column,
         mistakes=wrong_columns,
-        words={
-            "lever-arm-wrong": Said(
-                "the lever does not run from the joint's axis to the end: ω is right, v is not",
-                next="Draw the axis of joint 3 and the end point. Which vector swings?",
-            ),
-            "jacobian-axis-off-by-one": Said(
-                "the axis of the wrong frame",
-                why=(
-                    "In the standard convention joint i turns about z_{i-1}: its axis belongs to"
-                    " the frame before its link."
-                ),
-                next="Joint 1 took axis and origin from frames[0], joint 2 from frames[1].",
-            ),
-        },
+        units=("m", "m", "m", "", "", ""),
         entries=(
             "v along x0",
             "v along y0",
@@ -115,6 +102,7 @@ EXERCISES = [
         family="jacobian",
         shape=(6, 5),
         handed_out=to_the_flange,
+        sparing=True,
         words={"lever-arm-wrong": PEN},
         praise="The lever runs to the tip of the pen, wherever the last frame may be.",
         hints=(
@@ -189,6 +177,7 @@ EXERCISES = [
         draw=draw_hand_speed,
         answer=joint_speeds,
         mistakes=wrong_speeds,
+        units=("rad/s", "rad/s", "m/s", "rad/s", "rad/s", "rad/s"),
         entries=tuple(f"joint {i}" for i in range(1, 7)),
         praise="A sliding joint among turning ones, and a hand that goes and turns as it was told.",
         hints=(

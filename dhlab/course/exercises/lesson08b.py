@@ -33,6 +33,7 @@ EXERCISES = [
         family="pose_error",
         shape=(6,),
         handed_out=in_the_tools_axes,
+        sparing=True,
         words={"orientation-error-frame": FRAME},
         praise="Position and turn, both as the base sees them.",
         hints=(

@@ -99,6 +99,7 @@ EXERCISES = [
         points=2,
         answer=lambda: Arm(DHTable.craig(MAKERS, angle="deg"), sign=load("ar4").sign),
         mistakes=unrepaired,
+        sparing=True,
         praise=(
             "One number of 24. The maker's own program had it wrong in one place, and right in"
             " another."
@@ -117,6 +118,7 @@ EXERCISES = [
         points=3,
         answer=lambda: assign_frames(PIPER[0], end=PIPER[1]),
         mistakes=wrong_piper,
+        tolerance=1e-4,
         praise="From a sheet of paper to an arm, on your own.",
         hints=(
             "Two units must be changed on the way in. Which?",
@@ -148,6 +150,7 @@ EXERCISES = [
         draw=draw_rows,
         answer=between,
         mistakes=misread_rows,
+        units=("deg", "m"),
         entries=("angle", "distance"),
         turns=(0,),
         tolerance=1e-4,
@@ -188,6 +191,7 @@ EXERCISES = [
         names=("rows", "q"),
         family="forward_kinematics",
         handed_out=reversed_product,
+        sparing=True,
         praise="Two letters changed places.",
         hints=(
             "For an arm of one joint this program is right. What happens at the second?",

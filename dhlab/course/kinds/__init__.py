@@ -6,8 +6,9 @@ from .chosen import Choice, OneOf, Order, Prediction, PreTest
 from .exercise import Exercise, Known, Mistakes, Said, untouched
 from .functions import CASES, Function
 from .lettered import UNDECIDED, Lettered, Option
+from .reading import as_numbers, is_array_of, plain
 from .tables import Table, as_arm, numbers
-from .values import Value, as_numbers, is_array_of
+from .values import Value
 
 __all__ = [
     "CASES",
@@ -30,5 +31,6 @@ __all__ = [
     "as_numbers",
     "is_array_of",
     "numbers",
+    "plain",
     "untouched",
 ]

@@ -1,7 +1,7 @@
 """Answers that are chosen: an option, an order, a guess."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -34,7 +34,7 @@ class OneOf(Lettered):
         return self.judged(chosen)
 
     def judged(self, chosen: str) -> Verdict:
-        """The Verdict on an option, given by its id, or on "?"."""
+        """The Verdict on an option, given by its id."""
         raise NotImplementedError
 
 
@@ -43,8 +43,6 @@ class Choice(OneOf):
     """One option to be chosen by its letter; "?" is "I don't know yet"."""
 
     def judged(self, chosen: str) -> Verdict:
-        if chosen == UNDECIDED:
-            return self.say_undecided()
         option = self.options[chosen]
         if chosen == self.correct:
             return self.say(RIGHT, option.answer, chosen=(chosen,))
@@ -68,15 +66,16 @@ class PreTest(OneOf):
         "This is treated later on; the answer's verdict names the lesson.",
     )
 
+    def say_undecided(self) -> Verdict:
+        return self.say(
+            RECORDED,
+            "you do not know yet, and that is what the course is for.",
+            next=f"Lesson {self.lesson} answers it.",
+            known=False,
+            chosen=(UNDECIDED,),
+        )
+
     def judged(self, chosen: str) -> Verdict:
-        if chosen == UNDECIDED:
-            return self.say(
-                RECORDED,
-                "you do not know yet, and that is what the course is for.",
-                next=f"Lesson {self.lesson} answers it.",
-                known=False,
-                chosen=(chosen,),
-            )
         option = self.options[chosen]
         return self.say(
             RECORDED,
@@ -110,12 +109,13 @@ class Prediction(OneOf):
             return self.say(NOT_ATTEMPTED, next="Replace the dots in this cell and run it again.")
         return super().judge(answer, variant)
 
+    def say_undecided(self) -> Verdict:
+        return self._noted("you would rather see first", UNDECIDED)
+
     def judged(self, chosen: str) -> Verdict:
-        guess = (
-            "you would rather see first"
-            if chosen == UNDECIDED
-            else f"you expect: {self.options[chosen]}"
-        )
+        return self._noted(f"you expect: {self.options[chosen]}", chosen)
+
+    def _noted(self, guess, chosen):
         return self.say(RECORDED, guess, next="Run the next cell and compare.", chosen=(chosen,))
 
     def after(self, guess: str | None) -> str:
@@ -164,8 +164,6 @@ class Order(Lettered):
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         words = _words(answer)
-        if UNDECIDED in words:
-            return self.say_undecided()
         ids = [self.id_of(word, variant) for word in words]
         if None in ids:
             letters = ", ".join(self.letters(variant).values())
@@ -191,13 +189,8 @@ class Order(Lettered):
                 next="No letter has two places here.",
                 chosen=chosen,
             )
-        mistake, place = self.explain(ids) or (None, "")
-        return self.wrong(
-            mistake,
-            headline="" if mistake or place else "not in this order",
-            place=place,
-            chosen=chosen,
-        )
+        mistake, said = self.explain(ids) or (None, "not in this order")
+        return replace(self.told(mistake, said), chosen=chosen)
 
 
 def _words(answer):

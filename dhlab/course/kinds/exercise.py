@@ -2,8 +2,8 @@
 
 import zlib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -12,6 +12,8 @@ from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
 __all__ = ["Exercise", "Known", "Mistakes", "Said", "no_draw", "untouched"]
 
+UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
+
 
 @dataclass(frozen=True)
 class Said:
@@ -19,7 +21,7 @@ class Said:
     tables in general, would mislead.
 
     ``headline`` and ``next`` stand in place of the catalogue's; ``why`` too, and is left out when
-    empty.
+    empty. A sentence is written for its place and true by itself: none is put together from parts.
     """
 
     headline: str
@@ -42,7 +44,9 @@ class Exercise:
     ``words`` holds a :class:`Said` for the mistakes that have other words here than in the
     catalogue, by id, or by (id, place) for one place of them; a single wrong answer has its own
     where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question
-    that a question of the post-test asks again.
+    that a question of the post-test asks again. ``sparing``: what is to be found is the exercise,
+    so :func:`dhlab.course.check` tells the kind of mistake first, the place at the second wrong
+    answer and everything at the third. ``undecided`` is said of "?".
     """
 
     id: str
@@ -52,6 +56,9 @@ class Exercise:
     praise: str = ""
     words: Mapping = field(default_factory=dict)
     mirrors: str = ""
+    sparing: bool = False
+    undecided: str = "Good to say so. Read the paragraph above once more, then try."
+    entry: ClassVar[str] = "number"  # what an entry of the answer is called
 
     @property
     def worth(self) -> str:
@@ -85,7 +92,28 @@ class Exercise:
             return self.say(
                 NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again."
             )
+        if undecided(answer):
+            return self.say_undecided()
+        gaps = self.gaps(answer)
+        if gaps:
+            return self.say(
+                NOT_ATTEMPTED, place=", ".join(gaps), next="Put an answer in place of every ..."
+            )
         return self.compare(answer, variant)
+
+    def gaps(self, answer: Any) -> list[str]:
+        """Where dots are left in an answer that is filled in only in part, in words."""
+        entries = enumerate(_entries(answer), 1)
+        return [f"{self.entry} {k}" for k, entry in entries if _has_dots(entry)]
+
+    def say_undecided(self) -> Verdict:
+        """The Verdict on "?"."""
+        return self.say(
+            WRONG,
+            self.undecided,
+            next=f'hint("{self.id}") gives a first hint.',
+            chosen=(UNDECIDED,),
+        )
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         """The Verdict on an answer that was attempted."""
@@ -114,8 +142,8 @@ class Exercise:
         next: str = "",
         chosen: tuple[str, ...] = (),
     ) -> Verdict:
-        """The Verdict on a wrong answer: in the words of this exercise or of the catalogue when the
-        mistake is known.
+        """The Verdict on a wrong answer: in the words of this exercise or, when the mistake is
+        known, of the catalogue, whose words are about arms, tables and programs.
         """
         hint = f'hint("{self.id}") gives a first hint.'
         said = place if isinstance(place, Said) else self.words.get((mistake_id, place))
@@ -145,6 +173,23 @@ class Exercise:
             chosen=chosen,
         )
 
+    def told(self, mistake_id: str | None, said: str | Said) -> Verdict:
+        """The Verdict on one of this exercise's own wrong answers, in one sentence written for it.
+
+        A text is that sentence; where it is empty the mistake's title is. The catalogue's other
+        words are not said: what they tell of an arm or of a program is not true of a number.
+        """
+        if isinstance(said, str):
+            of_place, of_all = self.words.get((mistake_id, said)), self.words.get(mistake_id)
+            if of_place or of_all:
+                return self.wrong(mistake_id, place=said)
+            said = Said(said or catalogue()[mistake_id].title)
+        return self.wrong(mistake_id, place=said)
+
+    def slowly(self, verdict: Verdict) -> Verdict:
+        """The verdict, told bit by bit where the mistake is what the exercise asks for."""
+        return replace(verdict, sparing=self.sparing)
+
 
 def no_draw(rng: np.random.Generator) -> dict[str, Any]:
     """The numbers of a task that is the same for everybody: none."""
@@ -155,8 +200,23 @@ def untouched(answer: Any) -> bool:
     """Whether an answer is still what was handed out: nothing, or dots and nothing else."""
     if answer is None or answer is Ellipsis:
         return True
-    return (
-        isinstance(answer, (list, tuple))
-        and len(answer) > 0
-        and all(untouched(entry) for entry in answer)
-    )
+    entries = _entries(answer)
+    return len(entries) > 0 and all(untouched(entry) for entry in entries)
+
+
+def undecided(answer: Any) -> bool:
+    """Whether an answer, or an entry of it, is "?"."""
+    if isinstance(answer, str):
+        return UNDECIDED in answer
+    return any(undecided(entry) for entry in _entries(answer))
+
+
+def _has_dots(answer):
+    return answer is Ellipsis or any(_has_dots(entry) for entry in _entries(answer))
+
+
+def _entries(answer):
+    """The entries of a list, a tuple or an array of objects; of anything else, none."""
+    if isinstance(answer, np.ndarray) and answer.dtype.kind in "OU" and answer.ndim:
+        return answer.tolist()
+    return answer if isinstance(answer, (list, tuple)) else []

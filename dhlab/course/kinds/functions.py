@@ -7,17 +7,31 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...doctor import explain_function
+from ...doctor import catalogue, explain_function
 from ...doctor.programs.answers import answers_in_time, single_precision
 from ...doctor.programs.calling import Called, CallFault, is_stub
 from ...doctor.programs.cases import where
+from ...doctor.programs.explain import NUMBERS
 from ..verdict import NOT_ATTEMPTED, Verdict
 from .exercise import Exercise, Said
+from .units import Group, in_other_units
 
 __all__ = ["CASES", "Function"]
 
 SINGLE = 1e-5  # largest deviation of an answer in single precision, absolute and relative
 CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
+OF_POSES = frozenset(  # mistakes whose titles are about poses and tables
+    (
+        "base-height-missing-or-twice",
+        "joint-index-off-by-one",
+        "pose-inverted",
+        "product-reversed",
+        "rotation-transposed",
+        "tool-missing",
+        "translations-not-rotated",
+        "wrong-frame-compared",
+    )
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -109,20 +123,22 @@ class Function(Exercise):
                     " small numbers to 0."
                 ),
             )
-        return self._explained(
+        explained = self._explained(
             answers[:general], expected[:general], cases[:general], sum(off[:general])
         )
+        return self.slowly(explained)
 
     def _explained(self, answers, expected, cases, off):
         """The Verdict on a program that is wrong at general numbers, in ``off`` of the calls."""
+        unit = self._in_other_units(np.array(answers), np.array(expected))
+        if unit:
+            return self.told(*unit)
         finding = explain_function(answers, expected, cases, self.family)
         known = self.refine(finding and finding.mistake, answers, cases)
         if known:
             return self.wrong(known[0], place=known[1])
         if finding:
-            return self.wrong(
-                finding.mistake, place="; ".join(filter(None, (finding.place, finding.detail)))
-            )
+            return self._found(finding)
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(
                 headline="the answer is the same whatever goes in",
@@ -131,6 +147,31 @@ class Function(Exercise):
         return self.wrong(
             headline="the answers differ from the right ones",
             place=f"{off} of {len(cases)} calls; {self._parts(answers, expected)}",
+        )
+
+    def _found(self, finding):
+        """The Verdict on a mistake that the doctor found. The catalogue speaks of poses; of a
+        program that gives other numbers its title and the doctor's place are said, or the place
+        alone where that is a sentence and the title is about poses.
+        """
+        mistake = finding.mistake
+        place = "; ".join(filter(None, (finding.place, finding.detail)))
+        if self.family not in NUMBERS or {mistake, (mistake, place)} & self.words.keys():
+            return self.wrong(mistake, place=place)
+        if mistake in OF_POSES and place:
+            return self.told(mistake, Said(place))
+        return self.told(mistake, Said(catalogue()[mistake].title, place=place))
+
+    def _in_other_units(self, answers, expected):
+        """The slip of units that explains poses, with what is said of it; None."""
+        if self.shape != (4, 4) or answers.dtype.kind != "f":
+            return None
+        position = np.zeros(answers.shape, dtype=bool)
+        position[:, :3, 3] = True
+        return in_other_units(
+            answers,
+            [Group("the position", "m", position)],
+            lambda numbers: np.allclose(numbers, expected, rtol=1e-6, atol=1e-6),
         )
 
     def refine(

@@ -3,14 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from string import ascii_lowercase
-from typing import Any
+from typing import Any, ClassVar
 
-from ..verdict import WRONG, Verdict
-from .exercise import Exercise
+from .exercise import UNDECIDED, Exercise
 
 __all__ = ["UNDECIDED", "Lettered", "Option"]
 
-UNDECIDED = "?"  # "I don't know yet", an answer to every question
 I_DONT_KNOW = "I don't know yet"
 
 
@@ -37,6 +35,7 @@ class Lettered(Exercise):
     question: str
     alphabet: str = ascii_lowercase
     undecided: str = "Good to say so. Read the paragraph above once more, then choose."
+    entry: ClassVar[str] = "place"
 
     def texts(self) -> Mapping[str, str]:
         """The text of each option by its id, in the order of their definition."""
@@ -82,12 +81,3 @@ class Lettered(Exercise):
         texts = {**self.texts(), UNDECIDED: I_DONT_KNOW}
         known = [key for key in chosen if key in texts]
         return ", ".join(letters[key] for key in known), "; ".join(texts[key] for key in known)
-
-    def say_undecided(self) -> Verdict:
-        """The Verdict on "?"."""
-        return self.say(
-            WRONG,
-            self.undecided,
-            next=f'hint("{self.id}") gives a first hint.',
-            chosen=(UNDECIDED,),
-        )

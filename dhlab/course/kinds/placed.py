@@ -12,6 +12,7 @@ from ...geometry.equivalence import equivalent
 from ...placing.board import Placement
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
+from .reading import as_numbers, is_array_of, unusable
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 
@@ -89,6 +90,8 @@ SLIDES = (
     "z lies along the direction of the slide, either way: a row's d is counted along z.",
     "Move the joint alone. Along which direction do all its points go?",
 )
+KINDS = {"z": "a z arrow", "o": "an origin", "x": "an x arrow"}  # told before the frame is
+LENGTHS = {"millimetres": 1000, "centimetres": 100}
 TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
@@ -111,6 +114,9 @@ class Frames(Exercise):
         handed_out = "frames" in given and _same(answer, given["frames"])
         return super().judge(None if handed_out else answer, variant)
 
+    def gaps(self, answer: Any) -> list[str]:
+        return []  # what is there is judged
+
     def compare(self, answer: Any, variant: int) -> Verdict:
         given = self.given(variant)
         rows = _rows(answer, len(given["axes"]) + 1)
@@ -125,7 +131,10 @@ class Frames(Exercise):
         task = Placement(given["axes"], given["end"])
         wrong = _first_wrong(task, rows)
         if wrong is not None:
-            return self._refused(task, wrong, _was_allowed(task, given, rows, wrong))
+            unit = _in_other_units(given, rows)
+            if unit:
+                return self.told("length-unit", unit)
+            return self.slowly(self._refused(task, wrong, _was_allowed(task, given, rows, wrong)))
         if not task.finished:
             right = ", ".join(
                 f"{letter}{i}"
@@ -156,7 +165,8 @@ class Frames(Exercise):
             )
         else:
             message, (why, next_step) = judgement.message, WORDS.get(rule, ("", ""))
-        headline = f"{step} is not right. {message}{allowed}"
+        what = KINDS[step[0]] if self.sparing else step
+        headline = f"{what} is not right. {message}{allowed}"
         if not why:
             return self.wrong(mistake, headline=headline, place=step)
         why, next_step = (text.replace("_i", str(i)) for text in (why, next_step))
@@ -180,6 +190,9 @@ def _rows(answer, count):
         return f"expected {count} rows [z, origin, x], one per frame, found {type(answer).__name__}"
     if len(rows) != count:
         return f"expected {count} rows [z, origin, x], frames 0 to {count - 1}, found {len(rows)}"
+    found = next(filter(None, (unusable(part) for row in rows for part in row)), "")
+    if found:
+        return f"expected plain numbers, found {found}"
     short = next((i for i, row in enumerate(rows) if len(row) != 3), None)
     return (
         rows
@@ -202,6 +215,23 @@ def _first_wrong(task, rows):
         judgement = None if untouched(value) else place(i, value)
         if judgement is not None and not judgement and judgement.rule != "order":
             return judgement
+    return None
+
+
+def _in_other_units(given, rows):
+    """What is said of origins that are right in another unit than metres; None."""
+    there = [(i, row[1]) for i, row in enumerate(rows) if is_array_of(as_numbers(row[1]), row[1])]
+    if not any(np.any(as_numbers(point)) for _, point in there):
+        return None
+    for unit, factor in LENGTHS.items():
+        scaled = [list(row) for row in rows]
+        for i, point in there:
+            scaled[i][1] = as_numbers(point) / factor
+        if _first_wrong(Placement(given["axes"], given["end"]), scaled) is None:
+            return Said(
+                f"in other units: the origins in {unit}; metres are asked",
+                next=f"Divide by {factor}, once, and all origins.",
+            )
     return None
 
 

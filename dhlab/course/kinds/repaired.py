@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from ...doctor import explain_rows
-from ...printing import number
 from ..verdict import RIGHT, Verdict
 from . import Said, Table, as_arm
+from .arms import SAME, apart, in_table_units, size
 
 __all__ = ["Repair", "Impostor"]
 
 COLUMNS = ("theta", "d", "a", "alpha")
-SAME = 1e-6  # rad, m; and what a pose may differ by
+VALUES = ("offset-value", "length-value", "length-value", "alpha-value")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,40 +25,37 @@ class Repair(Table):
 
     handed_out: Callable
 
-    def compare(self, answer: Any, variant: int) -> Verdict:
-        verdict = super().compare(answer, variant)
-        if verdict.status == RIGHT or verdict.mistake is not None:
-            return verdict
-        return self._by_entries(answer, variant) or verdict
-
-    def _by_entries(self, answer, variant):
-        """What to say of an answer in which one entry was changed: the wrong entry, or the right
-        one to a wrong number; None for others.
-        """
-        right = self.right_arm(variant)
-        broken = _in_radians(self.handed_out(**self.given(variant)))
-        try:
-            rows = as_arm(answer, right).table.rows
-        except ValueError:
-            return None
-        changed = (
-            [] if rows.shape != broken.shape else list(zip(*np.nonzero(abs(rows - broken) > SAME)))
-        )
-        if len(changed) != 1:
-            return None
-        ((i, k),) = changed
-        place = f"row {i + 1}, {COLUMNS[k]}"
-        if abs(broken[i, k] - right.table.rows[i, k]) < SAME:
+    def _explained(self, arm, right, q, variant):
+        """The Verdict on another arm: which of the changed entries were right before."""
+        broken = as_arm(self.handed_out(**self.given(variant)), right).table
+        table = arm.table
+        same_kind = (table.convention, table.joints) == (broken.convention, broken.joints)
+        changed = np.argwhere(np.abs(table.rows - broken.rows) > SAME) if same_kind else []
+        if not len(changed) or in_table_units(arm, right, q):
+            return super()._explained(arm, right, q, variant)
+        was_right = [
+            f"row {i + 1}, {COLUMNS[k]}"
+            for i, k in changed
+            if abs(broken.rows[i, k] - right.table.rows[i, k]) < SAME
+        ]
+        if len(changed) > 1:
+            return self.wrong(
+                headline=f"{len(changed)} entries are changed, and one change is enough",
+                place=f"right before: {'; '.join(was_right)}",
+                next="Put these back. Which entry does the evidence point at?",
+            )
+        if was_right:
             return self.wrong(
                 headline="this entry was right before you changed it",
-                place=place,
+                place=was_right[0],
                 next="Put it back. Which entry does the evidence point at?",
             )
-        return self.wrong(
-            "length-value" if k in (1, 2) else None,
-            place=Said(
+        ((i, k),) = changed
+        return self.told(
+            VALUES[k],
+            Said(
                 "the right entry, but not yet the right number",
-                place=place,
+                place=f"row {i + 1}, {COLUMNS[k]}",
                 next="How much does the evidence say is missing, and with which sign?",
             ),
         )
@@ -78,14 +75,13 @@ class Impostor(Table):
         if isinstance(arm, Verdict):
             return arm
         q = self.poses_at(variant)
-        seen, hidden = _apart(arm, right, 0 * q[:1]), _apart(arm, right, q)
+        seen, hidden = apart(arm, right, 0 * q[:1]), apart(arm, right, q)
         if max(seen) > SAME:
             finding = explain_rows(arm, right, q)
             return self.wrong(
                 finding and finding.mistake,
                 place=Said(
-                    f"q = 0 finds this one out: {_size(seen)} off there",
-                    place=finding.place if finding else "",
+                    f"q = 0 finds this one out: {size(seen)} off there",
                     next="Look for a change that a stretched arm does not show.",
                 ),
             )
@@ -98,25 +94,5 @@ class Impostor(Table):
         return self.say(
             RIGHT,
             f"{self.praise} At q = 0 it cannot be told from the right table; at general q it is up"
-            f" to {_size(hidden)} off.",
+            f" to {size(hidden)} off.",
         )
-
-
-def _in_radians(rows):
-    return np.asarray(rows, dtype=float) * [np.pi / 180, 1, 1, np.pi / 180]
-
-
-def _apart(one, other, q):
-    """The largest distance (m) and angle (rad) between two arms' ends over configurations q (m,
-    n).
-    """
-    A, B = one.forward(q), other.forward(q)
-    chord = np.linalg.norm(A[..., :3, :3] - B[..., :3, :3], axis=(-1, -2)) / np.sqrt(8)
-    return (
-        np.linalg.norm(A[..., :3, 3] - B[..., :3, 3], axis=-1).max(),
-        2 * np.arcsin(np.clip(chord, 0, 1)).max(),
-    )
-
-
-def _size(apart):
-    return f"{number(1000 * apart[0], 0)} mm and {number(np.rad2deg(apart[1]), 0)}°"

@@ -8,16 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...doctor import explain_rows
+from ...doctor import catalogue, explain_rows
+from ...doctor.finding import Finding
 from ...geometry.equivalence import equivalent
 from ...table import DHTable
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
-from .exercise import Exercise, no_draw, untouched
+from .arms import SAME, apart, in_table_units, size, where
+from .exercise import Exercise, Said, no_draw, untouched
 from .functions import CASES
+from .reading import Unreadable, plain, unusable
 
 __all__ = ["Table", "as_arm", "numbers"]
-
-SAME = 1e-6  # rad, m; how far a right pose may be off
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,15 +27,17 @@ class Table(Exercise):
     table passes.
 
     ``draw(rng)`` gives the task's numbers by name and ``answer(**given)`` the right Arm;
-    ``mistakes(**given)`` yields (mistake, place, wrong Arm or its rows in degrees and metres)
-    beyond those of the doctor's :func:`wrong_tables`; ``handed_out(**given)`` is the table of a
-    "smallest fix", in degrees and metres, which is no attempt as long as it is unchanged.
+    ``mistakes(**given)`` yields (mistake, what is said, wrong Arm or its rows in degrees and
+    metres) beyond those of the doctor's :func:`wrong_tables`; ``handed_out(**given)`` is the table
+    of a "smallest fix", in degrees and metres, which is no attempt as long as it is unchanged.
+    ``tolerance`` (rad, m) is how far the end may be off at any of the poses.
     """
 
     answer: Callable
     draw: Callable = no_draw
     mistakes: Callable = lambda **given: ()
     handed_out: Callable | None = None
+    tolerance: float = SAME
 
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
@@ -71,17 +74,45 @@ class Table(Exercise):
         if isinstance(arm, Verdict):
             return arm
         q = self.poses_at(variant)
-        if not _apart(arm, right, q):
-            choices = "; ".join(choice.message for choice in equivalent(right, arm).differences)
-            other = f" Yours is another right table than ours: {choices}." if choices else ""
-            return self.say(RIGHT, f"{self.praise}{other}")
-        for mistake, place, wrong in self.mistakes(**self.given(variant)):
-            if not _apart(as_arm(wrong, right), arm, q):
-                return self.wrong(mistake, place=place)
+        off = apart(arm, right, q)
+        if max(off) <= self.tolerance:
+            return self._right(arm, right, off)
+        return self.slowly(self._explained(arm, right, q, variant))
+
+    def _right(self, arm, right, off):
+        """The Verdict on a right table: how it is another one than ours, or how far off it is."""
+        if max(off) > SAME:
+            return self.say(RIGHT, f"{self.praise} Yours is within {size(off)} of ours.")
+        choices = "; ".join(choice.message for choice in equivalent(right, arm).differences)
+        other = f" Yours is another right table than ours: {choices}." if choices else ""
+        return self.say(RIGHT, f"{self.praise}{other}")
+
+    def _explained(self, arm, right, q, variant):
+        """The Verdict on another arm than the right one."""
+        unit = in_table_units(arm, right, q)
+        if unit:
+            return self.told(*unit)
+        for mistake, said, wrong in self.mistakes(**self.given(variant)):
+            if max(apart(as_arm(wrong, right), arm, q)) <= SAME:
+                return self.told(mistake, said)
         finding = explain_rows(arm, right, q)
         if finding:
+            return self.found(finding)
+        return self.wrong(
+            headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
+            place=where(arm, right, q),
+        )
+
+    def found(self, finding: Finding) -> Verdict:
+        """The Verdict on a mistake that the doctor found in a table, in the words of this exercise
+        or by its title. What the catalogue sees elsewhere (turned by twice that angle, a pose that
+        fits another matrix) need not be true of this arm.
+        """
+        if {finding.mistake, (finding.mistake, finding.place)} & self.words.keys():
             return self.wrong(finding.mistake, place=finding.place)
-        return self.wrong(headline="this is another arm", place=_where(arm, right, q))
+        mistake = catalogue()[finding.mistake]
+        said = Said(mistake.title, next=mistake.next, why=mistake.why, place=finding.place)
+        return self.told(finding.mistake, said)
 
     def _unchanged(self, answer, variant):
         """Whether an answer, in whatever dress, is the table that was handed out."""
@@ -113,28 +144,6 @@ class Table(Exercise):
         )
 
 
-def _apart(one, other, q):
-    """Whether two arms' ends differ somewhere."""
-    return not np.allclose(one.forward(q), other.forward(q), rtol=0, atol=SAME)
-
-
-def _where(arm, right, q):
-    """The first joint whose axis is not where it must be, and which numbers may be to blame."""
-    difference = np.abs(arm.forward(q) - right.forward(q)).max(axis=0)
-    words = (
-        "theta, alpha or the order of the rows"
-        if difference[:3, :3].max() > SAME
-        else "d and a: the rotation is right at every pose"
-    )
-    joint = equivalent(right, arm).joint
-    axis = (
-        f"joint {joint} is the first whose axis is not where it must be; "
-        if joint
-        else "every joint's axis is right, only the end is not; "
-    )
-    return f"{axis}look at {words}"
-
-
 def as_arm(answer: Any, right: Arm) -> Arm:
     """The answer as an Arm with the right one's base, tool and signs; rows are degrees and metres.
 
@@ -146,12 +155,24 @@ def as_arm(answer: Any, right: Arm) -> Arm:
     if isinstance(answer, Arm):
         return answer
     if not isinstance(answer, DHTable):
+        answer = _rows_of(answer)
         make = DHTable.standard if right.table.convention == "standard" else DHTable.craig
         fits = np.iterable(answer) and len(list(answer)) == len(right)
         answer = make(answer, angle="deg", joints=right.table.joints if fits else None)
     if len(answer) != len(right):
         return Arm(answer)
     return Arm(answer, base=right.base, tool=right.tool, sign=right.sign)
+
+
+def _rows_of(answer):
+    """The rows of an answer as numpy holds them; what is no table is left to DHTable to refuse."""
+    found = unusable(answer)
+    if found:
+        raise ValueError(f"expected a table of numbers, found {found}")
+    try:
+        return plain(answer)
+    except Unreadable:
+        return answer
 
 
 def numbers(table: DHTable) -> list[list[float]]:

@@ -5,12 +5,19 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..verdict import Verdict
-from .exercise import Exercise, no_draw
+from .exercise import Exercise, Said, no_draw
+from .reading import Unreadable, plain
+from .units import LOOSELY, Group, in_other_units, of_places
 
-__all__ = ["Value", "as_numbers", "is_array_of"]
+__all__ = ["Value"]
+
+CUT_OFF = Said(
+    "these are the right numbers with their decimals cut off",
+    next="An array of whole numbers cuts off what is written into it: say dtype=float.",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,11 +25,13 @@ class Value(Exercise):
     """A number or an array to be given.
 
     ``draw(rng)`` gives the task's numbers by name; ``answer(**given)`` the right value;
-    ``mistakes(**given)`` yields (mistake, place, wrong value); ``misshapen(answer, **given)`` gives
-    (mistake, place) for wrong answers that it knows whatever their shape, else None; ``entries``
-    names the entries of a vector, for the place; ``turns`` are the positions of the entries that
-    are angles in degrees: these are compared modulo 360, with the right value and with the wrong
-    ones.
+    ``mistakes(**given)`` yields (mistake, what is said, wrong value); ``misshapen(answer,
+    **given)`` gives (mistake, what is said) for wrong answers that it knows whatever their shape,
+    else None; ``entries`` names the entries of a vector, for the place; ``turns`` are the positions
+    of the entries that are angles in degrees: these are compared modulo 360, with the right value
+    and with the wrong ones. ``units`` is the unit of all numbers, or of each entry of a vector
+    ("deg", "rad", "m", "m/s", "rad/s", "" for none), or "pose" for a 4×4 in metres: other units are
+    tried before anything else is said.
     """
 
     answer: Callable
@@ -31,6 +40,7 @@ class Value(Exercise):
     misshapen: Callable = lambda answer, **given: None
     entries: tuple = ()
     turns: tuple = ()
+    units: str | tuple = ""
     tolerance: float = 1e-3
 
     def given(self, variant: int) -> Mapping[str, Any]:
@@ -38,15 +48,17 @@ class Value(Exercise):
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         given = self.given(variant)
+        expected = np.asarray(self.answer(**given), dtype=float)
+        if isinstance(answer, np.matrix) and expected.ndim < 2:
+            answer = np.asarray(answer).reshape(-1 if expected.ndim else ())
         known = self.misshapen(answer, **given)
         if known:
-            return self.wrong(known[0], place=known[1])
-        expected = np.asarray(self.answer(**given), dtype=float)
+            return self.told(*known)
         try:
-            array = _plain(answer)
-        except (TypeError, ValueError):
+            array = plain(answer)
+        except Unreadable as found:
             return self.wrong(
-                headline=f"expected {_amount(expected)}, found {type(answer).__name__}",
+                headline=f"expected {_amount(expected)}, found {found}",
                 next="Give plain numbers, all of them, no text.",
             )
         if array.shape != expected.shape:
@@ -60,24 +72,41 @@ class Value(Exercise):
         off = self.differs(array, expected)
         if not off.any():
             return self.right()
-        for mistake, place, value in self.mistakes(**given):
+        unit = in_other_units(
+            array,
+            self._groups(expected),
+            lambda numbers: not self.differs(numbers, expected, LOOSELY).any(),
+        )
+        if unit:
+            return self.told(*unit)
+        for mistake, said, value in self.mistakes(**given):
             if (
                 np.shape(value) == array.shape
                 and not self.differs(array, np.asarray(value, dtype=float)).any()
             ):
-                return self.wrong(mistake, place=place)
+                return self.told(mistake, said)
         if np.array_equal(array, np.trunc(expected)) and array.dtype.kind == "i":
-            return self.wrong("integer-arrays")
+            return self.told("integer-arrays", CUT_OFF)
         return self.wrong(headline="these are not the numbers", place=self._place(off))
 
-    def differs(self, array: NDArray, value: NDArray) -> NDArray[np.bool_]:
+    def _groups(self, expected):
+        """The numbers by their units."""
+        if self.units == "pose":
+            return [Group("the last column", "m", np.pad(np.ones((3, 1)), ((0, 1), (3, 0))) > 0)]
+        if isinstance(self.units, tuple):
+            return of_places(self.units, self.entries)
+        every = np.ones(expected.shape, dtype=bool)
+        return [Group("the numbers", self.units, every)] if self.units else []
+
+    def differs(self, array: NDArray, value: NDArray, tolerance: float = 0) -> NDArray[np.bool_]:
         """Which entries of an array differ from those of a value, or of a stack of values; whole
-        turns apart where they are angles.
+        turns apart where they are angles. ``tolerance`` where it is to be larger than usual.
         """
         difference = np.asarray(array - value)
         angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
         difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
-        return ~(np.abs(difference) <= self.tolerance * (1 + np.abs(value)))
+        allowed = max(tolerance, self.tolerance) * (1 + np.abs(value))
+        return ~(np.abs(difference) <= allowed)
 
     def _place(self, off):
         if off.ndim == 2:
@@ -87,32 +116,5 @@ class Value(Exercise):
         return ", ".join(name for name, bad in zip(names, np.ravel(off)) if bad) if off.ndim else ""
 
 
-def _plain(answer):
-    """The answer as an array of numbers; TypeError or ValueError where it holds anything else."""
-    array = np.asarray(answer)
-    if array.dtype.kind in "iuf":
-        return array
-    return array.astype(float, casting="unsafe" if array.dtype.kind == "O" else "safe")
-
-
 def _amount(array):
     return "one number" if array.ndim == 0 else f"{'×'.join(map(str, array.shape))} numbers"
-
-
-def as_numbers(answer: Any) -> NDArray[np.float64]:
-    """The answer as an array of decimals, whatever its shape; of no numbers, an empty one.
-
-    Examples
-    --------
-    >>> as_numbers([1, 2]), as_numbers("two")
-    (array([1., 2.]), array([], dtype=float64))
-    """
-    try:
-        return np.asarray(answer, dtype=float)
-    except (TypeError, ValueError):
-        return np.empty(0)
-
-
-def is_array_of(answer: NDArray[np.float64], value: ArrayLike) -> bool:
-    """Whether an array, already of decimals, has the shape and the numbers of a value."""
-    return answer.shape == np.shape(value) and np.allclose(answer, value, rtol=1e-3, atol=1e-3)

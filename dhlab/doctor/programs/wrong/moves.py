@@ -78,6 +78,70 @@ def _products():
     yield "pose-inverted", "the first pose", lambda A, B: np.linalg.inv(A) @ B
     yield "pose-inverted", "the second pose", lambda A, B: A @ np.linalg.inv(B)
     yield "matrix-transposed", "the first pose", lambda A, B: A.T @ B
+    yield from _by_blocks()
+
+
+def _by_blocks():
+    """Rotation and position worked out apart, and one of the two otherwise than the product has
+    it.
+    """
+    for mistake, place, R_ac, p_ac in (
+        ("product-reversed", "the two rotations; the position is right", _back, _right_p),
+        ("product-reversed", "the position; the rotation is right", _right_R, _p_back),
+        ("product-reversed", "the second shift is added before it is turned", _right_R, _p_first),
+        ("product-starts-late", "in the position: p_ab is left out", _right_R, _turned),
+        ("product-stops-early", "in the position: p_bc is left out", _right_R, _p_ab),
+        ("length-sign", "the turned p_bc is taken off, not added", _right_R, _p_minus),
+        ("rotation-transposed", "R_ab, where it turns p_bc", _right_R, _p_turned_back),
+        ("translations-not-rotated", "and the rotations are reversed", _back, _p_sum),
+    ):
+
+        def version(A, B, R_ac=R_ac, p_ac=p_ac):
+            T = np.eye(4)
+            T[:3, :3], T[:3, 3] = R_ac(A, B), p_ac(A, B)
+            return T
+
+        yield mistake, place, version
+
+
+def _right_R(A, B):
+    return A[:3, :3] @ B[:3, :3]
+
+
+def _back(A, B):
+    return B[:3, :3] @ A[:3, :3]
+
+
+def _turned(A, B):
+    return A[:3, :3] @ B[:3, 3]
+
+
+def _right_p(A, B):
+    return _turned(A, B) + A[:3, 3]
+
+
+def _p_ab(A, B):
+    return A[:3, 3]
+
+
+def _p_minus(A, B):
+    return A[:3, 3] - _turned(A, B)
+
+
+def _p_sum(A, B):
+    return A[:3, 3] + B[:3, 3]
+
+
+def _p_back(A, B):
+    return B[:3, :3] @ A[:3, 3] + B[:3, 3]
+
+
+def _p_first(A, B):
+    return A[:3, :3] @ (A[:3, 3] + B[:3, 3])
+
+
+def _p_turned_back(A, B):
+    return A[:3, :3].T @ B[:3, 3] + A[:3, 3]
 
 
 def _added(T_ab, T_bc):

@@ -1,0 +1,110 @@
+"""What is said of a table that describes another arm: in which units it would be right, how far off
+its end is, and where the two arms part.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arm import Arm
+from ...geometry.equivalence import equivalent
+from ...printing import number
+from ...table import DHTable
+from .exercise import Said
+from .units import LOOSELY, Group, in_other_units
+
+__all__ = ["SAME", "apart", "in_table_units", "size", "where"]
+
+SAME = 1e-6  # rad, m; how far a right pose may be off
+COLUMNS = (("θ", "deg"), ("d", "m"), ("a", "m"), ("α", "deg"))
+IN_DEGREES = np.array([180 / np.pi, 1, 1, 180 / np.pi])
+
+
+def apart(one: Arm, other: Arm, q: NDArray[np.float64]) -> tuple[float, float]:
+    """The largest distance (m) and angle (rad) between two arms' ends over configurations q (m,
+    n).
+    """
+    A, B = one.forward(q), other.forward(q)
+    chord = np.linalg.norm(A[..., :3, :3] - B[..., :3, :3], axis=(-1, -2)) / np.sqrt(8)
+    return (
+        float(np.linalg.norm(A[..., :3, 3] - B[..., :3, 3], axis=-1).max()),
+        float(2 * np.arcsin(np.clip(chord, 0, 1)).max()),
+    )
+
+
+def size(off: tuple[float, float]) -> str:
+    """How far off an end is, for a reader.
+
+    Examples
+    --------
+    >>> size((0.0000364, 0.0))
+    '0.036 mm and 0°'
+    >>> size((0.153, 0.7))
+    '153 mm and 40°'
+    """
+    return f"{_rounded(1000 * off[0])} mm and {_rounded(np.rad2deg(off[1]))}°"
+
+
+def _rounded(value):
+    if value < 1e-5:
+        return "0"
+    return number(value, 0 if value >= 10 else max(0, 1 - int(np.floor(np.log10(value)))))
+
+
+def in_table_units(arm: Arm, right: Arm, q: NDArray[np.float64]) -> tuple[str, Said] | None:
+    """The slip of units that makes the one arm of the other: of whole columns, else of one entry;
+    None when there is none.
+    """
+    rows, columns = arm.table.rows * IN_DEGREES, np.arange(4)
+    q = q[:4]
+
+    def fits(rows):
+        return max(apart(_with_rows(arm, rows), right, q)) <= 2 * LOOSELY
+
+    every = np.ones((len(rows), 1), dtype=bool)
+    of_columns = [
+        Group(name, unit, every & (columns == k)) for k, (name, unit) in enumerate(COLUMNS)
+    ]
+    found = in_other_units(rows, of_columns, fits)
+    if found:
+        return found
+    singles = (
+        in_other_units(rows, [Group(f"{name} of row {i + 1}", unit, _only(rows.shape, i, k))], fits)
+        for i in range(len(rows))
+        for k, (name, unit) in enumerate(COLUMNS)
+    )
+    return next(filter(None, singles), None)
+
+
+def _only(shape, i, k):
+    where = np.zeros(shape, dtype=bool)
+    where[i, k] = True
+    return where
+
+
+def _with_rows(arm, rows):
+    table = arm.table
+    make = DHTable.standard if table.convention == "standard" else DHTable.craig
+    return replace(arm, table=make(rows, angle="deg", joints=table.joints))
+
+
+def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
+    """The first joint whose axis is not where it must be, and which numbers lead to it."""
+    turned = np.abs(arm.forward(q) - right.forward(q))[:, :3, :3].max() > SAME
+    lengths = "" if turned else "; the rotation is right at every pose, so look at the lengths"
+    joint = equivalent(right, arm).joint
+    if not joint:
+        return f"every joint's axis is where it must be, only the end is not{lengths}"
+    if joint == 1:
+        return f"the axis of joint 1 is not where it must be{lengths}"
+    before = joint - 1
+    lead = (
+        f"row {before} leads"
+        if arm.table.convention == "standard"
+        else f"θ and d of row {before} lead, with a and α of row {joint},"
+    )
+    return (
+        f"the axis of joint {before} is where it must be, that of joint {joint} is not: {lead} from"
+        f" the one to the other{lengths}"
+    )
