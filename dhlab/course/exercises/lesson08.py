@@ -1,7 +1,7 @@
 """Lesson 08, first sitting, beyond forward kinematics: the Jacobian, singularities."""
 
 from ...doctor.programs.wrong.jacobians import geometric_jacobian
-from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
+from ..kinds import Choice, Function, Option, Order, Prediction, Value
 from .answers08 import (
     COLUMN_LINES,
     PEN,
