@@ -30,8 +30,10 @@ class Repair(Table):
         broken = as_arm(self.handed_out(**self.given(variant)), right).table
         table = arm.table
         same_kind = (table.convention, table.joints) == (broken.convention, broken.joints)
-        changed = np.argwhere(np.abs(table.rows - broken.rows) > SAME) if same_kind else []
-        if not len(changed) or in_table_units(arm, right, q):
+        if not same_kind or in_table_units(arm, right, q):
+            return super()._explained(arm, right, q, variant)
+        changed = np.argwhere(np.abs(table.rows - broken.rows) > SAME)
+        if not len(changed):
             return super()._explained(arm, right, q, variant)
         was_right = [
             f"row {i + 1}, {COLUMNS[k]}"
