@@ -20,6 +20,7 @@ from .generate import generate
 from .grade import grade
 from .ik import ik
 from .lab import lab
+from .paste import paste
 from .release import release
 from .robots import list_robots
 from .to_urdf import to_urdf
@@ -49,6 +50,7 @@ app.command()(release)
 app.command()(grade)
 app.add_typer(export, name="export")
 app.command()(doctor)
+app.command()(paste)
 app.command()(fk)
 app.command()(ik)
 app.command(name="from-urdf")(from_urdf)

@@ -2,7 +2,7 @@
 extra rows; where two readings fit, both.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -37,6 +37,9 @@ class Recognised:
         The end poses there.
     notes : tuple of str
         Patterns worth a look: degrees among radians, lengths all positive.
+    open : tuple of str
+        The names of the questions, in their order: "order", "convention", "angle", "length", "row",
+        "form".
     matches : bool or None
         Whether the first reading is equivalent to ``right``; None without it.
 
@@ -54,6 +57,7 @@ class Recognised:
     poses: np.ndarray | None = None
     notes: tuple = ()
     matches: bool | None = None
+    open: tuple = ()
 
     @property
     def arm(self):
@@ -144,9 +148,10 @@ def recognise_table(
     array([ 0.    , -1.5708])
     """
     _check_answers(order, convention, angle, length)
-    table = take_apart(given, values, nominal)
+    table = take_apart(given, values, nominal, length)
     if isinstance(table, list):  # read as an arm: nothing is left to ask of columns
-        return _answer(_different(table), (), right)
+        told = [replace(one, arm=one.arm.to(convention)) for one in table] if convention else table
+        return _answer(_different(told), (), right)
     found = list(readings(table, order, convention, angle, length, right, tidy))
     if not found:
         raise ValueError(
@@ -218,14 +223,13 @@ def _answer(readings, notes, right):
     if right is not None:
         same, but_for = _equivalent(right, readings)
         readings, notes, matches = same or readings, (*but_for, *notes), bool(same)
-    questions = tuple(
-        _question(name, readings)
-        for name in QUESTIONS
-        if len({dict(reading.choices)[name] for reading in readings}) > 1
+    asked = tuple(
+        name for name in QUESTIONS if len({dict(reading.choices)[name] for reading in readings}) > 1
     )
+    questions = tuple(_question(name, readings) for name in asked)
     q = _telling(readings)
     poses = None if q is None else np.array([reading.arm.forward(q) for reading in readings])
-    return Recognised(tuple(readings), questions, q, poses, notes, matches)
+    return Recognised(tuple(readings), questions, q, poses, notes, matches, asked)
 
 
 def _question(name, readings):

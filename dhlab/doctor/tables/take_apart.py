@@ -39,7 +39,7 @@ READERS = (
 )
 
 
-def take_apart(given, values=None, nominal=None):
+def take_apart(given, values=None, nominal=None, length=None):
     """The Pasted table in a text, or in rows of numbers and texts; a list of Readings where the
     text describes an arm otherwise.
 
@@ -49,7 +49,7 @@ def take_apart(given, values=None, nominal=None):
         One sentence with the line: expected, found, what to do.
     """
     if isinstance(given, str):
-        return _from_text(given, values, nominal)
+        return _from_text(given, values, nominal, length)
     if isinstance(given, (bytes, dict)) or not np.iterable(given):
         raise ValueError(
             "recognise_table: expected a text or rows of four numbers, found"
@@ -62,8 +62,9 @@ def take_apart(given, values=None, nominal=None):
     return from_grid([(f"row {i}", row) for i, row in enumerate(cells, 1)])
 
 
-def _from_text(text, values, nominal):
+def _from_text(text, values, nominal, length):
     source = source_of(text, values)
+    source.asked_length = length or ""
     for read in READERS:
         found = read(source, nominal)
         if found is not None:

@@ -24,7 +24,9 @@ def told(form, make, lengths, source, why="", units=None):
     longest = sizes.max(initial=0.0)
     said = source.length if not (source.length == "mm" and longest < LONGEST_ARM) else ""
     if units is None:
-        if said:
+        if source.asked_length:
+            units = [source.asked_length]
+        elif said:
             units = [said]
         elif source.length == "mm":
             units = ["m", "mm"]
@@ -35,10 +37,15 @@ def told(form, make, lengths, source, why="", units=None):
     return [
         Reading(
             make(TO_METRES[unit]),
-            f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}"
-            + (", as the text says" if unit == said else " by size"),
+            f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}{_why(unit, said, source)}",
             (),
             tuple(zip(QUESTIONS, ((), "", "rad", unit, (), ""))),
         )
         for unit in units
     ]
+
+
+def _why(unit, said, source):
+    if source.asked_length:
+        return ", as you say"
+    return ", as the text says" if unit == said else " by size"

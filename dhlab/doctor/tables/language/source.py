@@ -38,7 +38,8 @@ class Source:
     """A text made ready. ``code`` is it without comments, in plain letters; ``assigned`` what each
     name is said to be; ``comments`` the rest, as (line, text); ``known`` what letters stand for:
     what is assigned, but for the values of joints; ``convention``, ``length`` and ``angle`` what
-    words of the text say, "" when they say nothing or both.
+    words of the text say, "" when they say nothing or both; ``asked_length`` what the reader of the
+    text says himself.
     """
 
     text: str
@@ -49,6 +50,7 @@ class Source:
     convention: str = ""
     length: str = ""
     angle: str = ""
+    asked_length: str = ""
 
     def value(self, text):
         """The Value of an expression of this text, None when it is none."""
