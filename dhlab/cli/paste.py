@@ -3,12 +3,15 @@
 import json
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from ..formats.files import read_text
 from .common import Json, NewTable, arm_of, described
+
+if TYPE_CHECKING:
+    from ..doctor import Recognised
 
 __all__ = ["paste"]
 
@@ -141,7 +144,7 @@ def _words(found, chosen):
     return "\n".join(lines)
 
 
-def _told(found) -> dict[str, Any]:
+def _told(found: "Recognised") -> dict[str, Any]:
     """What was found, for a program to read: metres and radians."""
     return {
         "readings": [
