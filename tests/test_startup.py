@@ -106,12 +106,3 @@ def test_a_function_with_the_name_of_its_module_stays_the_function(package, name
         f"from {package} import {name}",
     ):
         loaded(f"import sys, {package} as p; {first}; p.{name}(); {same}")
-
-
-def test_a_room_that_is_loaded_late_is_no_call_to_the_library():
-    """A learner's function that loads an arm for its numbers has not borrowed its kinematics."""
-    loaded(
-        "import dhlab as dh\nfrom dhlab.grading.inside import watch\n"
-        "with watch.library(['dh_transform']) as used: dh.load('ur5e').table.rows\n"
-        "assert used == set(), used"
-    )

@@ -4,6 +4,7 @@ stopped.
 
 import hashlib
 import json
+import secrets
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
@@ -12,7 +13,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from .intake.roster import Student
-from .judging.questions import Course
+from .judging.questions import Course, seed
 from .judging.work import Handed, Task, close, work
 from .plan import Plan, plan
 from .results.gradebook import Gradebook
@@ -115,20 +116,27 @@ def _todo(planned, book, key):
             ):
                 kept.add(student)
     return (
-        _whole(student, mine, planned.course, book)
+        _whole(student, mine, planned.course, book, key)
         for student, mine in planned.found.items()
         if student not in kept
     ), kept
 
 
-def _whole(student, mine, course, book):
+def _whole(student, mine, course, book, key):
     """(task, course) of a student; an exercise alone is graded only where the rest has been."""
-    task = _task(student, mine, course)
-    before = book.read(student) if course.only else None
+    before = book.read(student)
+    number = (before and before.number) or secrets.token_hex(16)
+    task = replace(
+        _task(student, mine, course),
+        number=number,
+        seeds={e.id: seed(key, number, student, e.id) for e in course.exercises},
+    )
     if course.only and (
         before is None or course.only not in {mark.exercise for mark in before.marks}
     ):
-        return task, replace(course, only="")
+        whole = replace(course, only="")
+        seeds = {e.id: seed(key, number, student, e.id) for e in whole.exercises}
+        return replace(task, seeds=seeds), whole
     return task, course
 
 

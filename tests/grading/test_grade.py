@@ -73,15 +73,21 @@ def hand_in(folder, student, change=None, replace=()):
 
 
 def on_disk(out):
-    """All marks as they stand on disk, but for the seconds they took."""
+    """All marks as they stand on disk, but for the seconds they took and the number that inputs
+    are drawn from.
+    """
     found = {
         path.stem: json.loads(path.read_text(encoding="utf-8"))
         for path in (out / "marks").glob("*.json")
     }
     return {
-        student: {key: value for key, value in graded.items() if key != "seconds"}
+        student: {key: value for key, value in graded.items() if key not in ("seconds", "number")}
         for student, graded in found.items()
     }
+
+
+def marks_in(out):
+    return sorted((out / "marks").glob("*.json"))
 
 
 def command(*words):
@@ -282,7 +288,12 @@ def test_a_second_run_grades_what_is_new_and_one_exercise_leaves_the_rest(folder
     for mark in edited["marks"]:
         mark["note"] = "seen by a person"
     path.write_text(json.dumps(edited), encoding="utf-8")
+    numbers = {path: json.loads(path.read_text("utf-8"))["number"] for path in marks_in(out)}
     results, _ = grade(folder, out, roster=ROSTER, exercise="05.7")
+    assert numbers == {
+        path: json.loads(path.read_text("utf-8"))["number"] for path in marks_in(out)
+    }
+    assert len(set(numbers.values())) == len(numbers)
     notes = {
         mark.exercise: mark.note for mark in next(g for g in results if g.student == "cy").marks
     }

@@ -15,7 +15,28 @@ import numpy as np
 
 from .stops import in_words
 
-__all__ = ["Called", "CallFault", "is_stub", "line_of", "record", "shown"]
+__all__ = [
+    "Called",
+    "CallFault",
+    "Fault",
+    "call",
+    "fits",
+    "is_stub",
+    "line_of",
+    "quiet",
+    "record",
+    "shown",
+]
+
+
+class Fault(Exception):
+    """What a call ended with: its ``kind``, "stops", "changed" or "interrupted", the ``error`` that
+    stopped it, and the ``line`` of the function, counted from its first; 0 when it is not known.
+    """
+
+    def __init__(self, kind, error=None, line=0):
+        super().__init__(kind)
+        self.kind, self.error, self.line = kind, error, line
 
 
 class CallFault(Exception):
@@ -90,70 +111,113 @@ def record(f, cases, names, run=None):
     >>> record(lambda x: x + 1, [(1,), (2,)], ["x"])
     Called(answers=(2, 3), again=2, fault=None, unwritten=False)
     """
+    if not fits(f, names):
+        return Called(fault=_misfit(f, names))
     try:
-        _fits(f, names)
-        with (
-            contextlib.redirect_stdout(io.StringIO()),
-            warnings.catch_warnings(),
-            np.errstate(all="ignore"),
-        ):
-            warnings.simplefilter("ignore")
-            return Called(
-                tuple(_call(f, case, names, run) for case in cases), _call(f, cases[0], names, run)
-            )
+        with quiet():
+            answers = tuple(_told(f, case, names, run) for case in cases)
+            return Called(answers, _told(f, cases[0], names, run))
     except CallFault as fault:
         return Called(fault=fault)
     except NotImplementedError:
         return Called(unwritten=True)
 
 
-def _fits(f, names):
-    """Whether the function takes as many arguments as it will be given; said before Python says it
-    less plainly.
+@contextlib.contextmanager
+def quiet():
+    """Without what a learner's program prints and warns of."""
+    with (
+        contextlib.redirect_stdout(io.StringIO()),
+        warnings.catch_warnings(),
+        np.errstate(all="ignore"),
+    ):
+        warnings.simplefilter("ignore")
+        yield
+
+
+def fits(f, names):
+    """Whether a function takes as many arguments as it will be given; true where it does not say.
+
+    Examples
+    --------
+    >>> fits(lambda theta, d: 0, ["theta", "d"]), fits(lambda: 0, ["theta"])
+    (True, False)
     """
     try:
         signature = inspect.signature(f)
-    except (ValueError, TypeError):  # no signature to be had
-        return
+    except (ValueError, TypeError):
+        return True
     try:
         signature.bind(*names)
     except TypeError:
-        takes = ", ".join(signature.parameters) or "nothing"
-        raise CallFault(
-            f"TypeError: the function cannot be called with {len(names)} arguments"
-            f" ({', '.join(names)})",
-            f"it takes {takes}",
-            f"Give it the arguments {', '.join(names)}, in this order.",
-        ) from None
+        return False
+    return True
 
 
-def _call(f, case, names, run):
+def _misfit(f, names):
+    """Said before Python says it less plainly."""
+    takes = ", ".join(inspect.signature(f).parameters) or "nothing"
+    return CallFault(
+        f"TypeError: the function cannot be called with {len(names)} arguments"
+        f" ({', '.join(names)})",
+        f"it takes {takes}",
+        f"Give it the arguments {', '.join(names)}, in this order.",
+    )
+
+
+def call(f, case, run=None):
+    """What a function gives for one case, called with copies.
+
+    Raises
+    ------
+    Fault
+        It stops, or changes the numbers it was given.
+    NotImplementedError
+        The function raises it: it is not written yet.
+    """
     given = copy.deepcopy(case)
     try:
         answer = copy.deepcopy(run(f, *given) if run else f(*given))
     except NotImplementedError:
         raise
     except KeyboardInterrupt:
-        raise CallFault(
+        raise Fault("interrupted") from None
+    except (Exception, SystemExit) as error:
+        raise Fault("stops", error, _line_within(error, f)) from None
+    if not all(np.array_equal(before, after) for before, after in zip(case, given)):
+        raise Fault("changed")
+    return answer
+
+
+def _told(f, case, names, run):
+    """The same, with what goes wrong in words."""
+    try:
+        return call(f, case, run)
+    except Fault as fault:
+        raise _in_words(fault, f, case, names) from None
+
+
+def _in_words(fault, f, case, names):
+    if fault.kind == "interrupted":
+        return CallFault(
             "you interrupted the function",
             shown(case, names),
             "Look for a loop that never ends, or shorten what it computes, and try again.",
-        ) from None
-    except (Exception, SystemExit) as error:
-        raise CallFault(
-            f"the function stops with {type(error).__name__}: {str(error)[:200]}",
-            "; ".join(filter(None, (line_of(error, f), shown(case, names)))),
-            in_words(error)
-            or f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
-        ) from None
-    if not all(np.array_equal(before, after) for before, after in zip(case, given)):
-        raise CallFault(
+        )
+    if fault.kind == "changed":
+        return CallFault(
             "the function changes the numbers it was given",
             shown(case, names),
             "Work on a copy, or write x = x + … in place of x += …",
             "inputs-changed",
         )
-    return answer
+    error = fault.error
+    return CallFault(
+        f"the function stops with {type(error).__name__}: {str(error)[:200]}",
+        "; ".join(filter(None, (line_of(error, f), shown(case, names)))),
+        in_words(error)
+        or f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
+    )
 
 
 def _call_text(f, case):
@@ -168,12 +232,26 @@ def line_of(error, f):
     """The learner's own line in which an error arose, with its number in the file or cell; "" when
     it is not known.
     """
+    last = _own_frame(error, f)
+    if last is None:
+        return ""
+    where = f"line {last.lineno}, in {last.name}"
+    return f"{where}: {last.line}" if last.line else where
+
+
+def _line_within(error, f):
+    """The line in which an error arose, counted from the first of the function; 0 when it is not
+    known.
+    """
+    last = _own_frame(error, f)
+    return last.lineno - f.__code__.co_firstlineno + 1 if last else 0
+
+
+def _own_frame(error, f):
+    """The last step of an error's way that stands in the learner's own file or cell, or None."""
     file = getattr(getattr(f, "__code__", None), "co_filename", None)
     own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
-    if not own:
-        return ""
-    where = f"line {own[-1].lineno}, in {own[-1].name}"
-    return f"{where}: {own[-1].line}" if own[-1].line else where
+    return own[-1] if own else None
 
 
 def shown(case, names):

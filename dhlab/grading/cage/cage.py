@@ -14,19 +14,23 @@ import contextlib
 import json
 import os
 import shutil
+import signal
 import socket
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Self
 
+from ..inside.clock import WAIT
 from ..settings import LEVELS, Limits
 from . import stage
 from .listener import Listener, Run
+from .sight import OPEN, OWN, hidden, kept, packages, readable_without
+from .talk import Talk
 
 try:
     import fcntl
@@ -52,7 +56,7 @@ RISKS = {
 ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
 PREFIX = "dhlab-cage-"
 START = 60  # seconds to load the libraries
-GRACE = 1.5  # seconds after a cell's own limit until it is stopped from outside
+GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 
 
 class Cage:
@@ -65,6 +69,8 @@ class Cage:
     limits : Limits
     warm : sequence of str
         Modules to load once, for all.
+    room : "open" or "own"
+        With the library, or without any kinematics.
 
     Raises
     ------
@@ -73,9 +79,14 @@ class Cage:
     """
 
     def __init__(
-        self, level: str | None = None, limits: Limits = Limits(), warm: Iterable[str] = ()
+        self,
+        level: str | None = None,
+        limits: Limits = Limits(),
+        warm: Iterable[str] = (),
+        room: str = OPEN,
     ) -> None:
         self.level, self.limits, self.warm = _known(level) or best_level(), limits, tuple(warm)
+        self.room = room
         # all four None while nothing runs
         self._process: Any = None
         self._folder: Any = None
@@ -99,40 +110,78 @@ class Cage:
             See :func:`dhlab.grading.judging.questions.request`.
         notebook : bytes
         seconds : float
-            For all of it.
+            Of processor, for all of it; on the wall's clock it may take ``clock.WAIT`` times that.
 
         Returns
         -------
         Run
         """
+        answers, write_end = os.pipe()
+        begun = time.monotonic()
+        try:
+            self._send(request, notebook, write_end)
+            run = Listener(
+                answers, WAIT * request["cell_seconds"] + GRACE, begun + WAIT * seconds
+            ).listen()
+            status, run.seconds = self._finish()
+            if status == -signal.SIGXCPU:
+                run.ended = "timed out"
+        except OSError:  # the whole cage has died; the next run builds another
+            run = Run()
+            run.seconds = time.monotonic() - begun
+            self.close()
+        finally:
+            os.close(answers)
+        return run
+
+    @contextlib.contextmanager
+    def talk(self, request: Mapping[str, Any], notebook: bytes, seconds: float) -> Iterator[Talk]:
+        """Talk with one program of a notebook: what ``with`` gives asks it, call after call.
+
+        Parameters
+        ----------
+        request : dict
+            See :func:`dhlab.grading.judging.questions.call_request`.
+        notebook : bytes
+        seconds : float
+            Of processor, for all of it.
+        """
+        ours, theirs = socket.socketpair()
+        talk = Talk(ours, WAIT * request["cell_seconds"] + GRACE, WAIT * seconds)
+        begun = time.monotonic()
+        try:
+            self._send(request, notebook, theirs.detach())
+            yield talk
+            talk.status, talk.seconds = self._finish()
+        except OSError:
+            talk.seconds = time.monotonic() - begun
+            self.close()
+        finally:
+            ours.close()
+
+    def _send(self, request, notebook, channel):
+        """Hand a notebook and an open file for the answers to the warm parent."""
         if self._process is None:
             self._start()
-        begun = time.monotonic()
-        answers, write_end = os.pipe()
         try:
             with tempfile.TemporaryFile() as file:
                 file.write(json.dumps(request).encode() + b"\n" + notebook)
                 file.flush()
                 file.seek(0)
-                socket.send_fds(self._control, [b"go"], [file.fileno(), write_end])
-            os.close(write_end)
-            result = Listener(answers, request["cell_seconds"] + GRACE, begun + seconds).listen()
-            self._finish()
-        except OSError:  # the whole cage has died; the next run builds another
-            result = Run()
-            self.close()
+                socket.send_fds(self._control, [b"go"], [file.fileno(), channel])
         finally:
-            os.close(answers)
-        result.seconds = time.monotonic() - begun
-        return result
+            os.close(channel)
 
     def _finish(self):
-        """Let the warm parent kill what is left and clean up; where it cannot, build a new one."""
+        """Let the warm parent kill what is left and clean up; where it cannot, build a new one.
+        How the submission ended, and the seconds of processor that it took.
+        """
         self._control.settimeout(10)
         self._control.sendall(b"x")
-        answer = self._control.recv(1000)
-        if not answer or not json.loads(answer)["clean"]:
+        answer = json.loads(self._control.recv(1000) or b"{}")
+        if not answer.get("clean"):
             self.close()
+        return answer.get("status"), answer.get("seconds", 0.0)
 
     def _start(self):
         problem = self._try(proc=True)
@@ -154,7 +203,7 @@ class Cage:
         for folder in (staged, work):
             os.mkdir(folder)
         os.chmod(self._folder, 0o711)
-        stage.stage(staged)
+        stage.stage(staged, self.room)
         self._control, theirs = socket.socketpair()
         with theirs, open(os.path.join(self._folder, "errors"), "wb") as errors:
             command, environment = self._command(staged, work, theirs.fileno(), proc)
@@ -182,7 +231,6 @@ class Cage:
             else None
         )
         own_user = user is not None or bubblewrap
-        covered = stage.hidden()
         config = {
             "control": control,
             "level": self.level,
@@ -192,18 +240,29 @@ class Cage:
             "warm": [*ALWAYS_WARM, *self.warm],
             "limits": asdict(self.limits) | {"own_user": own_user},
             "readable": (
-                [*stage.readable_without(covered), staged] if self.level == "landlock" else []
+                [*readable_without(self._covered()), staged] if self.level == "landlock" else []
             ),
         }
         command = stage.python_command(stage.INSIDE if bubblewrap else staged, json.dumps(config))
         if bubblewrap:
             return (
                 stage.bubblewrap_command(
-                    shutil.which("bwrap") or "bwrap", staged, command, self.limits, proc
+                    shutil.which("bwrap") or "bwrap", staged, command, self.limits, proc, self.room
                 ),
                 {},
             )
         return command, stage.environment(work)
+
+    def _covered(self):
+        """What Landlock must not let anybody read."""
+        seen = set(kept())
+        foreign = [
+            entry.path
+            for folder in (packages() if self.room == OWN else ())
+            for entry in os.scandir(folder)
+            if entry.path not in seen
+        ]
+        return [*hidden(), *foreign]
 
     def _greeting(self):
         """Empty when the warm parent is ready, otherwise what it says, or what Python printed."""
@@ -248,7 +307,7 @@ def _readable_by_others():
     """
     paths = [
         os.path.realpath(path)
-        for path in (sys.base_prefix, sys.prefix, *stage.packages(), tempfile.gettempdir())
+        for path in (sys.base_prefix, sys.prefix, *packages(), tempfile.gettempdir())
     ]
     folders = {
         path[:i] or "/"

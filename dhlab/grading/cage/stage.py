@@ -2,44 +2,44 @@
 packages; and the command that locks it in.
 """
 
+import json
 import os
+import re
 import shutil
-import site
 import sys
-import sysconfig
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from ..settings import Limits
+from .sight import OPEN, OWN, PACKAGE, SYSTEM, hidden, kept, packages, readable
 
-__all__ = ["stage", "python_command", "bubblewrap_command", "readable", "environment"]
+__all__ = ["stage", "python_command", "bubblewrap_command", "environment"]
 
-PACKAGE = Path(__file__).parents[2]
 STAND_IN = PACKAGE / "grading" / "inside" / "stand_in"
 LEFT_OUT = shutil.ignore_patterns("course", "grading", "lessons", "teacher", "view", "cli", "*.tmp")
+KEPT = ("units.py", "checks.py", "table.py")  # of the library, in the second
 # of the course: what lessons call and what holds no exercise
 FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
 CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
-SYSTEM = (
-    "/usr",
-    "/lib",
-    "/lib64",
-    "/lib32",
-    "/bin",
-    "/etc/ld.so.cache",
-    "/etc/localtime",
-    "/etc/fonts",
-)
+LOADED = re.compile(r'dh\.load\(\\?"([\w.-]+)\\?"\)')
 INSIDE = "/cage"  # where the staged library stands inside bubblewrap
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-def stage(folder: str) -> None:
+def stage(folder: str, room: str = OPEN) -> None:
     """Copy the library into a folder: no exercises, no grader; a course that only notes, pictures
-    that are not drawn.
+    that are not drawn; in the room ``OWN`` no kinematics either.
     """
     target = Path(folder) / "dhlab"
-    shutil.copytree(PACKAGE, target, ignore=LEFT_OUT)
+    if room == OPEN:
+        shutil.copytree(PACKAGE, target, ignore=LEFT_OUT)
+    else:
+        target.mkdir()
+        for name in KEPT:
+            shutil.copy2(PACKAGE / name, target)
+        shutil.copy2(STAND_IN / "own.py", target / "__init__.py")
+        (target / "arms.json").write_text(json.dumps(_arms()), encoding="utf-8")
     (target / "grading").mkdir()
     (target / "grading" / "__init__.py").touch()
     shutil.copytree(
@@ -53,17 +53,33 @@ def stage(folder: str) -> None:
         (target / name).mkdir()
         shutil.copy2(STAND_IN / f"{name}.py", target / name / "__init__.py")
     (target / "course" / "session.py").write_text("from . import *\n", encoding="utf-8")
-    for name in FREE_OF_ANSWERS:
+    for name in FREE_OF_ANSWERS if room == OPEN else ():
         if (PACKAGE / "course" / name).exists():
             shutil.copy2(PACKAGE / "course" / name, target / "course")
     for path in (Path(folder), *Path(folder).rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
 
 
-def packages():
-    """The folders that Python finds packages in, those of this user left out."""
-    found = [sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), *site.getsitepackages()]
-    return [folder for folder in dict.fromkeys(found) if os.path.isdir(folder)]
+@cache
+def _arms():
+    """The arms that lessons load, as data."""
+    from ...course.workspace import handed_out
+    from ...robots import load, robots
+
+    text = "".join(path.read_text(encoding="utf-8") for path in handed_out().glob("*.ipynb"))
+    named = {name for name in LOADED.findall(text) if name.partition(".")[0] in robots()}
+    return {name: _data(load(name)) for name in sorted(named)}
+
+
+def _data(arm):
+    return {
+        "convention": arm.table.convention,
+        "rows": arm.table.rows.tolist(),
+        "joints": str(arm.table.joints),
+        "base": arm.base.tolist(),
+        "tool": arm.tool.tolist(),
+        "sign": arm.sign.tolist(),
+    }
 
 
 def python_command(folder: str, config: str) -> list[str]:
@@ -96,51 +112,8 @@ def environment(work: str) -> dict[str, str]:
     }
 
 
-def readable() -> list[str]:
-    """What a submission may read besides the staged library: the system, Python, its packages;
-    never the installed dhlab.
-    """
-    roots = [
-        *SYSTEM,
-        sys.base_prefix,
-        sys.prefix,
-        os.path.dirname(os.path.realpath(sys.executable)),
-    ]
-    return [root for root in dict.fromkeys(roots) if os.path.exists(root)]
-
-
-def hidden():
-    """Where dhlab itself stands among what is readable, and what must therefore be covered."""
-    roots = [os.path.realpath(root) for root in readable()]
-    wanted = [str(PACKAGE), *(str(PACKAGE.parent / name) for name in ("solutions", "lessons"))]
-    return [
-        path
-        for path in wanted
-        if os.path.isdir(path)
-        and any(os.path.realpath(path).startswith(root + os.sep) for root in roots)
-    ]
-
-
-def readable_without(covered):
-    """The readable paths with folders spread out wherever something in them must not be read:
-    Landlock only allows.
-    """
-    found = []
-    for root in readable():
-        found += _spread(os.path.realpath(root), [os.path.realpath(path) for path in covered])
-    return found
-
-
-def _spread(path, covered):
-    if path in covered:
-        return []
-    if not any(inner.startswith(path + os.sep) for inner in covered):
-        return [path]
-    return [found for entry in os.scandir(path) for found in _spread(entry.path, covered)]
-
-
 def bubblewrap_command(
-    program: str, folder: str, command: Sequence[str], limits: Limits, proc: bool
+    program: str, folder: str, command: Sequence[str], limits: Limits, proc: bool, room: str
 ) -> list[str]:
     """``command`` inside bubblewrap: its own processes, users, network and files; one small folder,
     /tmp, that can be written to.
@@ -175,9 +148,14 @@ def bubblewrap_command(
     lock += [word for parent in sorted(parents) for word in ("--perms", "0755", "--dir", parent)]
     lock += [word for path in readable() for word in _bind(path)]
     lock += [word for path in hidden() for word in ("--tmpfs", path)]
+    emptied = packages() if room == OWN else []
+    lock += [word for path in emptied for word in ("--perms", "0755", "--tmpfs", path)]
+    lock += [word for path in (kept() if emptied else ()) for word in ("--ro-bind", path, path)]
     lock += ["--proc", "/proc"] if proc else []
     lock += ["--ro-bind", folder, INSIDE, "--dev", "/dev"]
-    lock += [word for path in ("/dev", *sorted(below), "/") for word in ("--remount-ro", path)]
+    lock += [
+        word for path in ("/dev", *emptied, *sorted(below), "/") for word in ("--remount-ro", path)
+    ]
     lock += [
         word for name, value in environment("/tmp").items() for word in ("--setenv", name, value)
     ]

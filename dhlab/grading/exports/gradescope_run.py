@@ -3,6 +3,7 @@
 """
 
 import json
+import secrets
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +14,7 @@ from ...course.workspace import handed_out
 from ...formats.files import write_text
 from ..intake.notebooks import numbers_of
 from ..intake.submissions import submissions
-from ..judging.questions import Course
+from ..judging.questions import Course, seed
 from ..judging.work import Handed, Task, work
 from ..results.feedback import headline
 from ..results.marks import RIGHT
@@ -47,21 +48,22 @@ def results(root: Path) -> dict[str, Any]:
     handed_in = submissions(root / "submission").values()
     found = [notebook for one in handed_in for notebook in one.notebooks]
     notes = tuple(note for one in handed_in for note in one.notes)
+    course = Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})
+    number = secrets.token_hex(16)  # nobody knows it before
     task = Task(
         student,
         tuple(Handed(name, read(), when) for name, read, when, _ in found),
         notes,
         refused=bool(notes),
+        number=number,
+        seeds={e.id: seed(None, number, student, e.id) for e in course.exercises},
     )
     strange = [
         handed.name
         for handed in task.notebooks
         if (given := numbers_of(handed.raw)) and given != {variant}
     ]
-    return _shown(
-        work(task, Course(lessons, replace(settings, percent_per_day=0.0), {student: variant})),
-        strange,
-    )
+    return _shown(work(task, course), strange)
 
 
 def _student(root):

@@ -143,15 +143,11 @@ def _graded(source, points, settings):
     """The learner's line stays as it is; what is hidden before it puts another ``check`` in the
     place of the course's own.
     """
-    shares = (
-        f"points={points!r}, partial={settings.partial!r},"
-        f" own_kinematics={settings.own_kinematics!r}"
-    )
     return "\n".join(
         [
             "### BEGIN HIDDEN TESTS",
             "from dhlab.grading.exports.nbgrader_cell import graded_check",
-            f"check = graded_check({shares})",
+            f"check = graded_check(points={points!r}, partial={settings.partial!r})",
             "### END HIDDEN TESTS",
             source,
         ]

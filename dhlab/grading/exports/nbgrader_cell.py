@@ -3,7 +3,6 @@ the points.
 """
 
 import contextlib
-import functools
 import io
 import warnings
 from collections.abc import Callable
@@ -11,18 +10,16 @@ from typing import Any
 
 from ...course.exercises import exercises
 from ...course.kinds import Function, Table
-from ...course.verdict import NOT_ATTEMPTED, WRONG
-from ...doctor.programs.calling import is_stub
-from ..inside.watch import library
-from ..judging.questions import fresh
+from ...course.verdict import WRONG
 
 __all__ = ["graded_check"]
 
+FRESH = 2**31  # functions are graded on other inputs than the notebook's own check uses
 
-def graded_check(
-    points: float, partial: float = 0.0, own_kinematics: float = 0.0
-) -> Callable[..., Any]:
-    """A ``check`` worth ``points``, by the rules of ``dhlab grade``.
+
+def graded_check(points: float, partial: float = 0.0) -> Callable[..., Any]:
+    """A ``check`` worth ``points``, by the rules of ``dhlab grade``, but for one: whether a program
+    calls dhlab's own is not looked at, since here it runs beside them.
 
     nbgrader takes the cell's value for the points, and gives none where anything was written to the
     error stream: warnings and prints of the answer are kept out of the cell.
@@ -32,8 +29,6 @@ def graded_check(
     points : float
     partial : float
         The share for a program or a table whose mistake is recognised.
-    own_kinematics : float
-        The share for a function that calls the library's kinematics where it is to be written.
 
     Examples
     --------
@@ -46,40 +41,17 @@ def graded_check(
 
     def check(exercise_id, answer):
         exercise = exercises()[exercise_id]
-        used: set[str] = set()
         with (
             contextlib.redirect_stdout(io.StringIO()),
             contextlib.redirect_stderr(io.StringIO()),
             warnings.catch_warnings(),
         ):
             warnings.simplefilter("ignore")
-            verdict = exercise.judge(_watched(exercise, answer, used), fresh(0, exercise))
+            verdict = exercise.judge(answer, FRESH if isinstance(exercise, Function) else 0)
         print(verdict)
         share = verdict.points / verdict.of if verdict.of else 0
         if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table)):
             share = partial
-        if used and verdict.status != NOT_ATTEMPTED:
-            print(
-                f"  But the function calls dhlab's own programs ({', '.join(sorted(used))}); here"
-                " the task is to write that yourself."
-            )
-            share *= own_kinematics
         return float(round(points * share, 4))
 
     return check
-
-
-def _watched(exercise, answer, used):
-    """The answer; a function notes in ``used`` which of the library's programs it calls."""
-    if not isinstance(exercise, Function) or not callable(answer) or is_stub(answer):
-        return answer
-
-    @functools.wraps(answer)
-    def call(*arguments):
-        with library(None if getattr(exercise, "library", False) else [exercise.family]) as found:
-            try:
-                return answer(*arguments)
-            finally:
-                used.update(found)
-
-    return call

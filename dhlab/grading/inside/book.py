@@ -1,14 +1,13 @@
-"""Notes answers: numbers as they are, functions by what they give for the numbers that the grader
-drew. It judges nothing.
+"""Notes answers: numbers as they are, and of a function only that there is one; it is called in
+another room. It judges nothing.
 """
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-from . import watch
-from .calling import is_stub, record
-from .cells import TimeLimit
+from .calling import is_stub
+from .clock import TimeLimit
 from .wire import encode
 
 __all__ = ["Book"]
@@ -17,16 +16,19 @@ MOST = 50  # notes of one exercise: who calls check in a loop is heard the first
 
 
 class Book:
-    """The numbers of each task by exercise, the functions' inputs, and what has been noted."""
+    """The numbers of each task by exercise, which exercises ask for a function, and what has been
+    noted.
+    """
 
     def __init__(
         self,
         given: Mapping[str, Any],
-        functions: Mapping[str, Any],
+        functions: Iterable[str],
         send: Callable[[dict[str, Any]], None],
         only: Iterable[str] = (),
     ) -> None:
-        self.given, self.functions, self.send, self.only = given, functions, send, tuple(only)
+        self.given, self.functions, self.send = given, frozenset(functions), send
+        self.only = tuple(only)
         self.cell = 0
         self.noted: dict[str, int] = {}
         self._where: set[tuple[str, int]] = set()
@@ -47,7 +49,7 @@ class Book:
         self._where.add((key, self.cell))
         with self._on_time(key):
             line = (
-                self._called(key, answer)
+                {"function": "stub" if is_stub(answer) else "written"}
                 if key in self.functions and callable(answer)
                 else {"value": encode(answer)}
             )
@@ -60,27 +62,3 @@ class Book:
         except TimeLimit:
             self.send({"check": key, "cell": self.cell, "stopped": "timed out"})
             raise
-
-    def _called(self, key, function):
-        """What a function gives, and which of the library's own programs it called on the way."""
-        names, cases, own = self.functions[key]
-        if is_stub(function):
-            return {"value": {"...": 1}}
-        with watch.library(own) as used:
-            called = record(function, cases, names)
-        if called.unwritten:
-            return {"value": {"...": 1}}
-        if called.fault:
-            fault = called.fault
-            return {
-                "fault": [
-                    str(text)[:300]
-                    for text in (fault.headline, fault.place, fault.next, fault.mistake or "")
-                ],
-                "used": sorted(used),
-            }
-        return {
-            "calls": [encode(answer) for answer in called.answers],
-            "again": encode(called.again),
-            "used": sorted(used),
-        }

@@ -8,17 +8,11 @@ import builtins
 import linecache
 from typing import Any
 
-__all__ = ["TimeLimit", "run_cell"]
+__all__ = ["parsed", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
 LINE_RUNS = ("time", "prun")
-
-
-class TimeLimit(BaseException):
-    """A cell took too long; not an Exception, so that a learner's ``except Exception`` lets it
-    through.
-    """
 
 
 class Absent:
@@ -70,12 +64,15 @@ class Shell:
 
 def run_cell(source: str, name: str, space: dict[str, Any]) -> None:
     """Run the source of a cell in a namespace; raises what it raises."""
+    for statement in parsed(source, name):
+        run_statement(statement, name, space)
+
+
+def parsed(source: str, name: str) -> list[ast.stmt]:
+    """The statements of a cell; SyntaxError where it is no Python."""
     source = _plain(source)
     linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
-    space["get_ipython"] = lambda: Shell(name, space)
-    space.setdefault("display", lambda *values, **options: None)
-    for statement in ast.parse(source, name).body:
-        _run(statement, name, space)
+    return ast.parse(source, name).body
 
 
 def _plain(source):
@@ -95,7 +92,10 @@ def _plain(source):
     return TransformerManager().transform_cell(source)
 
 
-def _run(statement, name, space):
+def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None:
+    """Run one statement of a cell in a namespace; raises what it raises."""
+    space["get_ipython"] = lambda: Shell(name, space)
+    space.setdefault("display", lambda *values, **options: None)
     code = compile(ast.Module([statement], []), name, "exec", flags=FLAGS)
     try:
         if code.co_flags & 0x80:  # CO_COROUTINE: it awaits something

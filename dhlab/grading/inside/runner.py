@@ -6,19 +6,18 @@ Every line is an object: ``{"cell": 3, "ids": [...]}`` when a cell begins, ``{"c
 the end, ``{"unreadable": ...}`` when there is nothing to run.
 """
 
-import builtins
 import json
 import os
 import random
-import signal
-import sys
-import types
 
 import numpy as np
 
+from . import calls
 from . import notebook as notebooks
 from .book import Book
-from .cells import TimeLimit, run_cell
+from .cells import run_cell
+from .clock import limited
+from .space import space
 from .wire import decode
 
 __all__ = ["run"]
@@ -31,6 +30,9 @@ def run(request_file: int, answer_file: int) -> None:
     with os.fdopen(request_file, "rb") as file:
         request = json.loads(file.readline())
         raw = file.read()
+    if "call" in request:
+        calls.answer(request, raw, answer_file)
+        return
     send = _sender(answer_file)
     try:
         cells = notebooks.read(raw, request["checks"])
@@ -67,36 +69,15 @@ class _Run:
         self.request, self.cells, self.send = request, cells, send
         self.book = Book(
             {key: decode(value) for key, value in request["given"].items()},
-            _functions(request["functions"]),
+            request["functions"],
             send,
             request["only"],
         )
-        self.space = self._space()
-
-    def _space(self):
-        """The notebook's names: those that every lesson's first cell imports are there even when
-        that cell is not.
-        """
-        import dhlab
-        from dhlab import course, transform, view
-
-        course.book = self.book  # type: ignore[attr-defined]  # the one that stands in
-        module = types.ModuleType("__main__")
-        sys.modules["__main__"] = module
-        module.__dict__.update(
-            {name: getattr(course, name) for name in course.__all__},
-            np=np,
-            dh=dhlab,
-            transform=transform,
-            view=view,
-            __builtins__=builtins,
-        )
-        return module.__dict__
+        self.space = space(self.book)
 
     def go(self):
         random.seed(0)
         np.random.seed(0)  # noqa: NPY002  (a submission may use the old generator)
-        signal.signal(signal.SIGALRM, _too_long)
         for number, cell in enumerate(self.cells.code):
             self._cell(number, cell)
             if number == self.cells.last_for(self.book.only):
@@ -124,38 +105,4 @@ class _Run:
         self._limited(lambda: self.book.note(key, eval(self.cells.expressions[key], self.space)))
 
     def _limited(self, act):
-        """None when ``act`` came to its end; otherwise what stopped it, in two words."""
-        try:
-            signal.setitimer(signal.ITIMER_REAL, self.request["cell_seconds"], 0.25)
-            act()
-        except TimeLimit:
-            return "timed out", ""
-        except (
-            BaseException
-        ) as error:  # SystemExit and KeyboardInterrupt end a cell, not the notebook
-            return "error", _message(error)
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-        return None
-
-
-def _message(error):
-    try:
-        return f"{type(error).__name__}: {error}"[:300]
-    except BaseException:
-        return "an error that cannot be shown"
-
-
-def _too_long(signal_number, frame):
-    raise TimeLimit
-
-
-def _functions(sent):
-    return {
-        key: (
-            tuple(f["names"]),
-            [tuple(decode(value) for value in case) for case in f["cases"]],
-            f["own"],
-        )
-        for key, f in sent.items()
-    }
+        return limited(act, self.request["cell_seconds"])

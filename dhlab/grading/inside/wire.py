@@ -5,13 +5,14 @@ tables and arms; never a pickle.
 nothing.
 """
 
+import builtins
 import re
 from typing import Any
 
 import numpy as np
 from numpy import array, asarray, float64, generic, ndarray
 
-__all__ = ["encode", "decode", "Opaque", "DECODED"]
+__all__ = ["encode", "decode", "error_name", "Opaque", "DECODED"]
 
 DEEPEST = 6  # lists in lists
 LONGEST = 100_000  # numbers of an array
@@ -20,6 +21,14 @@ DTYPES = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"
 # what decode raises for what is not of this form
 DECODED = (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError)
 WHOLE = 2**63  # a larger number is sent as a float
+
+
+# types that are told by name; any other name may be a stranger's
+TYPES = frozenset(
+    """an answer too large to send|an array too large to send|Arm|DHTable|DataFrame|Decimal|
+    Fraction|NoneType|PlacedArm|Rotation|Series|Symbol|builtin_function_or_method|complex|function|
+    generator|method|module|ndarray|recarray""".replace("\n    ", "").split("|")
+)
 
 
 class Opaque:
@@ -65,13 +74,16 @@ def _encoded(value, depth):
 
 
 def _table(value):
+    if not type(value).__module__.startswith("dhlab."):
+        return None
     from dhlab.arm import Arm
     from dhlab.geometry.frames import PlacedArm
     from dhlab.table import DHTable
 
-    if type(value) is DHTable:
+    kind = type(value)
+    if kind is DHTable:
         return {"table": [value.convention, _array(value.rows), str(value.joints)]}
-    if type(value) in (Arm, PlacedArm):
+    if kind is Arm or kind is PlacedArm:
         parts = [value.base, value.tool, value.sign]
         parts += [] if value.coupling is None else [value.coupling]
         return {"arm": [_table(value.table), *(_array(part) for part in parts)]}
@@ -129,6 +141,19 @@ def decode(sent: Any) -> Any:
     return _DECODERS[kind](content)
 
 
+def error_name(name: Any) -> str:
+    """The name of an error of Python or numpy; "an error" for whatever else is called one.
+
+    Examples
+    --------
+    >>> error_name("ValueError"), error_name("You get 10 of 10")
+    ('ValueError', 'an error')
+    """
+    kind = getattr(builtins, name, None) if isinstance(name, str) else None
+    known = isinstance(kind, type) and issubclass(kind, BaseException)
+    return name if known or name == "LinAlgError" else "an error"
+
+
 def _decode_array(content):
     dtype, shape, data = content
     if (
@@ -181,8 +206,8 @@ def _decode_arm(content):
 
 
 def _decode_other(content):
-    name = re.sub(r"[^A-Za-z0-9_ ]", "", str(content))[:40] or "object"
-    return type(name, (Opaque,), {})()
+    known = isinstance(content, str) and (content in TYPES or content in vars(builtins))
+    return type(content if known else "object", (Opaque,), {})()
 
 
 _DECODERS = {

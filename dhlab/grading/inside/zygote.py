@@ -42,10 +42,10 @@ def main() -> None:
             os.close(file)
         if not control.recv(1):
             return
-        status = _end(child, config)
-        control.sendall(
-            json.dumps({"status": status, "clean": _clean(config["work"], kept)}).encode()
-        )
+        status, seconds = _end(child, config)
+        clean = _clean(config["work"], kept)
+        said = {"status": status, "seconds": round(seconds, 3), "clean": clean}
+        control.sendall(json.dumps(said).encode())
 
 
 def _confine(config):
@@ -102,10 +102,10 @@ def _submission(config, request, answers):
 
 
 def _end(child, config):
-    """Kill what is left of a submission, all of it, and return how its first process ended: an exit
-    status, or minus a signal.
+    """Kill what is left of a submission, all of it. How its first process ended, an exit status or
+    minus a signal, and the seconds of processor that it took.
     """
-    status = None
+    status, seconds = None, 0.0
     for _ in range(500):
         if config["own_processes"]:
             with contextlib.suppress(ProcessLookupError):
@@ -116,14 +116,15 @@ def _end(child, config):
                 with contextlib.suppress(ProcessLookupError, PermissionError):
                     os.kill(process, signal.SIGKILL)
         try:
-            process, ended = os.waitpid(-1, os.WNOHANG)
+            process, ended, usage = os.wait4(-1, os.WNOHANG)
         except ChildProcessError:
             break
         if process == child:
             status = os.waitstatus_to_exitcode(ended)
+            seconds = usage.ru_utime + usage.ru_stime
         if process == 0:
             time.sleep(0.001)
-    return status
+    return status, seconds
 
 
 def _descendants():

@@ -8,22 +8,24 @@ from typing import TYPE_CHECKING, Any
 
 from ...course.kinds import Function, Table
 from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
-from ...doctor import catalogue
-from ...doctor.programs.calling import Called, CallFault
-from ..inside.wire import DECODED, decode
+from ..inside.wire import DECODED, decode, error_name
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, Mark
-from .questions import fresh
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ...course.kinds.exercise import Exercise
     from ..cage.listener import Run
     from ..settings import Settings
+    from .asking import Asked
     from .questions import Course
     from .work import Handed
 
 __all__ = ["mark", "Answers"]
 
 TEXT = 300
+WORD = 12  # letters; the longest text that a right answer has
+READ = "Run the notebook from top to bottom and read the last line of the message."
 
 
 class Answers:
@@ -64,7 +66,11 @@ class Answers:
 
 
 def mark(
-    exercise: Exercise, answers: Answers, variant: int, settings: Settings
+    exercise: Exercise,
+    answers: Answers,
+    variant: int,
+    settings: Settings,
+    ask: Callable[[Function, dict[str, Any], Handed], tuple[Asked, int]],
 ) -> tuple[Mark, Handed | None]:
     """(Mark, the notebook it comes from) of one exercise: the last attempt that was noted counts.
 
@@ -74,6 +80,8 @@ def mark(
     answers : Answers
     variant : int
     settings : Settings
+    ask : callable
+        Calls the program of a note, and gives what it gave and the seed of the inputs.
 
     Returns
     -------
@@ -81,29 +89,51 @@ def mark(
     """
     worth = settings.points(exercise)
     for line, handed in reversed(answers.notes.get(exercise.id, ())):
-        found = _judged(exercise, line, variant, settings, worth)
+        if line.get("function") == "written" and isinstance(exercise, Function):
+            found = _program(exercise, *ask(exercise, line, handed), settings, worth)
+        else:
+            found = _judged(exercise, line, variant, settings, worth)
         if found.status != NOT_ATTEMPTED:
             return found, handed
     return _without_answer(exercise, answers, worth), None
 
 
 def _judged(exercise, line, variant, settings, worth):
+    """The Mark of a value."""
     if "stopped" in line:
         return _timed_out(exercise, worth)
+    if line.get("function") == "stub":
+        return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     try:
-        answer = _answer(line, exercise)
+        answer = _short(decode(line["value"]))
     except DECODED:
         headline = (
             "the answer cannot be read: give plain numbers, text, a list, a table or a function"
         )
         return Mark(exercise.id, WRONG, 0, worth, headline=headline)
+    return _compared(exercise, answer, variant, settings, worth)
+
+
+def _short(answer):
+    """An answer without texts of its own: what is repeated to its student are letters and words of
+    the course.
+    """
+    if isinstance(answer, str):
+        return answer if len(answer) <= WORD and answer.isascii() and answer.isprintable() else "…"
+    if isinstance(answer, list):
+        return [_short(entry) for entry in answer]
+    return answer
+
+
+def _compared(exercise, answer, number, settings, worth):
+    """The Mark of an answer, compared with what is right for a number."""
     try:
-        verdict = exercise.judge(answer, fresh(variant, exercise))
+        verdict = exercise.judge(answer, number)
     except Exception as error:  # a fault of ours: shown to the teacher, never a silent 0
         headline = "this answer could not be compared; your teacher will look at it"
         note = f"the judge stopped with {type(error).__name__}: {error}"[:TEXT]
         return Mark(exercise.id, ERROR, 0, worth, headline=headline, note=note)
-    found = Mark(
+    return Mark(
         exercise.id,
         verdict.status,
         round(_share(exercise, verdict, settings) * worth, 4),
@@ -115,31 +145,29 @@ def _judged(exercise, line, variant, settings, worth):
         verdict.next,
         chosen=verdict.chosen,
     )
-    used = _used(line)
-    if used and isinstance(exercise, Function) and verdict.status != NOT_ATTEMPTED:
-        return _own(found, used, settings)
+
+
+def _program(exercise, asked, number, settings, worth):
+    """The Mark of a program that was called."""
+    if asked.stopped == "timed out":
+        return _timed_out(exercise, worth)
+    if asked.stopped == "stub":
+        return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
+    if asked.stopped == "crashed":
+        headline = "the program ended itself while it was called"
+        return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=READ)
+    if asked.stopped and not asked.closed:
+        headline = "run with only the cells that it depends on, there is no program"
+        next_ = "Define it at the top level of a cell, above its check."
+        return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=next_)
+    found = (
+        Mark(exercise.id, ERROR, 0, worth)
+        if asked.stopped
+        else _compared(exercise, asked.called, number, settings, worth)
+    )
+    if asked.closed and found.status != RIGHT:
+        return _own(found, asked, settings)
     return found
-
-
-def _used(line):
-    """The library's programs that were called for an answer."""
-    used = line.get("used", ())
-    return [name for name in used if isinstance(name, str)] if isinstance(used, list) else []
-
-
-def _answer(line, exercise):
-    """The answer in a line: a value, or what a function gave."""
-    if "calls" in line and isinstance(exercise, Function):
-        calls = [decode(value) for value in line["calls"]]
-        if len(calls) != len(exercise.cases(0)):
-            raise ValueError("expected an answer to every call")
-        return Called(tuple(calls), decode(line["again"]))
-    if "fault" in line and isinstance(exercise, Function):
-        headline, place, next_, mistake = (str(text)[:TEXT] for text in line["fault"])
-        return Called(
-            fault=CallFault(headline, place, next_, mistake if mistake in catalogue() else None)
-        )
-    return decode(line["value"])
 
 
 def _share(exercise, verdict, settings):
@@ -155,23 +183,21 @@ def _share(exercise, verdict, settings):
     )
 
 
-def _own(found, used, settings):
-    names = ", ".join(sorted({name[:40] for name in used if name.isidentifier()}))
-    if set(used) == {"setprofile"}:
-        headline = "while the check called it, this function switched off what watches it"
-    else:
-        headline = (
-            f"this function calls dhlab's own programs ({names}); here the task is to write that"
-            " yourself"
-        )
+def _own(found, asked, settings):
+    """The Mark of a program that wants what it was to write, and is not right without it; the
+    teacher may have set a share for it, which it earns when it is right with it.
+    """
+    earned = settings.own_kinematics * found.of if asked.right_with_library else 0
     return Mark(
         found.exercise,
         NOT_ALLOWED,
-        round(found.points * settings.own_kinematics, 4),
+        round(earned, 4),
         found.of,
-        headline=headline,
+        headline=(
+            f"this program uses dhlab's own programs ({', '.join(asked.closed)}); here the task is"
+            " to write that yourself, and it is graded without them"
+        ),
         next="Write it with numpy alone; the library's answer is there to compare with.",
-        note=f"answers {found.status}; called: {names}",
     )
 
 
@@ -197,23 +223,13 @@ def _without_answer(exercise, answers, worth):
         return _timed_out(exercise, worth)
     if kind is None:
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
-    said = (
-        message
-        if exercise.id not in answers.troubles
-        else (
-            f"the cell stops with {message}"
-            if message
-            else "the notebook's program ended itself in this cell"
-        )
-    )
-    return Mark(
-        exercise.id,
-        ERROR,
-        0,
-        worth,
-        headline=said,
-        next="Run the notebook from top to bottom and read the last line of the message.",
-    )
+    if exercise.id not in answers.troubles:
+        headline = message
+    elif message:
+        headline = f"the cell stops with {error_name(message.partition(':')[0])}"
+    else:
+        headline = "the notebook's program ended itself in this cell"
+    return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=READ, note=message[:TEXT])
 
 
 def without_marks(course: Course, status: str) -> tuple[Mark, ...]:

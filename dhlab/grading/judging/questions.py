@@ -1,8 +1,10 @@
-"""What is asked of a submission: the numbers of its tasks, the inputs of its functions, the
-handed-out checks. No answer is among it.
+"""What is asked of a submission: the numbers of its tasks and the handed-out checks; what one of
+its programs is called with. No answer is among it.
 """
 
 import ast
+import hmac
+import inspect
 import json
 import re
 from collections.abc import Collection, Iterable
@@ -17,10 +19,16 @@ from ...course.workspace import handed_out
 from ..inside.wire import encode
 from ..settings import Settings
 
-__all__ = ["Course", "handed_out_checks", "scored", "request", "warm_modules"]
+__all__ = [
+    "Course",
+    "call_request",
+    "handed_out_checks",
+    "request",
+    "scored",
+    "seed",
+    "warm_modules",
+]
 
-# added to a variant: functions are graded on other inputs than the notebook's own check uses
-FRESH = 2**31
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
 LATER = {
     "dh.diagnose": "dhlab.doctor.arms.poses",
@@ -128,11 +136,31 @@ def warm_modules(lessons: Iterable[str]) -> list[str]:
     return sorted(found)
 
 
-def fresh(variant, exercise):
-    """The variant that draws an exercise's numbers here: the notebook's own for a task that shows
-    them, another for a function's inputs.
+def seed(key: bytes | None, number: str, student: str, exercise: str) -> int:
+    """What the inputs of graded calls are drawn from: known to nobody before it is graded, and the
+    same whenever it is graded again.
+
+    Parameters
+    ----------
+    key : bytes or None
+        The teacher's key, where there is one.
+    number : str
+        The number that is recorded with the student's marks.
+    student, exercise : str
+
+    Returns
+    -------
+    int
+
+    Examples
+    --------
+    >>> seed(None, "00", "ada", "05.4") == seed(None, "00", "ada", "05.4")
+    True
+    >>> seed(None, "00", "ada", "05.4") == seed(None, "01", "ada", "05.4")
+    False
     """
-    return variant + FRESH if isinstance(exercise, Function) else variant
+    text = json.dumps([number, student, exercise]).encode()
+    return int.from_bytes(hmac.new(key or b"no key", text, "sha256").digest()[:16])
 
 
 def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str, Any]:
@@ -159,17 +187,35 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
     return {
         "checks": lessons,
         "given": {e.id: encode(e.given(variant)) for e in mine},
-        "functions": {e.id: _function(e, variant) for e in mine if isinstance(e, Function)},
+        "functions": [e.id for e in mine if isinstance(e, Function)],
         "only": [course.only] if course.only else [],
         "skip": sorted(skip),
         "cell_seconds": course.settings.limits.cell_seconds,
     }
 
 
-def _function(exercise, variant):
-    cases = [[encode(value) for value in case] for case in exercise.cases(fresh(variant, exercise))]
-    return {
+def call_request(
+    course: Course, variant: int, exercise: Function, cell: int, skip: Iterable[int] = ()
+) -> dict[str, Any]:
+    """What the cage is told of one program before it is called; ``cell`` is that of its check.
+
+    The arguments are not among it: they arrive call by call.
+    """
+    asked = request(course, variant, skip)
+    return {name: asked[name] for name in ("checks", "given", "skip", "cell_seconds")} | {
+        "call": exercise.id,
         "names": list(exercise.names),
-        "cases": cases,
-        "own": None if exercise.library else [exercise.family],
+        "cell": cell,
+        "whole": False,
+        "transform": "" if exercise.library else _moves(exercise.family),
     }
+
+
+@cache
+def _moves(family):
+    """The source of ``dhlab.transform``, for a task that may use the moves; nothing for one that
+    asks for a move.
+    """
+    from ... import transform
+
+    return "" if family in transform.__all__ else inspect.getsource(transform)

@@ -4,29 +4,34 @@ process or on another machine.
 
 import threading
 import time
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from datetime import datetime, tzinfo
 from multiprocessing import util
 from typing import Any
 
 from ..cage.cage import Cage
+from ..cage.sight import OPEN, OWN
 from ..intake.notebooks import lessons_of
 from ..results.marks import (
     GRADED,
     MISSING,
     NOT_ATTEMPTED,
     NOT_HANDED_IN,
+    RIGHT,
     TIMED_OUT,
     UNREADABLE,
     Graded,
 )
 from ..results.standing import NO_FILE, lateness
+from .asking import Asked, ask
 from .borrowed import borrowed_from
 from .judge import Answers, mark, without_marks
-from .questions import Course, handed_out_checks, request, warm_modules
+from .questions import Course, call_request, handed_out_checks, request, warm_modules
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
+WARM = ("scipy.spatial.transform",)  # what programs that are written oneself import
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
 _lock = threading.Lock()
 _cages: dict[tuple[Any, ...], Cage] = {}
@@ -48,7 +53,8 @@ class Handed:
 class Task:
     """One student's notebooks, oldest first; notes for the teacher; what the mark depends on, as a
     fingerprint; whose numbers the notebooks draw, if another's; whether there is something that
-    cannot be read."""
+    cannot be read; the number that is recorded with the marks, and the seeds that it gives for the
+    inputs of each program."""
 
     student: str
     notebooks: tuple[Handed, ...]
@@ -56,6 +62,8 @@ class Task:
     fingerprint: str = ""
     numbers_of: str | None = None
     refused: bool = False
+    number: str = ""
+    seeds: Mapping[str, int] = field(default_factory=dict)
 
 
 def work(task: Task, course: Course) -> Graded:
@@ -81,14 +89,19 @@ def work(task: Task, course: Course) -> Graded:
         notes=task.notes,
         numbers_of=task.numbers_of,
         fingerprint=task.fingerprint,
+        number=task.number,
     )
     if not task.notebooks:
         status = NOT_ATTEMPTED if task.refused else NOT_HANDED_IN
         return replace(graded, marks=without_marks(course, status))
     with _lock:
-        cage = _cage(course)
-        answers, notes, trouble = _run_all(cage, task, course, variant)
-    found = [_mark(exercise, answers, variant, course.settings) for exercise in course.exercises]
+        cage = _cage(course, OPEN)
+        answers, notes, trouble, skipped = _run_all(cage, task, course, variant)
+        programs = _Programs(task, course, variant, skipped)
+        found = [
+            _mark(exercise, answers, variant, course.settings, programs.ask)
+            for exercise in course.exercises
+        ]
     marks, said = _by_lesson(found, task.notebooks)
     untouched = all(mark.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for mark in marks)
     days, penalty = lateness(marks)
@@ -105,14 +118,48 @@ def work(task: Task, course: Course) -> Graded:
     )
 
 
-def _cage(course):
-    """This process's cage for a course, built when it is first needed."""
-    key = (course.settings.cage, course.settings.limits, course.lessons)
-    if key not in _cages:
-        close()
-        _cages[key] = Cage(
-            course.settings.cage, course.settings.limits, warm_modules(course.lessons)
+class _Programs:
+    """Calls a student's programs, each in the room that its task allows."""
+
+    def __init__(self, task, course, variant, skipped):
+        self.task, self.course, self.variant, self.skipped = task, course, variant, skipped
+        self.left = course.settings.limits.seconds
+
+    def ask(self, exercise, line, handed):
+        """(what the program of a note gave, the seed of its inputs)."""
+        number, own = self.task.seeds[exercise.id], not exercise.library
+        asked = self._asked(exercise, line, handed, number, OWN if own else OPEN)
+        if own and asked.closed and self.course.settings.own_kinematics:
+            again = self._asked(exercise, line, handed, number, OPEN)
+            right = exercise.judge(again.called, number).status == RIGHT
+            asked = replace(asked, right_with_library=not again.stopped and right)
+        return asked, number
+
+    def _asked(self, exercise, line, handed, number, room):
+        cell = line["cell"] if isinstance(line.get("cell"), int) else 0
+        asking = call_request(
+            self.course, self.variant, exercise, cell, self.skipped.get(handed.name, ())
         )
+        cage = _cage(self.course, room)
+        for whole in (False, True):
+            if self.left <= 0:
+                return Asked(stopped="timed out")
+            asked = ask(cage, asking | {"whole": whole}, handed.raw, exercise, number)
+            self.left -= asked.seconds
+            # reading alone may miss what a program depends on
+            if not asked.missing:
+                break
+        return asked
+
+
+def _cage(course, room):
+    """This process's cage for a course, built when it is first needed."""
+    key = (course.settings.cage, course.settings.limits, course.lessons, room)
+    if key not in _cages:
+        if _cages and next(iter(_cages))[:3] != key[:3]:
+            close()
+        warm = warm_modules(course.lessons) if room == OPEN else WARM
+        _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room)
     return _cages[key]
 
 
@@ -129,19 +176,19 @@ util.Finalize(None, close, exitpriority=1)
 
 def _run_all(cage, task, course, variant):
     """Run every notebook; (answers, notes, what kept the whole from being graded: a status or
-    None).
+    None, the cells of each notebook that were not run).
     """
-    answers, notes, runs = Answers(), [], []
+    answers, notes, runs, skipped = Answers(), [], [], {}
     for handed in task.notebooks:
-        run, why = _run(cage, handed, course, variant, answers)
+        run, why, skipped[handed.name] = _run(cage, handed, course, variant, answers)
         runs.append(run)
         notes += [f"{handed.name}: {note}" for note in why]
     if any(run.ended == "timed out" for run in runs):
-        return answers, notes, TIMED_OUT
+        return answers, notes, TIMED_OUT, skipped
     unread = all(
         run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs
     )
-    return answers, notes, UNREADABLE if unread else None
+    return answers, notes, UNREADABLE if unread else None, skipped
 
 
 def _run(cage, handed, course, variant, answers):
@@ -168,14 +215,14 @@ def _run(cage, handed, course, variant, answers):
         ):
             if run.ended != "done":
                 notes.append(f"stopped: {run.ended}")
-            return run, notes
+            return run, notes, sorted(skip)
         skip.add(run.cell)
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
 
-def _mark(exercise, answers, variant, settings):
+def _mark(exercise, answers, variant, settings, ask_program):
     """The mark of an exercise, with the file it comes from and what its lateness costs."""
-    found, handed = mark(exercise, answers, variant, settings)
+    found, handed = mark(exercise, answers, variant, settings, ask_program)
     if handed is None:
         return found
     days, penalty = settings.lateness(found.lesson, handed.when)

@@ -131,7 +131,7 @@ class Graded:
     cage : str
         The level the submission ran at.
     seconds : float
-        How long it took; the only field in which two runs of the grader may differ.
+        How long it took; with ``number`` the only field in which two runs of the grader differ.
     notes : tuple of str
         Sentences for the teacher.
     guess_of : str or None
@@ -142,6 +142,9 @@ class Graded:
     fingerprint : str
         Of what was handed in and how it was to be graded: a later run grades again when it has
         changed.
+    number : str
+        What the inputs of graded calls were drawn from, with the teacher's key: drawn when the
+        student is first graded, and kept, so that unchanged work gets the same marks again.
 
     Examples
     --------
@@ -166,6 +169,7 @@ class Graded:
     guess_of: str | None = None
     numbers_of: str | None = None
     fingerprint: str = ""
+    number: str = ""
 
     def __post_init__(self) -> None:
         if self.status not in OF_STUDENT:

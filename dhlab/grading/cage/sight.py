@@ -1,0 +1,97 @@
+"""What a cage may see of this machine: the system, Python and its packages; never dhlab itself, and
+in the room ``OWN`` no other library that may know kinematics.
+"""
+
+import os
+import re
+import site
+import sys
+import sysconfig
+from collections.abc import Iterable
+from importlib import metadata
+from pathlib import Path
+
+__all__ = ["OPEN", "OWN", "SYSTEM", "packages", "readable", "hidden", "kept", "readable_without"]
+
+# the two rooms: one with the library, and one where kinematics is to be written oneself
+OPEN, OWN = "open", "own"
+PACKAGE = Path(__file__).parents[2]
+# what may be imported in the second, with all that these need
+ALLOWED = ("numpy", "scipy", "sympy", "matplotlib", "pandas", "ipython")
+SYSTEM = (
+    "/usr",
+    "/lib",
+    "/lib64",
+    "/lib32",
+    "/bin",
+    "/etc/ld.so.cache",
+    "/etc/localtime",
+    "/etc/fonts",
+)
+
+
+def packages() -> list[str]:
+    """The folders that Python finds packages in, those of this user left out."""
+    found = [sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), *site.getsitepackages()]
+    return [folder for folder in dict.fromkeys(found) if os.path.isdir(folder)]
+
+
+def kept() -> list[str]:
+    """What stands in the folders of packages and may be seen in the room ``OWN``."""
+    found, wanted = {"__pycache__"}, [*ALLOWED]
+    known = {_plain(one.name): one for one in metadata.distributions(path=packages()) if one.name}
+    while wanted:
+        one = known.pop(_plain(wanted.pop()), None)
+        if one is not None:
+            wanted += [re.split(r"[^\w.-]", text)[0] for text in one.requires or ()]
+            found |= {path.parts[0] for path in one.files or ()}
+    return [
+        entry.path for folder in packages() for entry in os.scandir(folder) if entry.name in found
+    ]
+
+
+def _plain(name):
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def readable() -> list[str]:
+    """What a submission may read besides the staged library: the system, Python, its packages;
+    never the installed dhlab.
+    """
+    roots = [
+        *SYSTEM,
+        sys.base_prefix,
+        sys.prefix,
+        os.path.dirname(os.path.realpath(sys.executable)),
+    ]
+    return [root for root in dict.fromkeys(roots) if os.path.exists(root)]
+
+
+def hidden() -> list[str]:
+    """Where dhlab itself stands among what is readable, and what must therefore be covered."""
+    roots = [os.path.realpath(root) for root in readable()]
+    wanted = [str(PACKAGE), *(str(PACKAGE.parent / name) for name in ("solutions", "lessons"))]
+    return [
+        path
+        for path in wanted
+        if os.path.isdir(path)
+        and any(os.path.realpath(path).startswith(root + os.sep) for root in roots)
+    ]
+
+
+def readable_without(covered: Iterable[str]) -> list[str]:
+    """The readable paths with folders spread out wherever something in them must not be read:
+    Landlock only allows.
+    """
+    found = []
+    for root in readable():
+        found += _spread(os.path.realpath(root), [os.path.realpath(path) for path in covered])
+    return found
+
+
+def _spread(path, covered):
+    if path in covered:
+        return []
+    if not any(inner.startswith(path + os.sep) for inner in covered):
+        return [path]
+    return [found for entry in os.scandir(path) for found in _spread(entry.path, covered)]

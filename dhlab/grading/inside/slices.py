@@ -1,0 +1,116 @@
+"""What a name of a notebook depends on: the statements that make it, found by reading them.
+
+A statement is taken when it binds, or changes in place, a name that is wanted; the names that it
+reads are wanted then too, until nothing is added. Where reading cannot tell (``exec``, ``globals``,
+``from x import *``) it is taken.
+"""
+
+import ast
+import symtable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+__all__ = ["Statement", "statement", "needed"]
+
+UNREADABLE = frozenset(
+    "exec eval compile globals locals vars setattr delattr __import__ get_ipython".split()
+)
+# calls that show something and change nothing
+SHOWING = frozenset("print display check predict reveal hint given progress view help len".split())
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One statement of a cell: the names that it reads, those that it binds or changes, and whether
+    it is taken whenever something it reads is wanted (``acts``), or always.
+    """
+
+    cell: int
+    node: ast.stmt
+    reads: frozenset[str]
+    writes: frozenset[str]
+    acts: bool = False
+    always: bool = False
+
+
+def statement(cell: int, node: ast.stmt) -> Statement:
+    """A Statement, read.
+
+    Examples
+    --------
+    >>> one = statement(0, ast.parse("def f(x): return g(x) + k").body[0])
+    >>> sorted(one.reads), sorted(one.writes)
+    (['g', 'k'], ['f'])
+    """
+    reads, binds = _names(node)
+    writes = binds | (_changed(node) & reads)
+    star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
+    call = _call(node)
+    called = _root(call.func) if call else None
+    return Statement(
+        cell,
+        node,
+        frozenset(reads),
+        frozenset(writes),
+        acts=call is not None and called not in SHOWING,
+        always=star or bool(reads & UNREADABLE),
+    )
+
+
+def needed(statements: Sequence[Statement], wanted: Iterable[str]) -> list[Statement]:
+    """Those of the statements that make the wanted names, in their order."""
+    names, taken = set(wanted), set()
+    more = True
+    while more:
+        more = False
+        for number, one in enumerate(statements):
+            if number not in taken and (
+                one.always or one.writes & names or (one.acts and one.reads & names)
+            ):
+                taken.add(number)
+                # who calls a function that changes something matters too
+                defined = isinstance(one.node, (ast.FunctionDef, ast.ClassDef))
+                names |= one.reads | (one.writes if defined else frozenset())
+                more = True
+    return [statements[number] for number in sorted(taken)]
+
+
+def _call(node):
+    """The call that a statement is, or None."""
+    return node.value if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) else None
+
+
+def _names(node):
+    """(read, bound) at the level of the notebook; what a function does with names of its own is
+    its own affair.
+    """
+    top = symtable.symtable(ast.unparse(node), "<cell>", "exec")
+    reads, binds, scopes = set(), set(), [top]
+    while scopes:
+        scope = scopes.pop()
+        scopes += scope.get_children()
+        for symbol in scope.get_symbols():
+            if scope is top or symbol.is_global():
+                reads |= {symbol.get_name()} if symbol.is_referenced() else set()
+                bound = symbol.is_assigned() or symbol.is_imported()
+                binds |= {symbol.get_name()} if bound else set()
+    return reads, binds
+
+
+def _changed(node):
+    """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``."""
+    found = set()
+    for inner in ast.walk(node):
+        if isinstance(inner, (ast.Subscript, ast.Attribute)) and not isinstance(
+            inner.ctx, ast.Load
+        ):
+            found.add(_root(inner))
+        elif (call := _call(inner)) and isinstance(call.func, ast.Attribute):
+            found.add(_root(call.func))
+    return found
+
+
+def _root(node):
+    while isinstance(node, (ast.Subscript, ast.Attribute, ast.Starred)):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else None

@@ -1,0 +1,29 @@
+"""The names that a notebook's cells begin with, as they stand after every lesson's first cell."""
+
+import builtins
+import sys
+import types
+from typing import Any
+
+import numpy as np
+
+__all__ = ["space"]
+
+
+def space(book: Any) -> dict[str, Any]:
+    """A new ``__main__``, whose ``check`` notes into ``book``."""
+    import dhlab
+    from dhlab import course, view
+
+    course.book = book  # type: ignore[attr-defined]  # the one that stands in
+    module = types.ModuleType("__main__")
+    sys.modules["__main__"] = module
+    module.__dict__.update(
+        {name: getattr(course, name) for name in course.__all__},
+        np=np,
+        dh=dhlab,
+        transform=dhlab.transform,
+        view=view,
+        __builtins__=builtins,
+    )
+    return module.__dict__

@@ -1,0 +1,126 @@
+"""A student's program, called where it cannot reach the library's own: what it gave, in the words
+of the course. Nothing that the program chose is among these words.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...course.kinds import Function
+from ...doctor.programs.calling import Called, CallFault
+from ..cage.cage import Cage
+from ..inside.wire import DECODED, decode, encode, error_name
+
+__all__ = ["Asked", "ask"]
+
+PARTS = frozenset(
+    """Arm DHTable assign_frames calibrate_offsets diagnose diagnose_function equivalent explore
+    fit_circles forward frames from_xyz_rpy generate inverse jacobian link_matrices load read_poses
+    read_urdf recognise_table robots rot_x rot_y rot_z solve symbolic to trans trans_x trans_z
+    transform workspace""".split()
+)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a program gave: the answers to every call, or the fault that stopped it; ``stopped`` is
+    "timed out" or "crashed" where it gave none, "stub" where it is still to be written, "nothing"
+    where there is no program; ``closed`` names what it wanted of dhlab and was not there;
+    ``right_with_library`` says that it is right where that is there.
+    """
+
+    called: Called = field(default_factory=Called)
+    stopped: str = ""
+    closed: tuple[str, ...] = ()
+    seconds: float = 0.0
+    right_with_library: bool = False
+
+    @property
+    def missing(self) -> bool:
+        """Whether a name or the whole program was missing."""
+        fault = self.called.fault
+        return self.stopped == "nothing" or (fault is not None and "NameError" in fault.headline)
+
+
+def ask(
+    cage: Cage, request: Mapping[str, Any], notebook: bytes, exercise: Function, number: int
+) -> Asked:
+    """Call a program with the inputs of an exercise, one after the other.
+
+    Parameters
+    ----------
+    cage : Cage
+        Of the room that the task allows.
+    request : dict
+        See :func:`dhlab.grading.judging.questions.call_request`.
+    notebook : bytes
+    exercise : Function
+    number : int
+        The seed of the inputs.
+
+    Returns
+    -------
+    Asked
+    """
+    cases = exercise.cases(number)
+    answers: list[Any] = []
+    with cage.talk(request, notebook, cage.limits.seconds) as talk:
+        line = talk.ask()
+        while line is not None and ("ready" in line or "value" in line):
+            if "value" in line:
+                answers.append(_plain(line["value"]))
+            if len(answers) > len(cases):
+                break
+            case = cases[len(answers) % len(cases)]  # the first once more at the end
+            line = talk.ask({"case": [encode(value) for value in case]})
+    closed = _closed(line)
+    if line is None:
+        return Asked(stopped=talk.stopped, closed=closed, seconds=talk.seconds)
+    if len(answers) > len(cases):
+        called = Called(tuple(answers[:-1]), answers[-1])
+        return Asked(called, closed=closed, seconds=talk.seconds)
+    if isinstance(line.get("fault"), dict):
+        return Asked(_told(line["fault"], exercise), closed=closed, seconds=talk.seconds)
+    stopped = next((word for word in ("stub", "nothing") if word in line), "timed out")
+    return Asked(stopped=stopped, closed=closed, seconds=talk.seconds)
+
+
+def _plain(sent):
+    try:
+        return decode(sent)
+    except DECODED:
+        return None
+
+
+def _closed(line):
+    named = line.get("closed") if line else ()
+    last = [str(name).rpartition(".")[2] for name in named] if isinstance(named, list) else []
+    return tuple(sorted({name if name in PARTS else "its kinematics" for name in last}))
+
+
+def _told(fault, exercise):
+    """What stopped a program, as the course says it."""
+    names = ", ".join(exercise.names)
+    said: dict[Any, Callable[[], CallFault]] = {
+        "signature": lambda: CallFault(
+            f"the function cannot be called with {len(exercise.names)} arguments ({names})",
+            next=f"Give it the arguments {names}, in this order.",
+        ),
+        "changed": lambda: CallFault(
+            "the function changes the numbers it was given",
+            next="Work on a copy, or write x = x + … in place of x += …",
+            mistake="inputs-changed",
+        ),
+    }
+    make = said.get(fault.get("kind") if isinstance(fault.get("kind"), str) else None)
+    return Called(fault=make() if make else _stopped(fault))
+
+
+def _stopped(fault):
+    line = fault.get("line")
+    known = type(line) is int and 0 < line < 10_000
+    return CallFault(
+        f"the function stops with {error_name(fault.get('error'))}",
+        f"line {line} of the function" if known else "",
+        "Call it yourself and read the last line of the message.",
+    )
