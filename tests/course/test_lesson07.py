@@ -37,7 +37,8 @@ def link(theta, d, a, alpha):
 def pose(rows, q):
     """The end of an arm of revolute joints; rows in degrees, q in radians."""
     return np.linalg.multi_dot(
-        [link(theta + np.rad2deg(x), d, a, alpha) for (theta, d, a, alpha), x in zip(rows, q)]
+        [np.eye(4)]
+        + [link(theta + np.rad2deg(x), d, a, alpha) for (theta, d, a, alpha), x in zip(rows, q)]
     )
 
 

@@ -20,7 +20,12 @@ REGISTERED = {change.mistake for change in changes()}
 ARMS = ("ar4", "article-6r", "cobra600", "panda", "stanford")
 # what a call shows is told where functions are called; other programs of the course have lists
 # of wrong versions of their own
-ELSEWHERE = {"programs/calling.py", "programs/functions.py", "programs/explain.py"}
+ELSEWHERE = {
+    "programs/answers.py",
+    "programs/calling.py",
+    "programs/functions.py",
+    "programs/explain.py",
+}
 
 
 def _ids_in(path):
