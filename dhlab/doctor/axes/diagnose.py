@@ -251,7 +251,9 @@ def _estimated(sheet, data):
     r = loose.residual(chain.forward(data.q))
     share = np.sqrt(data.count / (data.count - free))
     position = COARSE[0] * np.sqrt((r[:, :3] ** 2).mean()) * share
-    turn = COARSE[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else data.floor[1]
+    turn = (
+        COARSE[1] * np.sqrt((r[:, 3:] ** 2).mean()) * share if data.R is not None else data.floor[1]
+    )
     return (
         float(np.clip(position, data.floor[0], LARGEST_NOISE[0])),
         float(np.clip(turn, data.floor[1], LARGEST_NOISE[1])),
