@@ -12,6 +12,7 @@ import numpy as np
 from ..formats import plainyaml
 from ..formats.axisfile import AxisSheet, holds_axes, sheet_from_item
 from ..formats.files import read_text
+from ..formats.posefile import LARGEST
 from ..formats.urdf import ENDINGS
 from ..robots import robots
 from .common import arm_of
@@ -30,7 +31,7 @@ def is_arm(text: str) -> bool:
         return True
     if ending != ".csv" or not Path(text).is_file():
         return False
-    return read_text(text, "a poses file").lstrip().startswith("# convention")
+    return read_text(text, "a poses file", LARGEST).lstrip().startswith("# convention")
 
 
 def sheet_in(text: str) -> AxisSheet | None:

@@ -27,6 +27,8 @@ from .to_urdf import to_urdf
 
 __all__ = ["app", "main"]
 
+LONGEST = 1500  # letters of an error
+
 app = typer.Typer(
     help="Learn, teach and debug Denavit-Hartenberg kinematics.",
     add_completion=False,
@@ -62,6 +64,14 @@ app.command()(generate)
 app.command(name="robots")(list_robots)
 
 
+def _printable(sentence):
+    """Without what a terminal would obey, and no longer than anybody reads: a file's name or a
+    value in it may hold anything.
+    """
+    plain = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in sentence)
+    return plain if len(plain) <= LONGEST else f"{plain[:LONGEST]} …"
+
+
 def main() -> None:
     """The entry point of the ``dhlab`` command."""
     for stream in (sys.stdout, sys.stderr):
@@ -80,5 +90,5 @@ def main() -> None:
         if not usage and not isinstance(error, ValueError):
             raise
         sentence = f"{usage()} See dhlab --help for what there is." if usage else str(error)
-        print(f"dhlab: {' '.join(sentence.split())}", file=sys.stderr)
+        print(f"dhlab: {_printable(' '.join(sentence.split()))}", file=sys.stderr)
         sys.exit(2)

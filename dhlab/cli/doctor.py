@@ -11,6 +11,8 @@ from typing import Annotated
 import typer
 
 from ..formats.files import read_text
+from ..formats.plainyaml import placed
+from ..formats.posefile import LARGEST as LARGEST_POSES
 from ..units import ANGLE, LENGTH
 from .against import against_arm, axes_of, is_arm, sheet_in
 from .common import arm_of, units_of
@@ -167,14 +169,17 @@ def _check(poses, protocol, sheet, repair, motion, free):
 
 def _units(told, path):
     """The lengths' and the angles' factor: as told, as a line of the file says, or both alike."""
-    written = _written_units(path)
+    line, written = _written_units(path)
     if not (told or written):
         raise ValueError(
             f"doctor: expected the units of {path}, found none; add --units mm,deg or --units"
             " m,rad, or a line # units: mm,deg to the file"
         )
-    units = units_of(told or written, "doctor")
-    if told and written and units_of(written, "doctor") != units:
+    stands = (
+        placed(f"{path}: line {line}", lambda: units_of(written, "doctor")) if written else None
+    )
+    units = units_of(told, "doctor") if told else stands
+    if stands and stands != units:
         raise ValueError(
             f"doctor: --units: expected the units that {path} names, {written}, found {told}; leave"
             " --units out, or correct the line in the file"
@@ -183,11 +188,10 @@ def _units(told, path):
 
 
 def _written_units(path):
-    """The units that a comment line of the poses file names, "" where none does."""
-    found = re.search(
-        r"^\s*#.*\bunits:\s*(\w+\s*,\s*\w+)", read_text(path, "a poses file"), re.MULTILINE
-    )
-    return found[1] if found else ""
+    """The line of the poses file that names its units, and the units; 0 and "" where none does."""
+    text = read_text(path, "a poses file", LARGEST_POSES)
+    found = re.search(r"^[ \t]*#.*\bunits:[ \t]*([^;\n]*?)[ \t,]*(?:;|$)", text, re.MULTILINE)
+    return (text.count("\n", 0, found.start()) + 1, found[1]) if found else (0, "")
 
 
 def _noise(text):

@@ -1,6 +1,9 @@
 """Reading text and writing it so that nothing is ever half written or lost."""
 
+import codecs
+import contextlib
 import os
+import re
 import tempfile
 from pathlib import Path
 
@@ -9,14 +12,21 @@ __all__ = ["read_text", "write_text", "write_bytes"]
 LARGEST = 10_000_000  # bytes; tables, pose files and logs are far smaller
 
 
-def read_text(path: str | Path, what: str) -> str:
-    """The UTF-8 text of a file.
+# what a file may say of itself, in an XML declaration or in a comment: coding: latin-1
+DECLARED = re.compile(rb"(?:coding[:=]\s*|encoding=[\"'])([-\w.]+)")
+ENCODINGS = {"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252", "utf-16"}
+
+
+def read_text(path: str | Path, what: str, largest: int = LARGEST) -> str:
+    """The text of a file: UTF-8, or what its first lines declare (Latin-1, Windows-1252).
 
     Parameters
     ----------
     path : str or path
     what : str
         What the file should be, for the error: "a table file".
+    largest : int
+        Bytes; a larger file is refused.
 
     Raises
     ------
@@ -40,7 +50,7 @@ def read_text(path: str | Path, what: str) -> str:
                 f"{path}: expected {what}, found something that is no plain file; name a file"
             )
         with open(path, "rb") as file:
-            raw = file.read(LARGEST + 1)
+            raw = file.read(largest + 1)
     except FileNotFoundError:
         raise ValueError(
             f"{path}: expected {what}, found no such file; check the name and the folder"
@@ -50,18 +60,28 @@ def read_text(path: str | Path, what: str) -> str:
             f"{path}: expected {what}, found that it cannot be read ({error.strerror}); check its"
             " permissions"
         ) from None
-    if len(raw) > LARGEST:
+    if len(raw) > largest:
         raise ValueError(
-            f"{path}: expected {what}, found more than {LARGEST // 1_000_000} MB; is it the right"
+            f"{path}: expected {what}, found more than {largest // 1_000_000} MB; is it the right"
             " file?"
         )
     try:
-        return raw.decode("utf-8-sig")
+        return raw.decode(_declared(raw))
     except UnicodeDecodeError:
         raise ValueError(
             f"{path}: expected {what} in UTF-8, found other bytes; save it as plain text, encoding"
             " UTF-8"
         ) from None
+
+
+def _declared(raw):
+    """The encoding that a file names for itself, where it is one for texts; UTF-8 otherwise."""
+    named = DECLARED.search(b"\n".join(raw[:400].splitlines()[:2]))
+    with contextlib.suppress(LookupError):
+        name = codecs.lookup(named[1].decode()).name if named else ""
+        if name in ENCODINGS - {"utf-8"}:
+            return name
+    return "utf-8-sig"
 
 
 def write_text(

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from .placed import placed_arm
-from .plainyaml import FLOAT
+from .plainyaml import FLOAT, placed
 from .urdfends import GRIPS, TURNS
 from .urdfwords import listed
 from .urdfxml import parsed
@@ -263,7 +264,7 @@ def _include(element, path, left):
             if left[0] < 0:
                 raise ValueError(f"{path}: expected at most {MOST_INCLUDES} includes, found more")
             other = path.parent / child.get("file", "")
-            inside = parsed(other, "an MJCF file")
+            inside = placed(f"{path}: include", partial(parsed, other, "an MJCF file"))
             _include(inside, other, left)
             parent.remove(child)
             for part in reversed(list(inside)):

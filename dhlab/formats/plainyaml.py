@@ -21,12 +21,15 @@ from .files import read_text
 
 Made = TypeVar("Made")
 
-__all__ = ["Item", "read", "parse", "fields", "entries", "number", "text", "placed"]
+__all__ = ["Item", "read", "parse", "shown", "fields", "entries", "number", "text", "placed"]
 
 # the core schema of YAML 1.2, section 10.3.2, decimal numbers only
 INTEGER = re.compile(r"[-+]?[0-9]+\Z")
 FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?\Z")
 RESOLVED = {"str", "int", "float", "bool", "null", "map", "seq", "timestamp", "merge"}
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")  # what a terminal obeys
+LONGEST = 10_000  # letters of a text; sources are sentences
+EXAMPLES = {"units": "units: {length: mm, angle: deg}", "convention": "convention: standard"}
 SPECIAL = re.compile(r"([-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN))\Z")
 
 
@@ -76,9 +79,10 @@ def parse(text: str, name: str) -> Item:
             " brackets and colons"
         ) from None
     except YAMLError as error:
+        reached = text.count("\n", 0, getattr(error, "position", 0)) + 1
         raise ValueError(
-            f"{name}: expected YAML text, found {str(error).splitlines()[0]}; save it as plain"
-            " UTF-8 text"
+            f"{name}: line {reached}: expected YAML text, found {str(error).splitlines()[0]}; save it"
+            " as plain UTF-8 text"
         ) from None
     except RecursionError:
         raise ValueError(
@@ -117,8 +121,12 @@ def _mapping(node, name):
             )
         key = key_node.value
         if key in items:
-            raise ValueError(f'{where}: expected every key once, found "{key}" twice; take one out')
+            raise ValueError(
+                f'{where}: expected every key once, found "{key[:40]}" twice; take one out'
+            )
         items[key] = _item(value_node, name)
+        if items[key].value is None:  # nothing stands after the colon, perhaps lines further on
+            items[key].where = where
     return items
 
 
@@ -150,7 +158,7 @@ def fields(item: Item, what: str, *, required: set[str], allowed: set[str]) -> d
     if not isinstance(item.value, dict):
         raise ValueError(
             f"{item.where}: {what}: expected {', '.join(sorted(allowed))} with a colon each, found"
-            f" {_found(item)}"
+            f" {_found(item)}{_such_as(what)}"
         )
     for key, value in item.value.items():
         if key not in allowed:
@@ -160,10 +168,18 @@ def fields(item: Item, what: str, *, required: set[str], allowed: set[str]) -> d
             )
             if key.isdigit():
                 todo = "is that a decimal comma? Write 0.425, not 0,425"
-            raise ValueError(f'{value.where}: {what}: unknown key "{key}"; {todo}')
+            raise ValueError(f'{value.where}: {what}: unknown key "{key[:40]}"; {todo}')
     for key in sorted(required - item.value.keys()):
-        raise ValueError(f"{item.where}: {what}: no {key}; expected {', '.join(sorted(required))}")
+        raise ValueError(
+            f"{item.where}: {what}: no {key}; expected {', '.join(sorted(required))}"
+            f"{_such_as(key if key in EXAMPLES else what)}"
+        )
     return item.value
+
+
+def _such_as(what):
+    """How a part of a file is written, where there is an example of it."""
+    return f", such as {EXAMPLES[what]}" if what in EXAMPLES else ""
 
 
 def number(item: Item, what: str) -> float:
@@ -182,8 +198,13 @@ def number(item: Item, what: str) -> float:
 def text(item: Item, what: str) -> str:
     """The text in ``item``, or a sentence."""
     if not isinstance(item.value, str):
+        todo = "write it after the colon" if item.value is None else "put it in quotes"
+        raise ValueError(f"{item.where}: {what}: expected text, found {_found(item)}; {todo}")
+    if CONTROL.search(item.value) or len(item.value) > LONGEST:
+        found = "control characters" if CONTROL.search(item.value) else f"{len(item.value)} letters"
         raise ValueError(
-            f"{item.where}: {what}: expected text, found {_found(item)}; put it in quotes"
+            f"{item.where}: {what}: expected a short text that can be printed, found {found}; write"
+            " it anew"
         )
     return item.value
 
@@ -205,7 +226,21 @@ def _found(item):
         return "nothing"
     if isinstance(value, (dict, list)):
         return "a list" if isinstance(value, list) else "a mapping"
-    return f"the text {value!r}" if isinstance(value, str) else repr(value)
+    return f"the text {shown(value)}" if isinstance(value, str) else shown(value)
+
+
+def shown(value: object, most: int = 60) -> str:
+    """A value as it is quoted in a sentence: no longer than a line, nothing a terminal obeys.
+
+    Examples
+    --------
+    >>> shown("x" * 10), shown("x" * 1000, 10)
+    ("'xxxxxxxxxx'", "'xxxxxxxxxx…'")
+    """
+    if isinstance(value, str):
+        return repr(value if len(value) <= most else value[:most] + "…")
+    text = repr(value)
+    return text if len(text) <= most else text[:most] + "…"
 
 
 def placed(where: object, make: Callable[[], Made]) -> Made:

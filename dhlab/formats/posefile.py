@@ -16,7 +16,7 @@ from ..transform import from_xyz_rpy
 from .files import read_text
 from .plainyaml import FLOAT
 
-__all__ = ["read_poses", "ORIENTATIONS"]
+__all__ = ["read_poses", "LARGEST", "ORIENTATIONS"]
 
 ORIENTATIONS = {
     "a quaternion": ("qw", "qx", "qy", "qz"),
@@ -24,6 +24,7 @@ ORIENTATIONS = {
     "a rotation vector": ("rx", "ry", "rz"),
 }
 POSITION = ("x", "y", "z")
+LARGEST = 200_000_000  # bytes: a controller's log holds more than a hundred thousand poses
 UNIT_TOLERANCE = 1e-3  # a quaternion printed with four digits passes
 
 
@@ -106,7 +107,9 @@ def _slides(joints, n):
 def _lines(path):
     """``(line number, cells)`` of the header and of every line with numbers."""
     kept = []
-    for i, line in enumerate(io.StringIO(read_text(path, "a poses file"), newline=None), 1):
+    for i, line in enumerate(
+        io.StringIO(read_text(path, "a poses file", LARGEST), newline=None), 1
+    ):
         if not line.strip(" \t\r\n,") or line.lstrip().startswith("#"):
             continue
         try:
@@ -144,7 +147,7 @@ def _orientation(names, n, where):
     for name in names:
         if name not in known:
             raise ValueError(
-                f"{where}: column {name!r}: expected q1 to q{n}, x, y, z and an orientation"
+                f"{where}: column {name[:40]!r}: expected q1 to q{n}, x, y, z and an orientation"
                 f" ({_choices()}); {_todo(name)}"
             )
         if names.count(name) > 1:

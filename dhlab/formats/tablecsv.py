@@ -24,11 +24,7 @@ def read_csv(path: str | Path) -> Arm:
     """The ``Arm`` in a CSV table file."""
     lines = read_text(path, "a table file").splitlines()
     convention = _convention(lines[0] if lines else "", path)
-    rows = [
-        (i, row)
-        for i, row in enumerate(csv.reader(lines[1:]), 2)
-        if any(cell.strip() for cell in row)
-    ]
+    rows = [(i, row) for i, row in _rows(lines[1:], path) if any(cell.strip() for cell in row)]
     if len(rows) < 2:
         raise ValueError(
             f"{path}: expected a header and at least one row, found {len(rows)} of these lines; see"
@@ -55,7 +51,25 @@ def read_csv(path: str | Path) -> Arm:
         units.convert(np.array(columns[name], dtype=float), scales[name]) for name in COLUMNS
     )
     table = DHTable(convention, theta, d, a, alpha, letters)
+    for (line, _), value in zip(rows[1:], sign or ()):
+        if value not in (1, -1):
+            raise ValueError(
+                f"{path}: line {line}: column sign: expected 1 or -1, found {value:g}; write -1"
+                " where the joint counts the other way"
+            )
     return placed(path, lambda: Arm(table, sign=sign))
+
+
+def _rows(lines, path):
+    """The cells of every line, with its number."""
+    for i, line in enumerate(lines, 2):
+        try:
+            yield i, next(csv.reader([line]), [])
+        except csv.Error as error:
+            raise ValueError(
+                f"{path}: line {i}: expected cells with commas between them, found {error}; look at"
+                " this line"
+            ) from None
 
 
 def _convention(line, path):

@@ -10,7 +10,7 @@ from .. import units
 from ..arm import Arm
 from ..table import COLUMNS, CONVENTIONS, DHTable, joint_letter
 from ..transform import from_xyz_rpy, to_xyz_rpy
-from .plainyaml import Item, entries, fields, number, placed, text
+from .plainyaml import Item, entries, fields, number, placed, shown, text
 
 __all__ = ["ARM_KEYS", "arm_from_item", "pose_of", "read_limits", "scales_of", "yaml_text"]
 
@@ -38,7 +38,7 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
         hint = '; "modified" is called craig here' if convention == "modified" else ""
         raise ValueError(
             f"{given['convention'].where}: convention: expected standard or craig, found"
-            f" {convention!r}{hint}"
+            f" {shown(convention)}{hint}"
         )
     to_m, to_rad = scales_of(given["units"])
     letters, rows = _joints(given["joints"])
@@ -65,6 +65,9 @@ def arm_from_item(item: Item, **inherited: Any) -> Arm:
         ]
     if "coupling" in given:
         parts["coupling"] = _coupling(given["coupling"], letters, to_m, to_rad)
+    for key in ("limits", "sign", "coupling"):  # each with the line where it stands
+        if key in given:
+            placed(given[key].where, lambda key=key: Arm(table, **{key: parts[key]}))  # type: ignore[misc]
     return placed(item.where, lambda: Arm(table, **parts))
 
 
