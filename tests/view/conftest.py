@@ -14,7 +14,7 @@ from dhlab.view.explorer.widget import MODULE
 
 SOURCE = Path(MODULE).parent / "js"
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><main><h1>Explorers</h1>{}</main><script type="module">{}
-window.dhlab = {{ forward, frames, widget }};</script>"""
+window.dhlab = {{ forward, frames, jacobian, widget }};</script>"""
 
 MODEL = """(state) => {
     const heard = {};
@@ -90,8 +90,8 @@ def opened(new_page):
             for pair in module[module.rindex("export{") + 7 : module.rindex("}")].split(",")
         )
         module += (
-            f"\nconst forward = {names['forward']}, frames = {names['frames']}, widget ="
-            f" {names['default']};"
+            f"\nconst forward = {names['forward']}, frames = {names['frames']}, jacobian ="
+            f" {names['jacobian']}, widget = {names['default']};"
         )
         page.set_content(
             PAGE.format("".join(as_html(explorer, stills) for explorer in explorers), module)

@@ -7,6 +7,7 @@ import pytest
 
 import dhlab as dh
 from dhlab import transform
+from dhlab.view.explorer.content import arm_data
 
 T_01 = transform.from_xyz_rpy([0.4, 0.1, 0.2], [0.2, -0.3, 0.9])
 T_12 = transform.from_xyz_rpy([0.3, 0.1, 0], [0, 0.4, -0.5])
@@ -99,7 +100,9 @@ def test_the_second_plate_is_moved_in_the_first_ones_arrows(live):
 
 def test_a_quarter_turn_is_about_the_plates_own_arrow(live):
     explorer = dh.explore(T_01, mode="pose")
-    live(explorer).get_by_role("button", name="A quarter turn about the plate's own y").click()
+    live(explorer).get_by_role(
+        "button", name="y +90°: a quarter turn about the plate's own y"
+    ).click()
     wanted = T_01 @ transform.from_xyz_rpy([0, 0, 0], [0, np.pi / 2, 0])
     np.testing.assert_allclose(explorer.poses[0], wanted, atol=1e-9)
 
@@ -138,3 +141,37 @@ def test_a_finger_on_a_plate_moves_it_and_elsewhere_scrolls(live):
         return !canvas.dispatchEvent(new TouchEvent('touchstart', { touches: [touch], cancelable: true, bubbles: true })); }"""
     assert page.evaluate(kept, [x, y]) is True
     assert page.evaluate(kept, [x + 150, y + 150]) is False
+
+
+@pytest.mark.parametrize("name", ["ur5e", "stanford", "cobra600"])
+def test_columns_of_the_jacobian_are_pythons_and_light_up(opened, name):
+    arm = dh.load(name)
+    q = np.linspace(-0.7, 0.4, len(arm))
+    page = opened(dh.explore(arm, q=q, jacobian=True))
+    for one in (arm, arm.to("craig")):
+        found = page.evaluate(
+            "([a, q]) => dhlab.jacobian(a, dhlab.frames(a, q), dhlab.forward(a, q))",
+            [arm_data(one), q.tolist()],
+        )
+        np.testing.assert_allclose(np.transpose(found), arm.jacobian(q), atol=1e-9)
+    page.get_by_role("button", name="q₁: what joint 1 alone does to the end").click()
+    lit = page.locator(".matrix td.lit").all_text_contents()
+    np.testing.assert_allclose(
+        [float(text.replace("−", "-")) for text in lit], arm.jacobian(q)[:, 0], atol=5.1e-4
+    )
+
+
+def test_a_row_and_its_link_light_up_together(opened):
+    arm = dh.load("article-6r")
+    page = opened(dh.explore(arm, q=np.deg2rad([30, 60, -80, -30, 40, 0])))
+    now = page.locator("tr.now")
+    page.get_by_role("button", name="2: row 2, lit with its link").click()
+    page.mouse.move(5, 5)
+    assert now.locator("th").inner_text() == "2"
+    middle = arm.frames(np.deg2rad([30, 60, -80, -30, 40, 0]))[2:4, :3, 3].mean(axis=0)
+    page.mouse.move(
+        *page.evaluate(
+            SEEN.replace(".dhlab-explorer, main > div", ".dhlab-explorer"), middle.tolist()
+        )[:2]
+    )
+    assert now.locator("th").inner_text() == "3", "the link that the mouse is at"

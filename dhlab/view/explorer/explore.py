@@ -42,8 +42,9 @@ def explore(
         are to be placed; one plate beside its matrix, or two and the product of theirs.
     **needs
         ``q`` (n,): where the arm stands at first, in every mode but "place", "pose", "branches" and
-        "compare" with poses; zeros when left out. "link": ``joint``, the row, from 1. "compare":
-        ``q`` (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as
+        "compare" with poses; zeros when left out. "arm": ``jacobian=True`` shows its columns, each
+        with what its joint does to the end. "link": ``joint``, the row, from 1. "compare": ``q``
+        (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as
         many joints. "branches": ``q`` (k, n), all of them. "place": ``convention``, "standard" or
         "craig" (the arm's when left out); ``end`` (4, 4) with a list of axes.
 
@@ -126,7 +127,7 @@ def _name(arm):
     return arm.name or "Arm"
 
 
-def _arm(arm, *, q=None):
+def _arm(arm, *, q=None, jacobian=False):
     arm = as_arm(arm, "explore")
     q = _at(arm, q)
     return _explorer(
@@ -134,7 +135,7 @@ def _arm(arm, *, q=None):
         arm,
         _name(arm),
         lambda: stills.arm(arm, q),
-        {"arm": arm_data(arm)},
+        {"arm": arm_data(arm), **({"jacobian": True} if jacobian else {})},
         q=q,
         convention=arm.table.convention,
     )

@@ -27,8 +27,9 @@ export class Table {
     this.element = h("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": caption }, table);
   }
 
+  // null leaves what is there.
   set(lines) {
-    lines.forEach((texts, i) => texts.forEach((text, k) => write(this.rows[i][k], text)));
+    lines.forEach((texts, i) => texts.forEach((text, k) => text !== null && write(this.rows[i][k], text)));
   }
 
   mark(row, column, name, on = true) {

@@ -1,7 +1,7 @@
 // The product itself, as dhlab/kinematics.py has it: one arm, one configuration.
 // An arm is {convention, joints, rows, base, tool, sign, coupling, limits, name}; rows hold [theta, d, a, alpha] in radians and metres.
 
-import { IDENTITY, along, axis, dot, middle, origin, product, sub } from "./matrix.js";
+import { IDENTITY, along, axis, cross, dot, middle, origin, product, sub } from "./matrix.js";
 
 export const ORDERS = { standard: ["theta", "d", "a", "alpha"], craig: ["alpha", "a", "theta", "d"] };
 export const COLUMNS = ["theta", "d", "a", "alpha"];
@@ -45,6 +45,16 @@ export function frames(arm, q) {
 
 export const endOf = (arm, chain) => product(chain[chain.length - 1], arm.tool);
 export const forward = (arm, q) => endOf(arm, frames(arm, q));
+
+// Columns [vx, vy, vz, ωx, ωy, ωz] of the geometric Jacobian at the end, in the frame of the base, for what q counts.
+export function jacobian(arm, chain, end) {
+  const columns = [...arm.joints].map((letter, i) => {
+    const frame = chain[arm.convention === "standard" ? i : i + 1], z = axis(frame, 2);
+    return letter === "P" ? [...z, 0, 0, 0] : [...cross(z, sub(origin(end), origin(frame))), ...z];
+  });
+  const rate = (i, j) => (arm.coupling ? arm.coupling[i][j] : Number(i === j)) * arm.sign[j];
+  return columns.map((_, j) => [0, 1, 2, 3, 4, 5].map((k) => columns.reduce((sum, column, i) => sum + column[k] * rate(i, j), 0)));
+}
 
 // The way from origin to origin along d and a: origins at the even places, corners between them.
 export function path(convention, chain) {

@@ -2,6 +2,9 @@
 
 import { Table, h, write } from "./dom.js";
 import { number } from "./format.js";
+import { add, along, axis, dot, origin, scale, sub } from "./matrix.js";
+
+export const AXES = ["x", "y", "z"];
 
 // One thing is lit at a time: `point` while something is pointed at, `hold` until it is held again.
 export class Light {
@@ -45,25 +48,31 @@ export class Light {
   }
 }
 
-// Numbers in columns, each column with a button on top that lights it. `headings` are [[text, name, key], ...].
+// Numbers in columns, each column with a button on top that lights it. `headings` are [[text, name, key], ...], `names` those of the rows.
 export class LitColumns extends Table {
-  constructor(caption, headings, rows, light) {
-    super(caption, headings.map(() => ""), rows, false);
+  constructor(caption, headings, rows, light, names = null) {
+    super(caption, [...(names ? [""] : []), ...headings.map(() => "")], rows, Boolean(names));
     this.element.classList.add("matrix");
-    this.keys = headings.map(([, , key]) => key);
-    this.buttons = headings.map(([text, name, key], k) => {
-      const button = light.button(text, key, name);
-      this.head[k].replaceChildren(button);
-      this.rows.forEach((cells) => light.from(cells[k], key));
-      return button;
+    this.first = names ? 1 : 0;
+    names?.forEach((name, i) => write(this.rows[i][0], name));
+    if (names) this.head[0].replaceWith(h("td"));
+    this.columns = headings.map(([text, name, key], k) => {
+      const cells = [this.head[k + this.first], ...this.rows.map((row) => row[k + this.first])], button = light.button(text, key, name);
+      cells[0].replaceChildren(button);
+      cells.slice(1).forEach((cell) => light.from(cell, key));
+      return { key, cells, button };
     });
   }
 
+  put(i, k, value) {
+    write(this.rows[i][k + this.first], number(value, 3));
+  }
+
   light(on) {
-    this.keys.forEach((key, k) => {
-      this.buttons[k].darken();
-      for (const cell of [this.head[k], ...this.rows.map((cells) => cells[k])]) cell.classList.toggle("lit", key === on);
-    });
+    for (const { key, cells, button } of this.columns) {
+      button.darken();
+      for (const cell of cells) cell.classList.toggle("lit", key === on);
+    }
   }
 }
 
@@ -71,10 +80,29 @@ export class LitColumns extends Table {
 export class Matrix extends LitColumns {
   constructor(caption, headings, light) {
     super(caption, headings, 4, light);
-    this.headings = headings;
   }
 
   update(T) {
-    for (let i = 0; i < 4; i++) for (let k = 0; k < 4; k++) write(this.rows[i][k], number(T[4 * i + k], 3));
+    for (let i = 0; i < 4; i++) for (let k = 0; k < 4; k++) this.put(i, k, T[4 * i + k]);
+  }
+}
+
+// A column of a pose as what it is: the way to its arrow's tip, or to its origin, along the arrows of the frame in which it is written.
+export function drawColumn(scene, T, seen, column, arrow) {
+  const whole = column === 3, from = origin(whole ? seen : T), size = whole ? 1 : arrow, color = whole ? "error" : AXES[column];
+  const way = whole ? sub(origin(T), origin(seen)) : axis(T, column);
+  scene.onTop(() => {
+    if (whole) scene.ball(origin(T), 0.1 * arrow, color);
+    else scene.arrow(from, way, 1.04 * arrow, 0.045 * arrow, color);
+  });
+  let at = from;
+  for (const k of [0, 1, 2]) {
+    const part = dot(way, axis(seen, k));
+    if (Math.abs(part) < 5e-4) continue;
+    const to = along(at, axis(seen, k), part * size);
+    scene.line([at, to], { color: AXES[k], pixels: 2.5, dash: [5, 4] });
+    scene.label(number(part, 3), scale(add(at, to), 0.5), { color: AXES[k], far: true, weight: 600, key: `part${k}` });
+    scene.keep(to);
+    at = to;
   }
 }

@@ -2,7 +2,7 @@
 
 import { mount } from "./explorer.js";
 
-export { forward, frames } from "./kinematics.js";
+export { forward, frames, jacobian } from "./kinematics.js";
 
 const STATE = ["q", "row", "poses", "convention", "step", "_answer"];
 

@@ -30,8 +30,9 @@ export class Scene {
   onTop(draw) {
     const before = this.solids;
     if (before === this.body) this.solids = this.frames;
-    draw();
+    const made = draw();
     this.solids = before;
+    return made;
   }
 
   solid(mesh, columns, color, gloss) {

@@ -13,14 +13,25 @@ export function headingsOf(convention) {
 }
 
 export class DHTable extends Table {
-  constructor(arm, title = `Table now, ${TITLES[arm.convention]}`) {
+  constructor(arm, title = `Table now, ${TITLES[arm.convention]}`, light = null) { // light: a row is lit with its link
     super(title, ["i", ...headingsOf(arm.convention)], arm.rows.length);
     this.arm = arm;
     [...arm.joints].forEach((letter, i) => this.mark(i, letter === "P" ? 2 : 1, "variable"));
+    this.buttons = light && this.lines.map((line, i) => {
+      const button = light.button(String(i + 1), i, `row ${i + 1}, lit with its link`);
+      this.rows[i][0].replaceChildren(button);
+      light.from(line, i);
+      return button;
+    });
+  }
+
+  light(on) {
+    this.lines.forEach((line, i) => line.classList.toggle("now", i === on));
+    this.buttons.forEach((button) => button.darken());
   }
 
   update(q) {
-    this.set(this.arm.rows.map((_, i) => [String(i + 1), ...rowTexts(rowAt(this.arm, q, i))]));
+    this.set(this.arm.rows.map((_, i) => [this.buttons ? null : String(i + 1), ...rowTexts(rowAt(this.arm, q, i))]));
   }
 }
 

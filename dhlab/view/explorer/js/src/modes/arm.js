@@ -3,9 +3,10 @@
 import { drawBody, drawTriads, named, spread } from "../bodies.js";
 import { jointSliders, toggle } from "../controls.js";
 import { h, write } from "../dom.js";
-import { degrees, direction, place } from "../format.js";
-import { endOf, frames, path } from "../kinematics.js";
-import { axis, length, origin, rollPitchYaw, sub } from "../matrix.js";
+import { amount, below, degrees, direction, number, place } from "../format.js";
+import { AXES, Light, LitColumns } from "../linked.js";
+import { endOf, frames, jacobian, jointPlaces, path } from "../kinematics.js";
+import { along, axis, dot, length, middle, origin, rollPitchYaw, scale, sub } from "../matrix.js";
 import { DHTable, FramesTable } from "../tables.js";
 
 const LONGEST = 800; // points of the trace that are kept
@@ -16,7 +17,8 @@ export function armMode(host, redraw) {
   const trace = [];
   let q, chain, end;
   const mode = { size: sizeOf(arm, zero, host.get("q")), build, changed, said };
-  const sliders = jointSliders(arm, mode.size, host), table = new DHTable(arm);
+  const sliders = jointSliders(arm, mode.size, host), light = new Light(lit), table = new DHTable(arm, undefined, light);
+  const columns = host.data.jacobian ? jacobianTable(arm, light) : null;
   const { titles } = named(arm, zero, zeroEnd), frameTable = new FramesTable(titles);
   const switchOf = (text, key) => toggle(text, shown[key], (on) => {
     shown[key] = on;
@@ -25,7 +27,8 @@ export function armMode(host, redraw) {
   });
   mode.tools = [switchOf("Frames", "frames"), switchOf("Zero pose", "ghost"), switchOf("Trace", "trace")];
   mode.controls = [sliders.element];
-  mode.below = [table.element];
+  mode.hover = hover;
+  mode.below = [table.element, ...(columns ? [columns.element] : [])];
   mode.frames = frameTable.element;
   mode.readout = endReadout();
   changed();
@@ -37,6 +40,7 @@ export function armMode(host, redraw) {
     end = endOf(arm, chain);
     sliders.set(q);
     table.update(q);
+    if (columns) jacobian(arm, chain, end).forEach((column, k) => column.forEach((value, i) => columns.put(i, k, value)));
     frameTable.update(named(arm, chain, end).poses);
     mode.readout.update(end);
     const at = origin(end), last = trace[trace.length - 1];
@@ -45,12 +49,29 @@ export function armMode(host, redraw) {
     redraw();
   }
 
+  function lit(on) {
+    table.light(on);
+    columns?.light(on);
+    redraw();
+  }
+
+  // The link near a point of the canvas.
+  function hover(at, camera, near) {
+    const points = at ? path(arm.convention, chain).map((p) => camera.flat(p)) : [];
+    const far = points.slice(1).map((p, k) => beside(at, points[k], p)), best = far.indexOf(Math.min(...far));
+    const one = at && far[best] <= near ? best >> 1 : null;
+    light.point(one);
+    return one !== null;
+  }
+
   function build(scene) {
     if (shown.ghost) scene.seeThrough(0.3, () => drawBody(scene, arm, zero, zeroEnd, { link: "ghost", joint: "ghost", shadow: false }));
     drawBody(scene, arm, chain, end);
     const all = named(arm, chain, end), last = all.poses.length - 1;
     if (shown.frames) drawTriads(scene, all.poses, all.names, all.titles);
     else drawTriads(scene, [all.poses[last]], [all.names[last]], [all.titles[last]]);
+    if (typeof light.on === "number") drawRow(scene, arm, chain, light.on);
+    else if (light.on) drawVelocity(scene, arm, chain, end, Number(light.on.slice(1)));
     if (shown.trace && trace.length > 1) scene.line([...trace, origin(end)], { color: "trace", pixels: 2, alpha: 0.85 });
   }
 
@@ -69,4 +90,40 @@ export function endReadout() {
     write(where, place(origin(T)));
     write(how, rollPitchYaw(T).map((angle) => degrees(angle, 1)).join(", "));
   } };
+}
+
+// A row as its link: d along z and a along x, each with its length.
+function drawRow(scene, arm, chain, i) {
+  const [from, corner, to] = path(arm.convention, chain).slice(2 * i, 2 * i + 3);
+  const parts = arm.convention === "standard" ? [["d", "z", i + 1], ["a", "x", i + 1]] : [["a", "x", i], ["d", "z", i + 1]];
+  [[from, corner], [corner, to]].forEach(([a, b], k) => {
+    const [symbol, color, number] = parts[k], far = length(sub(b, a));
+    if (far < 1e-6) return;
+    const about = axis(chain[(arm.convention === "standard") === (k === 0) ? i : i + 1], color === "z" ? 2 : 0);
+    scene.onTop(() => scene.stick(a, b, 0.017 * scene.size, color));
+    scene.label(`${symbol}${below(number)} = ${amount(dot(sub(b, a), about), false)}`, middle(a, b), { color, far: true, weight: 700, key: `row${symbol}` });
+  });
+  [from, to].forEach((p) => scene.onTop(() => scene.ball(p, 0.024 * scene.size, "error")));
+}
+
+// A column of the Jacobian: the joint's axis, and where the end goes when this joint alone turns by 1 rad/s (or slides by 1 m/s), drawn shorter.
+function drawVelocity(scene, arm, chain, end, i) {
+  const [vx, vy, vz] = jacobian(arm, chain, end)[i], speed = Math.hypot(vx, vy, vz), { at, along: z } = jointPlaces(arm.convention, chain)[i];
+  scene.line([along(at, z, -0.3 * scene.size), along(at, z, 0.45 * scene.size)], { color: "error", pixels: 2, dash: [9, 4] });
+  scene.label(`axis of joint ${i + 1}`, along(at, z, 0.45 * scene.size), { toward: z, color: "error", far: true, key: "axis" });
+  if (arm.joints[i] !== "P") scene.line([at, along(at, z, dot(sub(origin(end), at), z)), origin(end)], { color: "quiet", pixels: 1.5, dash: [4, 3] });
+  if (speed < 1e-6) return;
+  const tip = scene.onTop(() => scene.arrow(origin(end), scale([vx, vy, vz], 1 / speed), Math.max(0.06, 0.4 * speed) * Math.min(1, scene.size), 0.011 * scene.size, "error"));
+  scene.label(`v = ${number(speed, 3)} m/s`, tip, { toward: [vx, vy, vz], color: "error", far: true, weight: 700, key: "speed" });
+}
+
+function jacobianTable(arm, light) {
+  const names = [...arm.joints].map((letter, i) => [`q${below(i + 1)}`, `what joint ${i + 1} alone does to the end`, `j${i}`]);
+  return new LitColumns("Jacobian: speeds of the end for each joint", names, 6, light, ["v", "ω"].flatMap((kind) => AXES.map((letter) => `${kind} ${letter}`)));
+}
+
+// How far a point is from the stretch between two others, on the picture.
+function beside(at, a, b) {
+  const [x, y] = [b[0] - a[0], b[1] - a[1]], t = Math.max(0, Math.min(1, ((at[0] - a[0]) * x + (at[1] - a[1]) * y) / (x * x + y * y || 1)));
+  return Math.hypot(at[0] - a[0] - t * x, at[1] - a[1] - t * y);
 }

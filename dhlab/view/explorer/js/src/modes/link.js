@@ -5,6 +5,7 @@ import { button, choice, slider } from "../controls.js";
 import { h, write } from "../dom.js";
 import { amount, below, direction, place, SYMBOLS } from "../format.js";
 import { COLUMNS, ORDERS, isTurn, move } from "../kinematics.js";
+import { AXES, Light, Matrix, drawColumn } from "../linked.js";
 import { renderer } from "../loop.js";
 import { IDENTITY, add, along, axis, middle, origin, product, scale } from "../matrix.js";
 import { FramesTable } from "../tables.js";
@@ -23,6 +24,10 @@ export function linkMode(host, redraw) {
     changed: (value) => host.set("row", host.get("row").map((old, j) => (j === k ? value : old))),
   }));
   sliders.forEach((one, k) => one.element.querySelector(".symbol").classList.add(k < 2 ? "z" : "x"));
+  const light = new Light(lit); // a number of the row, or a column of its matrix
+  sliders.forEach((one, k) => light.from(one.element, COLUMNS[k]));
+  const matrix = new Matrix(`${titles[1]} seen from ${titles[0]}, lengths in m`, [...AXES, "p"].map((letter, k) => [`${letter}${below(index)}`,
+    k < 3 ? `arrow of frame ${names[1]}, written in frame ${names[0]}` : `origin of frame ${names[1]}, written in frame ${names[0]}`, `column${k}`]), light);
   const order = choice("Order of the moves", "convention", [["standard", "Standard"], ["craig", "Craig"]], host.get("convention"), (value) => {
     host.set("convention", value);
     go(4, 4);
@@ -33,9 +38,17 @@ export function linkMode(host, redraw) {
   const frameTable = new FramesTable([...titles, "now"], `Frames, seen from ${titles[0]}`);
   mode.controls = [h("fieldset", { class: "sliders" }, h("legend", {}, `Row ${index}: from ${titles[0]} to ${titles[1]}`), ...sliders.map((one) => one.element)),
     order.element, h("div", { class: "transport", role: "group", "aria-label": "Play the moves" }, ...Object.values(buttons)), list];
+  mode.below = [matrix.element];
   mode.frames = frameTable.element;
   changed();
   return mode;
+
+  function lit(on) {
+    matrix.light(on);
+    sliders.forEach((one, k) => one.element.classList.toggle("lit", COLUMNS[k] === on));
+    [...list.children].forEach((item, k) => item.classList.toggle("lit", moves[k].kind === on));
+    redraw();
+  }
 
   // Let the moves run to a place between 0 (none done) and 4 (all done), from where they are or from a given place.
   function go(to, from = t) {
@@ -53,6 +66,7 @@ export function linkMode(host, redraw) {
     moves = movesOf(row, convention, index);
     sliders.forEach((one, k) => one.set(row[k]));
     order.set(convention);
+    matrix.update(moves[3].end);
     show();
   }
 
@@ -71,7 +85,7 @@ export function linkMode(host, redraw) {
   // The move that runs is marked; of those at rest the last one made.
   function mark() {
     const now = goal > t ? Math.floor(t) : Math.ceil(t) - 1;
-    [...list.children].forEach((item, k) => { item.className = k === now ? "now" : k < now ? "done" : ""; });
+    [...list.children].forEach((item, k) => { item.className = `${k === now ? "now" : k < now ? "done" : ""} ${moves[k].kind === light.on ? "lit" : ""}`.trim(); });
   }
 
   function advance(time) {
@@ -91,11 +105,12 @@ export function linkMode(host, redraw) {
     zLine(scene, end, size);
     moves.forEach((one, k) => {
       const part = Math.max(0, Math.min(1, t - k));
-      if (part > 0 && Math.abs(one.value) > 1e-9) drawMove(scene, one, part, size, k < 2);
+      if (part > 0 && Math.abs(one.value) > 1e-9) drawMove(scene, one, part, size, k < 2, light.on === one.kind);
       scene.keep(origin(one.end));
     });
     if (!done) scene.seeThrough(0.28, () => drawTriads(scene, [end], [names[1]], null, { reach: size, thick: 0.0095 * reach, letters: false }));
     const shown = done ? [IDENTITY, end] : [IDENTITY, now];
+    if (light.on?.startsWith("column")) drawColumn(scene, end, IDENTITY, Number(light.on.slice(6)), size);
     drawTriads(scene, shown, done ? names : [names[0], " "], done ? titles : [titles[0], "moving"], { reach: size, thick: 0.0095 * reach });
   }
 
@@ -135,20 +150,20 @@ function zLine(scene, pose, size) {
 }
 
 // A turn is an arc between two rays, a shift a measured length; both in the colour of the axis about or along which they run.
-function drawMove(scene, one, part, size, first) {
+function drawMove(scene, one, part, size, first, strong) {
   const color = one.about === 2 ? "z" : "x", direction = axis(one.start, one.about), at = origin(one.start);
   const text = `${one.name} = ${one.text}`;
   if (!isTurn(one.kind)) {
     const to = along(at, direction, one.value * part);
-    scene.stick(at, to, 0.014 * scene.size, "link");
+    scene.stick(at, to, (strong ? 0.026 : 0.014) * scene.size, strong ? color : "link");
     scene.ball(to, 0.0145 * scene.size, "link");
-    scene.dimension(at, to, { color });
-    scene.label(text, middle(at, to), { color, far: true, size: 14, weight: 600, key: one.kind });
+    scene.dimension(at, to, { color, pixels: strong ? 4 : 2 });
+    scene.label(text, middle(at, to), { color, far: true, size: strong ? 17 : 14, weight: 600, key: one.kind });
     return;
   }
   const ray = axis(one.start, one.about === 2 ? 0 : 2), radius = (first ? 0.62 : 0.72) * size;
-  const centre = scene.arc(at, ray, direction, one.value * part, radius, { color, pixels: 2.5 });
+  const centre = scene.arc(at, ray, direction, one.value * part, radius, { color, pixels: strong ? 6 : 2.5 });
   scene.line([at, along(at, ray, 1.05 * size)], { color: "quiet", pixels: 1, dash: [4, 3] });
-  scene.label(text, centre, { toward: add(centre, scale(at, -1)), color, far: true, size: 14, weight: 600, key: one.kind });
+  scene.label(text, centre, { toward: add(centre, scale(at, -1)), color, far: true, size: strong ? 17 : 14, weight: 600, key: one.kind });
 }
 

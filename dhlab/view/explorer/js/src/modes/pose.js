@@ -4,13 +4,12 @@
 import { drawTriads } from "../bodies.js";
 import { button, choice, slider } from "../controls.js";
 import { h, write } from "../dom.js";
-import { below, number, vector } from "../format.js";
-import { Light, Matrix } from "../linked.js";
+import { below, vector } from "../format.js";
+import { AXES, Light, Matrix, drawColumn } from "../linked.js";
 import { IDENTITY, add, along, axis, dot, inverse, length, origin, poseOf, product, rollPitchYaw, scale, sub, turnTo, unit } from "../matrix.js";
 import { FramesTable } from "../tables.js";
 
 const GRID = 0.01, STRAIGHT = 0.12; // m, rad: where hands snap to, round numbers and the arrows of the frame around
-const AXES = ["x", "y", "z"];
 
 export function poseMode(host, redraw) {
   const { reach } = host.data, count = host.get("poses").length, two = count === 2, arrow = 0.3 * reach;
@@ -25,7 +24,7 @@ export function poseMode(host, redraw) {
     changed();
   });
   const quarter = h("div", { class: "transport", role: "group", "aria-label": "A quarter turn about an arrow of the plate" },
-    ...AXES.map((letter, k) => button(`${letter} +90°`, () => turnOwn(k), { "aria-label": `A quarter turn about the plate's own ${letter}` })));
+    ...AXES.map((letter, k) => button(`${letter} +90°`, () => turnOwn(k), { "aria-label": `${letter} +90°: a quarter turn about the plate's own ${letter}` })));
   const hint = h("p", { class: "hint" }, "Drag the tip of an arrow to turn the plate, its middle to move it. Point at a column: its arrow lights up.");
   const panel = h("fieldset", { class: "sliders" }, legend, ...sliders.map((one) => one.element), quarter);
   mode.controls = [...(two ? [which.element] : [shown[0].table.element]), panel, hint];
@@ -94,27 +93,7 @@ export function poseMode(host, redraw) {
     drawTriads(scene, drawn.map(([T]) => T), drawn.map(([, name]) => name), drawn.map(([, name]) => `{${name}}`), { reach: arrow, thick });
     if (two) scene.seeThrough(0.75, () => drawTriads(scene, [world[2]], ["other"], ["T₁₂·T₀₁"], { reach: 0.8 * arrow, thick: 0.8 * thick, letters: false, dashed: true, key: "other" }));
     for (const [x, y, z] of world.map(origin)) scene.keep([0, 0, 0], [x, 0, 0], [x, y, 0], [x, y, z]); // the steps of a column as well
-    if (column >= 0) drawColumn(scene, ...shown.find((one) => one.part === part).at(), column);
-  }
-
-  // A column as what it is: the way to its arrow's tip, or to the plate, along the arrows in which it is written.
-  function drawColumn(scene, T, seen, column) {
-    const isOrigin = column === 3, from = origin(isOrigin ? seen : T), size = isOrigin ? 1 : arrow;
-    const way = isOrigin ? sub(origin(T), origin(seen)) : axis(T, column), color = isOrigin ? "error" : AXES[column];
-    scene.onTop(() => {
-      if (!isOrigin) scene.arrow(from, way, 1.04 * arrow, 0.0135 * reach, color);
-      else scene.ball(origin(T), 0.035 * reach, color);
-    });
-    let at = from;
-    for (const k of [0, 1, 2]) {
-      const part = dot(way, axis(seen, k));
-      if (Math.abs(part) < 5e-4) continue;
-      const to = along(at, axis(seen, k), part * size);
-      scene.line([at, to], { color: AXES[k], pixels: 2.5, dash: [5, 4] });
-      scene.label(number(part, 3), scale(add(at, to), 0.5), { color: AXES[k], far: true, weight: 600, key: `part${k}` });
-      scene.keep(to);
-      at = to;
-    }
+    if (column >= 0) drawColumn(scene, ...shown.find((one) => one.part === part).at(), column, arrow);
   }
 
   // What hands can take hold of near a point of the canvas: an arrow's tip, or a plate's middle.
