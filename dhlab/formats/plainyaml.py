@@ -81,8 +81,8 @@ def parse(text: str, name: str) -> Item:
     except YAMLError as error:
         reached = text.count("\n", 0, getattr(error, "position", 0)) + 1
         raise ValueError(
-            f"{name}: line {reached}: expected YAML text, found {str(error).splitlines()[0]}; save it"
-            " as plain UTF-8 text"
+            f"{name}: line {reached}: expected YAML text, found {str(error).splitlines()[0]}; save"
+            " it as plain UTF-8 text"
         ) from None
     except RecursionError:
         raise ValueError(
