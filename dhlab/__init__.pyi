@@ -20,6 +20,7 @@ from .measure import calibrate_offsets as calibrate_offsets
 from .measure import fit_circles as fit_circles
 from .robots import load as load
 from .robots import robots as robots
+from .robots.likeness import like as like
 from .table import DHTable as DHTable
 from .view.explorer import explore as explore
 

@@ -38,6 +38,7 @@ def read_urdf(
     parallel: float | None = None,
     arguments: Mapping[str, object] | None = None,
     packages: Mapping[str, str | Path] | None = None,
+    unround: bool = False,
 ) -> PlacedArm:
     """The chain between two links of a URDF file, as an arm.
 
@@ -54,6 +55,10 @@ def read_urdf(
         The link whose frame is the end point. Left out: the end of the longest chain of arm joints;
         a gripper's fingers are no arm joints. Where that was a choice, a warning says so.
     convention : "standard" or "craig"
+    unround : bool
+        Take an angle that the file has rounded, such as 1.5708 or 3.14, for the multiple of 90° or
+        15° that it stands for. The arm is then the one that was meant, and no longer that of the
+        file to the last digit.
 
     Returns
     -------
@@ -89,7 +94,9 @@ def read_urdf(
     from .placed import placed_arm
     from .urdftree import read_chain
 
-    joints, name, base, tip, chosen = read_chain(path, base, tip, arguments, packages)
+    joints, name, base, tip, chosen = read_chain(
+        path, base, tip, arguments, packages, unround=unround
+    )
     axes, limits, end = [], [], np.eye(4)
     for joint in joints:
         end = end @ joint.origin

@@ -11,7 +11,7 @@ from ..transform import from_xyz_rpy
 from .plainyaml import FLOAT
 from .urdfxml import EXPAND, XACRO
 
-__all__ = ["Joint", "read_joint"]
+__all__ = ["Joint", "read_joint", "unrounded"]
 
 MOVABLE = ("revolute", "continuous", "prismatic")
 LIMITED = ("revolute", "prismatic")
@@ -33,7 +33,7 @@ class Joint:
     limits: tuple[float | None, float | None] | None
 
 
-def read_joint(element: Element, path: str | Path) -> Joint:
+def read_joint(element: Element, path: str | Path, *, unround: bool = False) -> Joint:
     """The :class:`Joint` in a ``<joint>``.
 
     Parameters
@@ -42,6 +42,8 @@ def read_joint(element: Element, path: str | Path) -> Joint:
         With a name.
     path : str or path
         Of the file, for errors.
+    unround : bool
+        Take the angles of rpy for what they are rounded from; see :func:`unrounded`.
 
     Raises
     ------
@@ -53,6 +55,8 @@ def read_joint(element: Element, path: str | Path) -> Joint:
     kind = _kind(element, where)
     xyz = _floats(element, "origin", "xyz", 3, where) or [0, 0, 0]
     rpy = _floats(element, "origin", "rpy", 3, where) or [0, 0, 0]
+    if unround:
+        rpy = [unrounded(angle) for angle in rpy]
     axis = _floats(element, "axis", "xyz", 3, where) or [1, 0, 0]
     if kind != "fixed" and axis == [0, 0, 0]:
         raise ValueError(
@@ -62,6 +66,36 @@ def read_joint(element: Element, path: str | Path) -> Joint:
     return Joint(
         element.get("name", ""), kind, from_xyz_rpy(xyz, rpy), np.array(axis, float), limits
     )
+
+
+def unrounded(angle: float) -> float:
+    """The multiple of 90° (or, from four decimals on, of 15°) that was rounded or cut off to this
+    number, or is within 1e-8 of it; the number itself where there is none.
+
+    Parameters
+    ----------
+    angle : float
+        Radians, as a file has it.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> unrounded(1.57) == unrounded(1.5707) == unrounded(1.570796327) == np.pi / 2
+    True
+    >>> unrounded(0.5236) == np.pi / 6, unrounded(0.52), unrounded(1.6)
+    (True, 0.52, 1.6)
+    """
+    decimals = len(np.format_float_positional(angle, trim="-").partition(".")[2])
+    for step, least in ((np.pi / 2, 2), (np.pi / 12, 4)):
+        exact = round(angle / step) * step
+        off, unit = abs(angle) - abs(exact), 10.0**-decimals
+        rounded = decimals >= least and -unit <= off <= unit / 2
+        if rounded or abs(off) < 1e-8:
+            return float(exact)
+    return angle
 
 
 def _kind(element, where):

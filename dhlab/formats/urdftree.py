@@ -18,6 +18,8 @@ def read_chain(
     tip: str | None,
     arguments: Mapping[str, object] | None = None,
     packages: Mapping[str, str | Path] | None = None,
+    *,
+    unround: bool = False,
 ) -> tuple[list[Joint], str, str, str, str]:
     """The joints from ``base`` to ``tip`` in order, the names of the robot and of the two links,
     and in words how the tip was chosen, where it had to be.
@@ -29,6 +31,8 @@ def read_chain(
         Names of links; None: the root and the end of the longest chain of arm joints.
     arguments, packages
         Of a xacro file, as :func:`dhlab.formats.xacrofile.expanded` takes them.
+    unround : bool
+        Take the angles of rpy for what they are rounded from.
 
     Returns
     -------
@@ -45,7 +49,8 @@ def read_chain(
     above = _joint_above(links, joints, path)
     base, tip, said = _ends(links, above, base, tip, path)
     chain = _chain(above, base, tip, path)
-    return [read_joint(joint[3], path) for joint in chain], name, base, tip, said
+    read = [read_joint(joint[3], path, unround=unround) for joint in chain]
+    return read, name, base, tip, said
 
 
 def _joint_above(links, joints, path):

@@ -2,55 +2,17 @@
 with its source and check poses.
 """
 
-from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
-from .. import units
 from ..arm import Arm
-from ..formats import plainyaml
-from ..formats.plainyaml import fields, number, text
 from ..formats.tablefile import read_arm
-from ..formats.tableyaml import ARM_KEYS, arm_from_item, read_limits
 from ..formats.urdf import ENDINGS as URDF
 from ..formats.urdf import read_description
+from .entries import FOLDER, CheckPose, Entry, entry
 from .examples import example
 
-__all__ = ["load", "robots", "entry", "example", "Entry", "CheckPose"]
-
-FOLDER = Path(__file__).parent
-EXTRA_KEYS = {"note", "checks"}  # what a library table says beyond a table file
-
-
-@dataclass(frozen=True)
-class CheckPose:
-    """A pose that a table must give: ``q`` (n,) in rad or m, ``xyz`` (3,) in m, ``R`` (3, 3) or
-    None, and where it comes from.
-    """
-
-    q: NDArray[np.float64]
-    xyz: NDArray[np.float64]
-    R: NDArray[np.float64] | None
-    source: str
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One arm of the library: ``tables`` maps a table's name to its Arm, the best first; ``notes``
-    and ``checks`` likewise.
-    """
-
-    key: str
-    name: str
-    topology: str
-    ambiguity: str
-    tables: dict[str, Arm]
-    notes: dict[str, str]
-    checks: dict[str, list[CheckPose]]
+__all__ = ["load", "robots", "search", "entry", "example", "Entry", "CheckPose"]
 
 
 def robots() -> list[str]:
@@ -62,10 +24,41 @@ def robots() -> list[str]:
 
     Examples
     --------
-    >>> "ur5e" in robots(), len(robots())
-    (True, 19)
+    >>> "ur5e" in robots(), "ur10" in robots()  # there are two: ur10_cb and ur10e
+    (True, False)
     """
     return sorted(path.stem for path in FOLDER.glob("*.yaml"))
+
+
+def search(words: str) -> list[str]:
+    """The arms whose name, maker or other names hold all of the words.
+
+    Parameters
+    ----------
+    words : str
+        Such as ``"kinova"`` or ``"LR Mate"``; capitals, spaces and signs do not matter.
+
+    Returns
+    -------
+    list of str
+        Names for :func:`load`; empty when there is none.
+
+    Examples
+    --------
+    >>> search("ur10"), search("Agile-X")
+    (['ur10_cb', 'ur10e'], ['piper'])
+    """
+    wanted = [_plain(word) for word in words.split()]
+    return [key for key in robots() if all(word in _said_of(key) for word in wanted)]
+
+
+def _said_of(key):
+    said = entry(key)
+    return _plain(" ".join((key, said.name, said.maker, *said.also)))
+
+
+def _plain(words):
+    return "".join(letter for letter in words.lower() if letter.isalnum())
 
 
 def load(name: str | Path) -> Arm:
@@ -117,63 +110,3 @@ def load(name: str | Path) -> Arm:
     if table and table not in tables:
         raise ValueError(f"load: expected a table of {key} ({', '.join(tables)}), found {table!r}")
     return tables[table or next(iter(tables))]
-
-
-@cache
-def entry(key: str) -> Entry:
-    """Everything the library says of one arm.
-
-    Parameters
-    ----------
-    key : str
-        A name from :func:`robots`.
-
-    Returns
-    -------
-    Entry
-
-    Examples
-    --------
-    >>> list(entry("piper").tables)
-    ['sdk_new', 'sdk_old']
-    """
-    item = plainyaml.read(FOLDER / f"{key}.yaml", "a library file")
-    top = fields(
-        item,
-        "the file",
-        required={"name", "tables"},
-        allowed={"name", "topology", "limits", "ambiguity", "tables"},
-    )
-    words = {
-        word: text(top[word], word) if word in top else ""
-        for word in ("name", "topology", "ambiguity")
-    }
-    best = next(iter(top["tables"].value))
-    tables, notes, checks = {}, {}, {}
-    for name, table in top["tables"].value.items():
-        given = fields(table, name, required={"source", "checks"}, allowed=ARM_KEYS | EXTRA_KEYS)
-        full_name = words["name"] if name == best else f"{words['name']} ({name})"
-        own = plainyaml.Item({k: v for k, v in given.items() if k not in EXTRA_KEYS}, table.where)
-        tables[name] = arm_from_item(own, name=full_name, **_shared_limits(top, given))
-        notes[name] = text(given["note"], "note") if "note" in given else ""
-        checks[name] = [_check_pose(check, tables[name]) for check in given["checks"].value]
-    return Entry(key, tables=tables, notes=notes, checks=checks, **words)
-
-
-def _shared_limits(top, given):
-    """The arm's limits, for a table that does not state its own; in degrees and metres."""
-    if "limits" not in top or "limits" in given:
-        return {}
-    letters = "".join(
-        "P" if "type" in row.value and row.value["type"].value == "prismatic" else "R"
-        for row in given["joints"].value
-    )
-    return {"limits": read_limits(top["limits"], letters, units.LENGTH["m"], units.ANGLE["deg"])}
-
-
-def _check_pose(item, arm):
-    given = fields(item, "checks", required={"q", "xyz", "from"}, allowed={"q", "xyz", "R", "from"})
-    q = np.array([number(entry, "q") for entry in given["q"].value], dtype=float)
-    q = np.where(arm.table.prismatic, q, np.deg2rad(q))
-    R = np.array(given["R"].plain(), dtype=float) if "R" in given else None
-    return CheckPose(q, np.array(given["xyz"].plain(), dtype=float), R, text(given["from"], "from"))
