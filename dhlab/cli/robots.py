@@ -106,23 +106,20 @@ def _like(table, as_json):
 
 
 def _list(keys, as_json, searched):
-    entries = [entry(key) for key in keys]
     if as_json:
-        print(json.dumps([_item(e) for e in entries], ensure_ascii=False))
+        print(json.dumps([_item(entry(key)) for key in keys], ensure_ascii=False))
         return
-    if not entries:
+    if not keys:
         print(f"No arm of the library is called {searched}; dhlab robots lists them all.")
         return
-    rows = [
-        [
-            e.key,
-            len(best := next(iter(e.tables.values()))),
-            best.table.convention,
-            ", ".join(e.tables),
-            e.name,
-        ]
-        for e in entries
-    ]
+    from ..robots.index import summary
+
+    rows = []
+    for key in keys:
+        said = summary(key)
+        best = next(iter(said["tables"].values()))
+        tables = ", ".join(said["tables"])
+        rows.append([key, len(best["joints"]), best["convention"], tables, said["name"]])
     print(grid_text(["name", "joints", "convention", "tables, the best first", ""], rows))
 
 

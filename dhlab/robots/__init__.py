@@ -53,8 +53,10 @@ def search(words: str) -> list[str]:
 
 
 def _said_of(key):
-    said = entry(key)
-    return _plain(" ".join((key, said.name, said.maker, *said.also)))
+    from .index import summary
+
+    said = summary(key)
+    return _plain(" ".join((key, said["name"], said["maker"], *said["also"])))
 
 
 def _plain(words):

@@ -14,6 +14,7 @@ from ..geometry.zeros import Rezeroed, rezero
 from ..printing import number
 from ..table import DHTable
 from .entries import entry
+from .index import summary, unsigned
 
 __all__ = ["Likeness", "like", "likeness", "words_of"]
 
@@ -83,7 +84,8 @@ def like(table: Arm | DHTable) -> list[Likeness]:
     from . import robots
 
     arm = _in_metres(as_arm(table, "like"))
-    found = [near for key in robots() if (near := _nearest(key, arm))]
+    seen = None if "P" in arm.table.joints else unsigned(arm)
+    found = [near for key in robots() if (near := _nearest(key, arm, seen))]
     found.sort(key=lambda near: (round(near.length, 7), len(near.words)))
     exact = [near for near in found if max(near.length, near.angle) < EXACT]
     return exact or found
@@ -97,19 +99,23 @@ def _in_metres(arm):
     return Arm(table, sign=arm.sign)
 
 
-def _nearest(key, arm):
+def _nearest(key, arm, seen):
     """The table of one entry that is nearest to the arm, or None."""
-    said = entry(key)
-    near = []
-    for name, model in said.tables.items():
+    near, title = [], summary(key)["name"]
+    for name, said in summary(key)["tables"].items():
+        if said["joints"] != arm.table.joints or not _alike(said["shape"], seen):
+            continue
+        model = entry(key).tables[name]
         same = likeness(model, arm, *ROUNDED)
         if same:
-            near.append(
-                Likeness(
-                    f"{key}.{name}", said.name, same.length, same.angle, words_of(same, model, arm)
-                )
-            )
+            words = words_of(same, model, arm)
+            near.append(Likeness(f"{key}.{name}", title, same.length, same.angle, words))
     return min(near, key=lambda one: (round(one.length, 7), len(one.words)), default=None)
+
+
+def _alike(stored, seen):
+    """Whether two shapes can be one at all; a sliding joint leaves it open."""
+    return seen is None or abs(np.array(stored) - seen).max() < 2 * max(ROUNDED)
 
 
 def likeness(a: Arm, b: Arm, length: float, angle: float) -> SameShape | None:

@@ -6,6 +6,7 @@ import warnings
 
 import numpy as np
 import pytest
+from draws import few
 
 from dhlab import Arm, DHTable, load, robots
 from dhlab.formats.urdf import read_urdf, to_urdf
@@ -205,7 +206,7 @@ def test_written_files_load_in_simulators_and_read_back(
     assert np.abs(by_pybullet(path, q, "tool") - arm.forward(q)).max() < 1e-6
 
 
-@pytest.mark.parametrize("name", robots())
+@pytest.mark.parametrize("name", few(robots(), 20))
 def test_round_trip_of_the_library(name, tmp_path):
     arm = load(name)
     to_urdf(arm, tmp_path / "out.urdf")

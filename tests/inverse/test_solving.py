@@ -9,10 +9,15 @@ from oracles import exponential_pose, pose_errors
 
 import dhlab as dh
 from dhlab.robots import entry
+from dhlab.robots.drawing_up import topology
 from dhlab.transform import from_xyz_rpy, rot_x
 
-TURNING = [name for name in dh.robots() if dh.load(name).table.joints == "R" * 6]
-CLOSED = [name for name in TURNING if name not in ("jaco6", "xarm6")]  # the others are prepared
+TURNING = [name for name in few(dh.robots(), 24) if dh.load(name).table.joints == "R" * 6]
+CLOSED = [  # the others are prepared
+    name
+    for name in TURNING
+    if "2-3-4" in topology(dh.load(name)) or "spherical wrist" in topology(dh.load(name))
+]
 SPARE = ["iiwa14", "iiwa7", "panda"]
 SLIDING = ["cobra600", "stanford"]
 LENGTHS = {"l1": 0.4, "l2": 0.3, "l3": 0.1}

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from draws import few
 
 import dhlab as dh
 from dhlab import transform
@@ -68,7 +69,7 @@ def numbers(text):
 def test_pose_equals_pythons_for_every_arm_and_both_conventions(opened):
     rng, page = np.random.default_rng(7), opened(dh.explore(dh.load("article-6r")))
     largest = 0.0
-    for name in dh.robots():
+    for name in few(dh.robots(), 20):
         for arm in (dh.load(name).to("standard"), dh.load(name).to("craig")):
             q = rng.uniform(-3, 3, (50, len(arm)))
             found = page.evaluate(
@@ -227,7 +228,7 @@ def test_text_table_is_the_frames(opened, name):
 
 
 def test_labels_are_apart_and_nearly_all_there_at_the_usual_views(opened):
-    arms = [dh.load(name) for name in dh.robots()]
+    arms = [dh.load(name) for name in few(dh.robots(), 20)]
     page, missing = (
         opened(*(dh.explore(arm, q=np.linspace(0.5, -0.7, len(arm))) for arm in arms)),
         {},

@@ -7,12 +7,13 @@ from itertools import product
 
 import numpy as np
 import pytest
+from draws import few
 
 import dhlab as dh
 from dhlab.doctor.tables.cells import read_cell
 from dhlab.doctor.tables.recognise import recognise_table
 
-ARMS = list(dh.robots())
+ARMS = few(dh.robots(), 16)
 ORDERS = [
     "theta d a alpha",
     "a alpha d theta",
