@@ -105,7 +105,7 @@ def tables(key):
         best = from_table(said["table"], derived and derived.arm.limits)
         found[said["table"]["name"]] = best
     else:
-        best = found["urdf"] = derived
+        best = found["derived"] = derived
     if "coupling" in said:
         found["controller"] = _as_controller(best, said["coupling"])
     for other in said.get("others", []):

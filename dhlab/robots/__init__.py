@@ -103,7 +103,7 @@ def load(name: str | Path) -> Arm:
         todo = (
             f"did you mean {near[0]}?"
             if near
-            else f"the arms are {', '.join(robots())}; a file's name ends in .yaml or .csv"
+            else f"dhlab robots lists the {len(robots())} arms; a file's name ends in .yaml or .csv"
         )
         raise ValueError(
             f"load: expected an arm of the library or a table file, found no {str(name)!r}; {todo}"

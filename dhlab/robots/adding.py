@@ -163,7 +163,7 @@ def add(
             f"robots: expected a key of small letters, digits, _ and -, such as gp7, found {key!r}"
         )
     given = read_given(path, source, base, tip)
-    tables, words = {"urdf" if Path(path).suffix.lower() == ".urdf" else "table": given}, ""
+    tables, words = {"derived" if Path(path).suffix.lower() == ".urdf" else "table": given}, ""
     if second is not None:
         other = read_given(second, f"the second source, {Path(second).name}", tip=second_tip)
         words = agreement(given.arm, other.arm) or ""

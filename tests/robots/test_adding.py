@@ -27,7 +27,7 @@ def test_a_urdf_becomes_a_library_file_with_its_poses(tmp_path):
         folder=tmp_path,
     )
     made = added(path)
-    arm, [check] = made.tables["urdf"], made.checks["urdf"]
+    arm, [check] = made.tables["derived"], made.checks["derived"]
     judged = dh.read_urdf(example("ur5e.urdf"), tip="tool0").forward(check.q)
     assert np.allclose(judged[:3, 3], check.xyz, atol=1e-8)
     T = arm.base @ elementary_pose(arm.table, check.q, arm.sign) @ arm.tool
@@ -51,7 +51,7 @@ def test_a_second_source_that_agrees_stands_beside_it(tmp_path):
         folder=tmp_path,
     )
     made = added(path)
-    assert list(made.tables) == ["urdf", "second"] and "the same arm" in made.second
+    assert list(made.tables) == ["derived", "second"] and "the same arm" in made.second
 
 
 def test_a_second_source_that_contradicts_is_refused(tmp_path):

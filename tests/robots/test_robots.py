@@ -64,9 +64,9 @@ def test_limits_are_stated_and_never_enforced():
     [
         ("ur5", "did you mean ur5e|did you mean ur5_cb"),
         ("ur5e.makr", "found 'makr'"),
-        ("", "the arms are"),
+        ("", "dhlab robots lists"),
         ("no.yaml", "no such file"),
-        (3, "the arms are"),
+        (3, "dhlab robots lists"),
         ("../ur5e", "found no"),
     ],
 )
