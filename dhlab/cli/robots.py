@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from ..printing import grid_text
-from ..robots import Entry, entry, load, robots, search
+from ..robots import entry, load, robots, search
 from .common import Json, described
 
 __all__ = ["list_robots"]
@@ -123,7 +123,7 @@ def _list(keys, as_json, searched):
     print(grid_text(["name", "joints", "convention", "tables, the best first", ""], rows))
 
 
-def _item(e: Entry):
+def _item(e):
     return {
         "name": e.key,
         "title": e.name,
