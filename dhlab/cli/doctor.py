@@ -117,10 +117,20 @@ def doctor(
     if units:
         units_of(units, "doctor")
     if poses and not motion and is_arm(poses):
+        if noise or units or repair:
+            raise ValueError(
+                f"doctor: expected no --noise, --units or --repair with {poses}, found one of"
+                " them; it is an arm, whose poses are computed: leave them out"
+            )
         against_arm(arm, poses, free_base, free_tool, as_json)
         return
     axes = None if protocol or motion else sheet_in(arm)
     if axes is not None:
+        if free_base or free_tool:
+            raise ValueError(
+                f"doctor: expected poses in the base frame and at the end of {arm}, an axis sheet,"
+                " found --free-base or --free-tool; leave them out, the end pose is looked at too"
+            )
         axes_of(axes, poses, _units(units, poses), level, repair, as_json)
         return
     model = arm_of(arm)

@@ -122,4 +122,4 @@ def _best(ends, chain):
     if len(ends) == 1:
         return ends[0]
     # several frames on the last link: the last link itself
-    return next(joint[2] for joint in reversed(chain) if _moves(joint))
+    return next((joint[2] for joint in reversed(chain) if _moves(joint)), ends[0])

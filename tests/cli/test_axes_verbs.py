@@ -65,5 +65,7 @@ def test_a_table_is_held_against_a_urdf(tmp_path):
     assert dhlab("doctor", "article-6r", tmp_path / "right.urdf").stdout.startswith(
         "The table agrees with the poses of"
     )
+    done = dhlab("doctor", "article-6r", tmp_path / "right.urdf", "--noise", "1mm,0.1deg")
+    assert done.returncode == 2 and "it is an arm, whose poses are computed" in done.stderr
     done = dhlab("doctor", "panda", tmp_path / "right.urdf")
     assert done.returncode == 2 and "expected two arms with the same joints" in done.stderr

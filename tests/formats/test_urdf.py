@@ -341,6 +341,13 @@ def test_what_is_off_the_chain_does_not_matter(file):
         (robot(*CHAIN), {"base": "l3"}, "joints below l3, found none"),
         (robot(*CHAIN), {"base": "l1", "tip": "l2"}, "fixed joints only"),
         (robot(*CHAIN), {"base": "l1", "tip": "l1"}, "fixed joints only"),
+        (
+            robot(
+                ("a", "l0", "l1", "fixed"), ("b", "l0", "l2", "fixed"), ("c", "l0", "l3", "fixed")
+            ),
+            {},
+            "fixed joints only",
+        ),
         (robot(*CHAIN[1:]), {}, "one root link, found l0, l1; name one"),
         (
             robot(*CHAIN, ("d", "l3", "l1", "revolute")),
