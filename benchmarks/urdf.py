@@ -218,7 +218,7 @@ def judged(path, work, rng, refused):
         try:
             with warnings.catch_warnings(record=True) as said:
                 warnings.simplefilter("always")
-                arm = read_urdf(path, tip=leaf)
+                arm = read_urdf(path, tip=leaf, parallel=0)
                 craig = arm.to("craig")
                 to_urdf(arm, work / "back.urdf", overwrite=True)
                 back = read_urdf(work / "back.urdf")
@@ -264,7 +264,7 @@ def main():
             tip = next((tip for end, tip in ARMS.items() if name.endswith(end)), "none")
             if tip != "none":
                 tip = tip or leaves(path)[0]
-                arm = read_urdf(path, tip=tip)
+                arm = read_urdf(path, tip=tip, parallel=0)
                 q = rng.uniform(-np.pi, np.pi, (100, len(arm)))
                 bullet.append(
                     (

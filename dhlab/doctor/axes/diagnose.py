@@ -9,10 +9,10 @@ from ...formats.axisfile import AxisSheet
 from ...geometry.frames import assign_frames
 from ...geometry.inputs import axes_from
 from ...transform import require_pose
-from ..arms.given import measured
-from ..arms.ranking import telling_pose
+from ..arms.given import distinct, measured
+from ..arms.ranking import differs, telling_pose
 from ..arms.search.measured import limit, rotation_vectors
-from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
+from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNDECIDED, UNEXPLAINED, Diagnosis
 from .chain import Chain
 from .search import everything, explanations, misfit
 from .words import axis_differences, finding_of
@@ -24,6 +24,9 @@ LARGEST_NOISE = (0.01, 0.05)  # m, rad; beyond this nothing is explained any mor
 COARSE = (2e-3, 4e-3)  # m, rad; supposed where the noise cannot be estimated
 RIVAL = 9.0  # what is no worse than the best by more than this is told beside it
 SMALL = (0.012, 0.02)  # m, rad; axes that are off by less, each, were measured, not mistaken
+DOUBT = 18.0  # χ²; so much must one mistake explain of what the noise alone might still make
+FEWEST = 3  # configurations; from fewer no mistake is claimed
+MOST = 5  # explanations that are listed
 TOLD = 4  # axes of which a note says how far they are off
 
 
@@ -74,8 +77,8 @@ def diagnose_axes(axes, end, q, poses, *, noise=None, name=""):
     Returns
     -------
     AxisDiagnosis
-        ``verdict`` "agrees", "explained", "calibrated" or "unexplained"; the finding says which
-        axis, and in ``detail`` how far and which way.
+        ``verdict`` "agrees", "explained", "calibrated", "undecided" or "unexplained"; the finding
+        says which axis, and in ``detail`` how far and which way.
 
     Raises
     ------
@@ -124,14 +127,11 @@ def _arm(chain, name):
 def _decided(sheet, data, notes, name):
     """The verdict at a known level of noise."""
     before = _size(sheet, data)
-    if misfit(sheet, data) <= limit(data.count):
-        return AxisDiagnosis(
-            AGREES,
-            "The axes agree with the measurements.",
-            before=before,
-            notes=notes + _weak(data),
-        )
+    now = misfit(sheet, data)
     found = explanations(sheet, data)
+    if now <= limit(data.count) and now - found[0].score(data) < DOUBT:
+        words = "The axes agree with the measurements."
+        return AxisDiagnosis(AGREES, words, before=before, notes=notes + _weak(data))
     fitting = [e for e in found if e.explains(data)]
     if fitting:
         return _explained(sheet, data, fitting, before, notes, name)
@@ -140,24 +140,19 @@ def _decided(sheet, data, notes, name):
 
 def _explained(sheet, data, fitting, before, notes, name):
     best, best_score = fitting[0], fitting[0].score(data)
-    rivals = [
-        e
-        for e in fitting[1:]
-        if e.score(data) - best_score < RIVAL
-        and (e.change.joint, e.change.kind) != (best.change.joint, best.change.kind)
-    ]
+    close = [e for e in fitting[1:] if e.score(data) - best_score < RIVAL]
+    others = {(e.change.joint, e.change.kind): e for e in reversed(close)}
+    others.pop((best.change.joint, best.change.kind), None)
     repaired = _arm(best.chain, name)
-    pose = None
-    if rivals:
-        others = {(e.change.joint, e.change.kind): e for e in reversed(rivals)}
-        told = [finding_of(e, sheet, None) for e in others.values()]
-        notes += (
-            "These poses allow as well: "
-            + "; ".join(f"{finding.place} {finding.detail}" for finding in told[:3])
-            + ".",
-        )
-        arms = [_arm(e.chain, name) for e in others.values()]
-        pose = telling_pose([repaired, *arms])
+    arms = {key: _arm(e.chain, name) for key, e in others.items()}
+    unlike = [key for key in arms if differs(repaired, arms[key], data)]
+    told = {key: finding_of(e, sheet, arms[key]) for key, e in others.items()}
+    if unlike or distinct(data.q) < FEWEST:
+        fits = (finding_of(best, sheet, repaired), *(told[key] for key in unlike))
+        return _undecided(data, fits, [repaired, *(arms[key] for key in unlike)], before, notes)
+    if told:
+        same = "; ".join(f"{finding.place} {finding.detail}" for finding in told.values())
+        notes = (*notes, f"The same motion as: {same}.")
     return AxisDiagnosis(
         EXPLAINED,
         "One mistake in the axes explains the measurements.",
@@ -165,9 +160,22 @@ def _explained(sheet, data, fitting, before, notes, name):
         before,
         _size(best.chain, data),
         notes + _weak(data),
-        pose,
         fitted=repaired,
         sheet=_sheet(best.chain, name),
+    )
+
+
+def _undecided(data, fits, arms, before, notes):
+    """Too few measurements: what fits, and the pose that decides."""
+    count = distinct(data.q)
+    return AxisDiagnosis(
+        UNDECIDED,
+        f"{count} measurement{'s' * (count > 1)} cannot tell which axis is wrong: each of these"
+        " fits.",
+        before=before,
+        notes=(*notes, "Measure more general poses, the one below first."),
+        next_pose=telling_pose(arms) if len(arms) > 1 else None,
+        fits=fits[:MOST],
     )
 
 
@@ -236,7 +244,12 @@ def _decided_exactly(sheet, data, name):
     exact = replace(data, noise=data.floor)
     said = ("The measurements are exact to their digits.",)
     if misfit(sheet, exact) <= limit(data.count):
-        return _decided(sheet, exact, said, name)
+        return AxisDiagnosis(
+            AGREES,
+            "The axes agree with the measurements.",
+            before=_size(sheet, data),
+            notes=said + _weak(data),
+        )
     fitting = [e for e in explanations(sheet, exact) if e.explains(exact)]
     return _explained(sheet, exact, fitting, _size(sheet, exact), said, name) if fitting else None
 

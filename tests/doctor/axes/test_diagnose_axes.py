@@ -96,3 +96,22 @@ def test_two_wrong_axes_are_both_told():
 def test_what_is_no_sheet_is_said_in_a_sentence():
     with pytest.raises(ValueError, match=r"^diagnose_axes: joint 2: direction: expected a vector"):
         dh.diagnose_axes([SHEET[0], ([0, 0, 0], [0, 0, 0])], END, Q[:, :2], measured(SHEET))
+
+
+def test_one_position_explains_nothing():
+    """Three numbers, and some sixty ways to be wrong: what fits is listed, nothing is claimed."""
+    wrong = [list(axis) for axis in SHEET]
+    wrong[2] = ([0.05, 0, 0.83], [0, 1, 0])
+    points = measured(SHEET)[:1, :3, 3]
+    answer = dh.diagnose_axes(wrong, END, Q[:1], points, noise=1e-3)
+    assert answer.verdict == "undecided" and not answer.findings
+    assert len(answer.fits) > 1 and answer.next_pose is not None
+    assert "cannot tell which axis" in answer.headline
+
+
+def test_a_shift_of_three_sigma_is_not_called_right():
+    wrong = [list(axis) for axis in SHEET]
+    wrong[1] = ([0.05, 0, 0.4035], [0, 1, 0])
+    noise = (1e-3, 3e-3)
+    answer = dh.diagnose_axes(wrong, END, Q, measured(SHEET, noise=noise), noise=noise)
+    assert answer.verdict == "explained" and answer.findings[0].joint == 2
