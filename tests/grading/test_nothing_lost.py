@@ -270,7 +270,10 @@ def test_when_it_came_and_how_that_is_known(tmp_path):
     put(tmp_path / "in" / "ada" / "ps" / "timestamp.txt", b"2026-11-17 10:03:12.5 UTC")
     (tmp_path / "in" / "bo").mkdir()
     with zipfile.ZipFile(tmp_path / "in" / "bo" / "x.zip", "w") as archive:
-        archive.writestr(zipfile.ZipInfo("05.ipynb", (2026, 11, 17, 18, 30, 0)), notebook())
+        # a date in a student's own zip is the student's
+        archive.writestr(zipfile.ZipInfo("05.ipynb", (2026, 11, 1, 12, 0, 0)), notebook())
+    late = datetime(2026, 11, 17, 18, 30, tzinfo=zone).timestamp()
+    os.utime(tmp_path / "in" / "bo" / "x.zip", (late, late))
     put(
         tmp_path / "in" / "s1021" / "05.ipynb",
         notebook(),
@@ -287,7 +290,7 @@ def test_when_it_came_and_how_that_is_known(tmp_path):
     }
     assert {student: row["handed_in"] for student, row in rows(tmp_path / "out").items()} == {
         "ada": "2026-11-17 18:03, timestamp.txt",
-        "bo": "2026-11-17 18:30, zip",
+        "bo": "2026-11-17 18:30, file time",
         "s1021": "2026-11-16 09:00, file time",
     }
     (tmp_path / "course.yaml").write_text(
@@ -298,7 +301,7 @@ def test_when_it_came_and_how_that_is_known(tmp_path):
         "grade", "in", "--out", "out2", "--course", "course.yaml", "--dry-run", cwd=tmp_path
     ).stdout
     assert (
-        "2026-11-17 18:30, zip, 30 min late: 10 % off" in shown
+        "2026-11-17 18:30, file time, 30 min late: 10 % off" in shown
         and "2026-11-16 09:00, file time" in shown
     )
 

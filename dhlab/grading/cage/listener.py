@@ -11,7 +11,7 @@ from typing import Any
 __all__ = ["Listener", "Run"]
 
 
-MOST = 8_000_000  # bytes that one submission may answer
+MOST = 3_000_000  # bytes that one submission may answer
 
 
 @dataclass

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Cell", "Cells", "read"]
+__all__ = ["Cell", "Cells", "read", "without_outputs"]
 
 CHECK = re.compile(r"""\bcheck\(\s*["']([0-9A-Za-z.]+)["']""")
 GRADE_ID = re.compile(r"(?:stub|check)-(.+)")
@@ -69,6 +69,36 @@ def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     return Cells(
         code, lesson, {key: expression for key, (expression, _) in wanted.items()}, unplaced
     )
+
+
+def without_outputs(raw: bytes) -> dict[str, Any]:
+    """A notebook with its code alone, for who has many pictures in it; ValueError when it is no
+    notebook.
+
+    Examples
+    --------
+    >>> cells = [{"cell_type": "code", "source": "x", "id": "a", "outputs": [1]}, {"source": "y"}]
+    >>> without_outputs(json.dumps({"cells": cells}).encode())["cells"]
+    [{'cell_type': 'code', 'source': 'x', 'metadata': {}, 'id': 'a'}]
+    """
+    notebook = _json(raw)
+    return {
+        "metadata": {"dhlab": _dict(_dict(notebook.get("metadata")).get("dhlab"))},
+        "cells": [
+            {
+                "cell_type": "code",
+                "source": _source(cell),
+                "metadata": {
+                    name: _dict(cell.get("metadata")).get(name)
+                    for name in ("exercise", "nbgrader")
+                    if name in _dict(cell.get("metadata"))
+                },
+                "id": _text(cell.get("id")),
+            }
+            for cell in _listed(notebook)
+            if isinstance(cell, dict) and cell.get("cell_type") == "code"
+        ],
+    }
 
 
 def _json(raw):

@@ -23,6 +23,7 @@ from .wire import decode
 __all__ = ["run"]
 
 LONGEST = 1_000_000  # bytes of a line
+MOST_CODE = 2_000_000  # bytes of a notebook without its outputs
 
 
 def run(request_file: int, answer_file: int) -> None:
@@ -30,6 +31,9 @@ def run(request_file: int, answer_file: int) -> None:
     with os.fdopen(request_file, "rb") as file:
         request = json.loads(file.readline())
         raw = file.read()
+    if "slim" in request:
+        _slim(raw, answer_file)
+        return
     if "call" in request:
         calls.answer(request, raw, answer_file)
         return
@@ -49,10 +53,19 @@ def run(request_file: int, answer_file: int) -> None:
     send({"done": cells.lesson})
 
 
-def _sender(file):
+def _slim(raw, answer_file):
+    """A notebook without its outputs, or what is wrong with it; nothing of it is run."""
+    try:
+        line = {"slim": notebooks.without_outputs(raw), "done": ""}
+    except Exception as error:
+        line = {"unreadable": type(error).__name__}
+    _sender(answer_file, MOST_CODE)(line)
+
+
+def _sender(file, longest=LONGEST):
     def send(line):
         data = json.dumps(line).encode()
-        if len(data) > LONGEST:
+        if len(data) > longest:
             data = json.dumps(
                 {key: value for key, value in line.items() if key in ("check", "cell")}
                 | {"value": {"other": "an answer too large to send"}}

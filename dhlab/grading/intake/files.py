@@ -13,15 +13,16 @@ from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, tzinfo
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 __all__ = ["Entry", "Read", "files_in", "FILE_TIME", "TIMESTAMP"]
 
 Read = Callable[[], bytes]
 
-LARGEST = 20_000_000  # bytes of a notebook
+LARGEST = 80_000_000  # bytes of a notebook; its pictures are thrown away before it runs
 LARGEST_ZIP = 200_000_000
-MOST_FILES = 20_000  # of a zip
+MOST_FILES = 500  # of a student's zip, those in it included
+MOST_ZIPS = 5  # in a student's zip
 DEEPEST = 2  # a zip of everybody's, and a student's own in it
 BROKEN = (
     zipfile.BadZipFile,
@@ -54,7 +55,7 @@ def files_in(place: Path, zone: tzinfo) -> Iterator[Entry]:
     if place.is_dir():
         yield from _in_folder(place, zone)
     elif zipfile.is_zipfile(place):
-        yield from _in_zip(lambda: place, (), 1, zone)
+        yield from _in_zip(lambda: place, (), 1, zone, None)
     else:
         raise ValueError(
             f"{place}: expected a folder or a zip of submissions, found"
@@ -76,7 +77,7 @@ def _in_folder(place, zone):
                 refused = "refused: a link, a pipe or a device, not a file"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             elif name.lower().endswith(".zip"):
-                yield from _opened(partial(str, path), parts, when, 1, zone)
+                yield from _opened(partial(str, path), parts, (when, FILE_TIME), 1, zone)
             elif status.st_size > LARGEST:
                 size, most = status.st_size // 1_000_000, LARGEST // 1_000_000
                 refused = f"refused: {size} MB, at most {most} are read"
@@ -92,9 +93,12 @@ def _nothing():
 
 def _reader(path):
     def read():
-        handle = os.open(
-            path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-        )
+        try:
+            handle = os.open(
+                path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+            )
+        except OSError:
+            return b""
         with os.fdopen(handle, "rb") as file:
             return file.read(LARGEST + 1)[:LARGEST]
 
@@ -104,38 +108,42 @@ def _reader(path):
 def _opened(source, parts, when, depth, zone):
     """The files of a zip that stands at ``parts``; of a broken one, what is wrong with it."""
     try:
-        yield from _in_zip(source, parts, depth, zone)
+        yield from _in_zip(source, parts, depth, zone, when)
     except BROKEN as error:
         refused = f"refused: a zip that cannot be read ({str(error)[:100]})"
-        yield Entry(parts, _nothing, when, FILE_TIME, refused)
+        yield Entry(parts, _nothing, *when, refused)
 
 
-def _in_zip(source, parts, depth, zone):
+def _in_zip(source, parts, depth, zone, came):
     """Members are read into memory when they are needed, each up to the limit; their names never
     name a file here.
 
     ``source()`` gives the zip anew, as a path or an open file, so that a thousand zips need not
-    stay open.
+    stay open. ``came``: when a student's own zip came, and how that is known; the dates in it are
+    the student's.
     """
-    with zipfile.ZipFile(source()) as archive:
-        members = archive.infolist()
+    members = _archive(source).infolist()
     if parts and (
         len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
     ):
         # the teacher's own zip may be large
         raise ValueError("too many files in it, or too large when unpacked")
+    zips = 0
     for number, member in enumerate(members):
         inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)
         if member.is_dir() or not inner or any(_boring(part) for part in inner if part != ".."):
             continue
         fault, read = _fault(member, inner), _member(source, number)
-        own, when = (*parts, *(part for part in inner if part != "..")), _when(member, zone)
+        own = (*parts, *(part for part in inner if part != ".."))
+        when = came or (_when(member, zone), ZIP)
         if fault or not inner[-1].lower().endswith(".zip"):
-            yield Entry(own, _nothing if fault else read, when, ZIP, fault)
-        elif depth < DEEPEST:
+            yield Entry(own, _nothing if fault else read, *when, fault)
+        elif depth < DEEPEST and (not parts or (zips := zips + 1) <= MOST_ZIPS):
             yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
         else:
-            yield Entry(own, _nothing, when, ZIP, "refused: a zip in a zip in a zip")
+            yield Entry(
+                own, _nothing, *when, "refused: a zip in a zip in a zip, or too many of them"
+            )
 
 
 def _member(source, number):
@@ -145,15 +153,26 @@ def _member(source, number):
 
     def read():
         try:
-            with (
-                zipfile.ZipFile(source()) as archive,
-                archive.open(archive.infolist()[number]) as file,
-            ):
+            archive = _archive(source)
+            with archive.open(archive.infolist()[number]) as file:
                 return file.read(LARGEST + 1)[:LARGEST]
         except BROKEN:
             return b""
 
     return read
+
+
+# the zips that were read from last stay open: members are asked for one after the other
+_open: dict[Any, zipfile.ZipFile] = {}
+AT_ONCE = 3
+
+
+def _archive(source):
+    if source not in _open:
+        while len(_open) >= AT_ONCE:
+            _open.pop(next(iter(_open))).close()
+        _open[source] = zipfile.ZipFile(source())
+    return _open[source]
 
 
 def _fault(member, inner):

@@ -2,6 +2,7 @@
 the roster.
 """
 
+import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
@@ -16,12 +17,14 @@ CANVAS = re.compile(
     r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE
 )
 COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
+LONGEST = 100  # bytes of a name that was read off a file
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 
 
 class Owner(NamedTuple):
     """Whose a file seems to be: the student, whether the roster knows the student, and where a
-    learning platform's name told, the name, its number and the place.
+    learning platform's name told, the name, its number and the place. ``sure`` is False where an id
+    only stands somewhere in a longer name, which anybody may have given to a file.
     """
 
     student: str
@@ -29,6 +32,7 @@ class Owner(NamedTuple):
     called: str = ""
     number: str = ""
     place: tuple[str, ...] = ()
+    sure: bool = True
 
 
 class Names:
@@ -102,12 +106,13 @@ def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
     Owner
     """
     for place, part in enumerate(parts):
-        known = _known(part, names)
+        known, sure = _known(part, names)
         if known:
             numbered = _numbered(part, parts[:place])
             # an id is one person's, whatever numbers stand beside it
             by_id = _plain(known) in map(_plain, numbered[:2])
-            return Owner(known, True, *(() if by_id else numbered))
+            name, number, where = numbered if numbered and not by_id else ("", "", ())
+            return Owner(known, True, name, number, where, sure)
     called = _called(parts[0], names, is_file=len(parts) == 1)
     return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))
 
@@ -133,16 +138,19 @@ def _numbered(part, place):
 
 
 def _known(part, names):
+    """(student or None, whether that is sure). Of a name that a platform wrote only what the
+    platform put there counts; the rest is the student's own.
+    """
     stem = ENDINGS.sub("", part)
     moodle, canvas = MOODLE.match(part), CANVAS.match(part)
-    for called in (
-        ([moodle["name"]] if moodle else [])
-        + ([canvas["user"], canvas["name"]] if canvas else [])
-        + [stem, _called(part, names, True)]
-    ):
+    if moodle or canvas:
+        written = [moodle["name"]] if moodle else [canvas["user"], canvas["name"]]
+    else:
+        written = [stem, _called(part, names, True)]
+    for called in written:
         if called and (found := names.find(called)):
-            return found
-    return names.within(stem)
+            return found, True
+    return (None, True) if moodle or canvas else (names.within(stem), False)
 
 
 def _called(part, names, is_file):
@@ -178,4 +186,8 @@ def _letters(text):
 def _safe(called):
     """A name that can name a file on every system."""
     text = unicodedata.normalize("NFC", called.encode("utf-8", "replace").decode("utf-8"))
-    return re.sub(r"[^\w.@+ -]", "_", text).strip(" .")[:100] or "unnamed"
+    text = re.sub(r"[^\w.@+ -]", "_", text).strip(" .")
+    if len(text.encode()) > LONGEST:
+        cut = text.encode()[:LONGEST].decode("utf-8", "ignore")
+        text = f"{cut}-{hashlib.sha256(text.encode()).hexdigest()[:6]}"
+    return text or "unnamed"

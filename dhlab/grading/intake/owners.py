@@ -54,7 +54,7 @@ def look_whose(
         ]
         for student, mine in found.items()
     }
-    _check_key([numbers for own in drawn.values() for _, numbers in own], owner, key)
+    _check_key([[given for _, given in own] for own in drawn.values() if own], owner, key)
     notes = []
     for student, mine in found.items():
         others = {
@@ -82,7 +82,8 @@ def look_whose(
 
 
 def _check_key(drawn, owner, key):
-    foreign = sum(bool(given) and not given & owner.keys() for given in drawn)
+    # by student: one with many copies is still one
+    foreign = sum(all(given and not given & owner.keys() for given in own) for own in drawn)
     if 2 * foreign > len(drawn):
         what = "numbers of their own; give the key they were released with (--key)"
         if key:
@@ -90,7 +91,7 @@ def _check_key(drawn, owner, key):
                 "other numbers than this key gives to this roster; give the key and the roster they"
                 " were released with (--key, --roster)"
             )
-        raise ValueError(f"grade: {foreign} of {len(drawn)} notebooks have {what}")
+        raise ValueError(f"grade: {foreign} of {len(drawn)} students' notebooks have {what}")
 
 
 def _own_notes(student, drawn, number, owner, names):

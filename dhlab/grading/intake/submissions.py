@@ -17,6 +17,8 @@ __all__ = ["Notebook", "Submission", "submissions", "PASSED_OVER"]
 
 PASSED_OVER = "passed over"
 MOST_NOTEBOOKS = 12  # of a student
+MOST_LOOKED_INTO = 20  # files of another name, of a student, that may be notebooks
+MOST_NOTES = 20  # of a student
 NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
@@ -48,6 +50,7 @@ class Submission:
     loose: bool = True
     refused: bool = False
     numbers_of: str | None = None
+    looked_into: int = 0
 
 
 def submissions(
@@ -85,15 +88,26 @@ def submissions(
     entries = _stamped(_unwrapped(files_in(place, zone), names), zone)
     owners = [student_of(entry.parts, names, place.stem) for entry in entries]
     namesakes = _namesakes(owners)
+    claimed = {owner.student for owner in owners if owner.known and owner.sure}
+    doubts: dict[str, list[str]] = {}
     for entry, owner in zip(entries, owners):
         student, known = owner.student, owner.known
         if owner in namesakes:
             student, known = f"{owner.called} {owner.number}", False
+        elif not owner.sure and student in claimed:
+            # somebody else's file may be called so: it takes nothing away from who is sure
+            student, known = f"{printable(entry.parts[0])[:80]}, perhaps {student}", False
+            doubts.setdefault(owner.student, []).append(student)
         mine = found.setdefault(student, Submission(student, on_roster=known or not roster))
         mine.loose &= len(entry.parts) == 1
         _take(mine, entry)
     for mine in found.values():
         _settle(mine)
+    for student, others in doubts.items():
+        found[student].notes.append(
+            f"{' and '.join(dict.fromkeys(others))}: has this id in its name and is held apart; if"
+            " it is this student's, give it the id alone as its name"
+        )
     for student in {owner.student for owner in namesakes if owner.known}:
         others = sorted(
             {f"{other.called} {other.number}" for other in namesakes if other.student == student}
@@ -164,17 +178,36 @@ def _take(mine, entry):
     """Add a file to a student's submission, or say why not."""
     name, read, fault = "/".join(entry.parts), entry.read, entry.fault
     ending = os.path.splitext(name)[1].lower()
-    name = name.encode("utf-8", "replace").decode("utf-8")
+    name = printable(name.encode("utf-8", "replace").decode("utf-8"))
     if fault:
         mine.notes.append(f"{name}: {fault}")
-    elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(read)):
+    elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(mine, read)):
         mine.notebooks.append(Notebook(name, read, entry.when, entry.source))
     else:
         mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")
 
 
-def _sniffed(read):
-    """Whether a file of another name is a notebook after all."""
+def printable(name: str) -> str:
+    """A name that a student gave, without what moves a terminal's cursor or turns the writing.
+
+    Examples
+    --------
+    >>> printable("a\\x1b[2Jb")
+    'a\\\\x1b[2Jb'
+    """
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
+        for letter in name
+    )
+
+
+def _sniffed(mine, read):
+    """Whether a file of another name is a notebook after all; a student's first ones are looked
+    into.
+    """
+    mine.looked_into += 1
+    if mine.looked_into > MOST_LOOKED_INTO:
+        return False
     raw = read()
     return bool(LOOKS_LIKE_ONE.search(raw)) and raw.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{"
 
@@ -198,6 +231,9 @@ def _settle(mine):
     mine.refused = bool(mine.notes)
     if mine.notebooks:
         mine.notes = [note for note in mine.notes if not note.endswith(PASSED_OVER)]
+    if len(mine.notes) > MOST_NOTES:
+        more = len(mine.notes) - MOST_NOTES
+        mine.notes[MOST_NOTES:] = [f"and {more} more files that were {PASSED_OVER}"]
 
 
 def _unwrapped(entries, names):

@@ -2,6 +2,7 @@
 process or on another machine.
 """
 
+import json
 import threading
 import time
 from collections.abc import Mapping
@@ -14,6 +15,7 @@ from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
 from ..intake.notebooks import lessons_of
 from ..results.marks import (
+    ERROR,
     GRADED,
     MISSING,
     NOT_ATTEMPTED,
@@ -32,6 +34,7 @@ from .questions import Course, call_request, handed_out_checks, request, warm_mo
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
 WARM = ("scipy.spatial.transform",)  # what programs that are written oneself import
+LARGE = 1_000_000  # bytes of a notebook with pictures; a lesson as handed out has a tenth
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
 _lock = threading.Lock()
 _cages: dict[tuple[Any, ...], Cage] = {}
@@ -67,7 +70,7 @@ class Task:
 
 
 def work(task: Task, course: Course) -> Graded:
-    """Grade one student.
+    """Grade one student. A fault of the grader's own costs nobody else anything, and is told.
 
     Parameters
     ----------
@@ -78,6 +81,24 @@ def work(task: Task, course: Course) -> Graded:
     -------
     Graded
     """
+    try:
+        return _work(task, course)
+    except Exception as error:
+        if isinstance(error, ValueError) and str(error).startswith("grade:"):
+            raise  # there is no cage: nobody can be graded
+        said = f"could not be graded, the grader stopped with {type(error).__name__}: {error}"
+        return Graded(
+            task.student,
+            "; ".join(handed.name for handed in task.notebooks),
+            UNREADABLE,
+            without_marks(course, ERROR),
+            variant=course.variants.get(task.student, 0),
+            notes=(*task.notes, said[:300]),
+            number=task.number,
+        )
+
+
+def _work(task, course):
     begun = time.monotonic()
     variant = course.variants.get(task.student, 0)
     graded = Graded(
@@ -179,7 +200,7 @@ def _run_all(cage, task, course, variant):
     None, the cells of each notebook that were not run).
     """
     answers, notes, runs, skipped = Answers(), [], [], {}
-    for handed in task.notebooks:
+    for handed in _slim(cage, task.notebooks):
         run, why, skipped[handed.name] = _run(cage, handed, course, variant, answers)
         runs.append(run)
         notes += [f"{handed.name}: {note}" for note in why]
@@ -189,6 +210,18 @@ def _run_all(cage, task, course, variant):
         run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs
     )
     return answers, notes, UNREADABLE if unread else None, skipped
+
+
+def _slim(cage, notebooks):
+    """The notebooks, large ones without their outputs; these are taken out in the cage, where it
+    costs nobody else anything.
+    """
+    for handed in notebooks:
+        if len(handed.raw) > LARGE:
+            run = cage.run({"slim": 1, "cell_seconds": 10}, handed.raw, 20)
+            slim = run.lines[-1].get("slim") if run.lines else None
+            handed = replace(handed, raw=json.dumps(slim).encode()) if slim else handed
+        yield handed
 
 
 def _run(cage, handed, course, variant, answers):

@@ -23,7 +23,7 @@ RUN = 12  # tokens: about a line of a formula
 FEW, MANY = 0.1, 10
 # rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
 ENOUGH, SHARE = 40, 0.8
-LARGEST = 100_000  # characters of one answer that are read
+LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
 CHECK = re.compile(r"""^[ \t]*check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE)
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 

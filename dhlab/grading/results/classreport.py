@@ -18,6 +18,7 @@ from .alike import Pair
 from .chosen import chosen_answers
 from .items import items
 from .marks import ERROR, GRADED, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
+from .names import page_stem
 from .pages import duration, render, words
 from .sections import question, section_of_exercise, section_of_mistake, sheet_question
 
@@ -251,7 +252,7 @@ def _row(graded, names):
     return {
         "graded": graded,
         "name": names.get(graded.student, graded.student),
-        "link": f"feedback/{quote(graded.student)}.html",
+        "link": f"feedback/{quote(page_stem(graded.student))}.html",
         "late": duration(graded.late_days, words("en")) if graded.late_days else "",
         "right": sum(mark.status == RIGHT for mark in graded.marks),
     }

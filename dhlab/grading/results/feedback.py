@@ -24,6 +24,7 @@ from .marks import (
     Graded,
     Mark,
 )
+from .names import page_stem
 from .pages import duration, render, words
 
 __all__ = ["feedback_page", "write_feedback", "headline"]
@@ -103,7 +104,7 @@ def write_feedback(graded: Graded, student: Student | None, folder: str | Path) 
     -------
     Path
     """
-    path = Path(folder) / f"{graded.student}.html"
+    path = Path(folder) / f"{page_stem(graded.student)}.html"
     write_text(path, feedback_page(graded, student), overwrite=True)
     return path
 

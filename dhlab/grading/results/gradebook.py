@@ -7,12 +7,13 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from urllib.parse import quote, unquote
+from urllib.parse import unquote
 
 from ...formats import files
 from ..intake.roster import Student
 from .csvtext import csv_text
 from .marks import NOT_HANDED_IN, Graded
+from .names import marks_stem, page_stem
 from .pages import OURS
 
 __all__ = ["Gradebook"]
@@ -68,15 +69,25 @@ class Gradebook:
 
     def path(self, student: str) -> Path:
         """Where a student's marks stand."""
-        return self.folder / "marks" / f"{quote(student, safe=' @+')}.json"
+        return self.folder / "marks" / f"{marks_stem(student)}.json"
 
     def students(self) -> list[str]:
         """Everybody whose marks stand here."""
         return [
-            unquote(path.stem)
+            self._student(path)
             for path in sorted((self.folder / "marks").glob("*.json"))
             if not path.name.startswith(".")
         ]
+
+    @staticmethod
+    def _student(path):
+        """Whose marks a file holds; a name that was too long stands in the file alone."""
+        if "~" not in path.stem:
+            return unquote(path.stem)
+        try:
+            return str(json.loads(files.read_text(path, "a student's marks"))["student"])
+        except (ValueError, TypeError, KeyError):
+            return unquote(path.stem)
 
     def read(self, student: str) -> Graded | None:
         """What was graded before, or None; ValueError when the file holds no marks of ours."""
@@ -100,7 +111,7 @@ class Gradebook:
             self.folder / "grades.csv",
             [
                 self.folder / "class-report.html",
-                *(self.folder / "feedback" / f"{student}.html" for student in students),
+                *(self.folder / "feedback" / f"{page_stem(student)}.html" for student in students),
             ],
         )
         for path, sign in [(sheet, ",".join(HEAD)), *((page, OURS) for page in pages)]:
