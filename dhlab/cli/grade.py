@@ -52,6 +52,16 @@ def grade(
         str,
         typer.Option(metavar="ID", help="Grade only this exercise again; the other marks stay."),
     ] = "",
+    cage: Annotated[
+        str,
+        typer.Option(
+            metavar="LEVEL",
+            help=(
+                "bubblewrap (when left out), or landlock or rlimits, which are weaker, where"
+                " bubblewrap does not work."
+            ),
+        ),
+    ] = "",
     as_json: Annotated[
         bool, typer.Option("--json", help="Print JSON for a program to read.")
     ] = False,
@@ -68,7 +78,7 @@ def grade(
     common: dict[str, Any] = {
         "roster": students,
         "key": read_key(key) if key else None,
-        "settings": settings_of(course),
+        "settings": _in_cage(settings_of(course), cage),
         "exercise": exercise,
     }
     if dry_run:
@@ -92,6 +102,16 @@ def grade(
         if as_json
         else _summary(results, planned, report, students)
     )
+
+
+def _in_cage(settings, level):
+    from dataclasses import replace
+
+    from ..grading.settings import LEVELS
+
+    if level and level not in LEVELS:
+        raise ValueError(f"grade: --cage: expected {', '.join(LEVELS)}, found {level!r}")
+    return replace(settings, cage=level) if level else settings
 
 
 def _tell_plan(planned, as_json):

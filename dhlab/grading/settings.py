@@ -116,7 +116,7 @@ def read_settings(path: str | Path) -> Settings:
             # share for a function that calls the library's kinematics where it is to be written
             own_kinematics: 0
             limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb: 16, threads: 32}
-            cage: bubblewrap      # or landlock, rlimits; the best there is when left out
+            cage: bubblewrap      # when left out; or landlock, rlimits, which are weaker
 
     Returns
     -------

@@ -3,10 +3,14 @@ read as.
 """
 
 import json
+import os
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
+import psutil
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -20,7 +24,7 @@ import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.calling import Called, CallFault, record
-from dhlab.grading.cage import cage
+from dhlab.grading.cage import cage, sight, stage
 from dhlab.grading.inside import notebook
 from dhlab.grading.inside.cells import parsed, run_cell
 from dhlab.grading.inside.clock import TimeLimit
@@ -257,6 +261,42 @@ def test_a_level_that_does_not_work_is_said(monkeypatch):
     monkeypatch.setattr(cage.shutil, "which", lambda name: "/bin/false")
     with pytest.raises(ValueError, match="expected the cage 'bubblewrap' to work here"):
         cage.Cage("bubblewrap")
+
+
+def test_marks_are_given_in_bubblewrap_unless_another_cage_is_named(monkeypatch):
+    monkeypatch.setattr(cage.shutil, "which", lambda name: "/bin/false")
+    with pytest.raises(ValueError, match="expected bubblewrap, .* --cage landlock"):
+        cage.Cage()
+
+
+def test_python_by_a_relative_path(monkeypatch):
+    here = os.path.relpath(sys.executable)
+    monkeypatch.setattr(sys, "executable", here)
+    assert os.path.isabs(stage.python_command("/x", "{}")[0])
+    assert all(map(os.path.isabs, sight.readable()))
+
+
+@pytest.mark.cage
+@pytest.mark.parametrize("level", ["bubblewrap", "landlock"])
+def test_a_grader_that_is_killed_leaves_nothing(level):
+    source = (
+        "import time; from dhlab.grading.cage.cage import Cage\n"
+        f"one = Cage({level!r}); print(one._folder.path, one._process.pid, flush=True)\n"
+        "time.sleep(100)"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", source], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as grader:
+        said = grader.stdout.readline().split()
+        grader.kill()
+    if not said:
+        pytest.skip(f"{level} does not work on this machine")
+    folder, child = Path(said[0]), int(said[1])
+    for _ in range(100):
+        if not folder.exists() and not psutil.pid_exists(child):
+            break
+        time.sleep(0.1)
+    assert not folder.exists() and not psutil.pid_exists(child)
 
 
 def test_the_best_level_is_taken_and_its_risk_is_known():

@@ -1,11 +1,11 @@
 """The cage: a warm parent behind bars, from which each submission is forked; what comes out is
 lines of JSON, and a word on how it ended.
 
-Three levels, the best that the machine has unless one is named:
+Three levels; the first unless another is named, since a mark needs walls that hold:
 
 - **bubblewrap**: its own file system, network, processes and user, with seccomp and limits on top;
 - **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls
-  by seccomp, with limits;
+  by seccomp, with limits; together its files may be larger than the limit of one;
 - **rlimits**: limits of memory, time and files only. A submission could read what the teacher can
   read. Said in every report.
 """
@@ -22,12 +22,12 @@ import tempfile
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any, Self
 
 from ..inside.clock import WAIT
 from ..settings import LEVELS, Limits
 from . import stage
+from .folder import Folder, readable_by_others
 from .listener import Listener, Run
 from .sight import OPEN, OWN, hidden, kept, packages, readable_without
 from .talk import Talk
@@ -37,7 +37,7 @@ try:
 except ImportError:  # Windows, where best_level says what to do
     fcntl = None  # type: ignore[assignment]
 
-__all__ = ["Cage", "best_level", "RISKS"]
+__all__ = ["Cage", "best_level", "required_level", "RISKS"]
 
 RISKS = {
     "bubblewrap": (
@@ -54,7 +54,6 @@ RISKS = {
     ),
 }
 ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
-PREFIX = "dhlab-cage-"
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 
@@ -65,7 +64,7 @@ class Cage:
     Parameters
     ----------
     level : "bubblewrap", "landlock", "rlimits" or None
-        None: the best that works here.
+        None: bubblewrap; the others are weaker and must be asked for.
     limits : Limits
     warm : sequence of str
         Modules to load once, for all.
@@ -85,14 +84,12 @@ class Cage:
         warm: Iterable[str] = (),
         room: str = OPEN,
     ) -> None:
-        self.level, self.limits, self.warm = _known(level) or best_level(), limits, tuple(warm)
+        self.level, self.limits, self.warm = _known(level) or required_level(), limits, tuple(warm)
         self.room = room
-        # all four None while nothing runs
+        # all three None while nothing runs
         self._process: Any = None
         self._folder: Any = None
         self._control: Any = None
-        self._lock: Any = None
-        _sweep()
         self._start()
 
     def __enter__(self) -> Self:
@@ -195,17 +192,11 @@ class Cage:
 
     def _try(self, proc):
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
-        self._folder = tempfile.mkdtemp(prefix=PREFIX)
-        # held as long as this process lives
-        self._lock = open(os.path.join(self._folder, "lock"), "wb")  # noqa: SIM115
-        fcntl.flock(self._lock, fcntl.LOCK_EX)
-        staged, work = os.path.join(self._folder, "staged"), os.path.join(self._folder, "work")
-        for folder in (staged, work):
-            os.mkdir(folder)
-        os.chmod(self._folder, 0o711)
+        self._folder = Folder()
+        staged, work = self._folder.staged, self._folder.work
         stage.stage(staged, self.room)
         self._control, theirs = socket.socketpair()
-        with theirs, open(os.path.join(self._folder, "errors"), "wb") as errors:
+        with theirs, open(os.path.join(self._folder.path, "errors"), "wb") as errors:
             command, environment = self._command(staged, work, theirs.fileno(), proc)
             self._process = subprocess.Popen(
                 command,
@@ -227,7 +218,7 @@ class Cage:
         root = os.geteuid() == 0
         user = (
             (2_000_000_000 + os.getpid() % 1_000_000)
-            if root and (bubblewrap or _readable_by_others())
+            if root and (bubblewrap or readable_by_others())
             else None
         )
         own_user = user is not None or bubblewrap
@@ -273,7 +264,9 @@ class Cage:
             answer = {}
         if answer.get("ready"):
             return ""
-        with open(os.path.join(self._folder, "errors"), encoding="utf-8", errors="replace") as file:
+        with open(
+            os.path.join(self._folder.path, "errors"), encoding="utf-8", errors="replace"
+        ) as file:
             return (
                 answer.get("problem") or " ".join(file.read().split())[-200:] or "it does not start"
             )
@@ -285,39 +278,9 @@ class Cage:
                 self._control.close()
             self._process.kill()
             self._process.wait()
-        if self._folder:
-            self._lock.close()
-            shutil.rmtree(self._folder, ignore_errors=True)
-        self._process = self._folder = self._control = self._lock = None
-
-
-def _sweep():
-    """Remove the folders of graders that were killed: those that nobody holds."""
-    for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
-        with contextlib.suppress(OSError):
-            if time.time() - folder.stat().st_mtime > START:
-                with open(folder / "lock", "wb") as lock:
-                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                    shutil.rmtree(folder, ignore_errors=True)
-
-
-def _readable_by_others():
-    """Whether another user could read Python and its packages; not where they stand in root's own
-    folders.
-    """
-    paths = [
-        os.path.realpath(path)
-        for path in (sys.base_prefix, sys.prefix, *packages(), tempfile.gettempdir())
-    ]
-    folders = {
-        path[:i] or "/"
-        for path in paths
-        for i in range(len(path) + 1)
-        if i == len(path) or path[i] == "/"
-    }
-    return all(
-        os.stat(folder).st_mode & 0o005 == 0o005 for folder in folders if os.path.isdir(folder)
-    )
+        if self._folder is not None:
+            self._folder.remove()
+        self._process = self._folder = self._control = None
 
 
 def _known(level):
@@ -328,6 +291,24 @@ def _known(level):
             " Windows use the Windows Subsystem for Linux"
         )
     return level
+
+
+def required_level() -> str:
+    """The level that marks are given at when none is named: bubblewrap.
+
+    Raises
+    ------
+    ValueError
+        It does not work here; what can be done instead.
+    """
+    _known(None)
+    with contextlib.suppress(ValueError), Cage("bubblewrap"):
+        return "bubblewrap"
+    raise ValueError(
+        "grade: expected bubblewrap, in which submissions run closed in, found that it does not"
+        " work here; install it (apt install bubblewrap), or, where you know what a submission"
+        " could then do, name a weaker cage: --cage landlock or --cage rlimits"
+    )
 
 
 def best_level() -> str:

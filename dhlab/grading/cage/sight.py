@@ -33,7 +33,9 @@ SYSTEM = (
 def packages() -> list[str]:
     """The folders that Python finds packages in, those of this user left out."""
     found = [sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), *site.getsitepackages()]
-    return [folder for folder in dict.fromkeys(found) if os.path.isdir(folder)]
+    return [
+        folder for folder in dict.fromkeys(map(os.path.abspath, found)) if os.path.isdir(folder)
+    ]
 
 
 def kept() -> list[str]:
@@ -64,7 +66,8 @@ def readable() -> list[str]:
         sys.prefix,
         os.path.dirname(os.path.realpath(sys.executable)),
     ]
-    return [root for root in dict.fromkeys(roots) if os.path.exists(root)]
+    # where Python was started by a path relative to this folder, the cage would not find it
+    return [root for root in dict.fromkeys(map(os.path.abspath, roots)) if os.path.exists(root)]
 
 
 def hidden() -> list[str]:

@@ -91,7 +91,7 @@ def python_command(folder: str, config: str) -> list[str]:
         f"import sys; sys.path[:0] = {path!r}; sys.argv = ['cage', {config!r}]; from"
         " dhlab.grading.inside.zygote import main; main()"
     )
-    return [sys.executable, "-s", "-S", "-P", "-c", start]
+    return [os.path.abspath(sys.executable), "-s", "-S", "-P", "-c", start]
 
 
 def environment(work: str) -> dict[str, str]:
