@@ -759,7 +759,7 @@ NOTEBOOKS = [
         raw(lambda b: b'{"cells": [' + b"[],[[]],".join([b""] * 800_000) + b"1]}"),
         ANY,
     ),
-    ("too large", raw(lambda b: b + b" " * 21_000_000), "unreadable"),
+    ("twenty megabytes of nothing", raw(lambda b: b + b" " * 21_000_000), FULL),
 ]
 FILES = [
     (

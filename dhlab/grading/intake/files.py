@@ -111,7 +111,7 @@ def _opened(source, parts, when, depth, zone):
         yield from _in_zip(source, parts, depth, zone, when)
     except BROKEN as error:
         refused = f"refused: a zip that cannot be read ({str(error)[:100]})"
-        yield Entry(parts, _nothing, *when, refused)
+        yield Entry(parts, _nothing, when[0], when[1], refused)
 
 
 def _in_zip(source, parts, depth, zone, came):
@@ -137,7 +137,7 @@ def _in_zip(source, parts, depth, zone, came):
         own = (*parts, *(part for part in inner if part != ".."))
         when = came or (_when(member, zone), ZIP)
         if fault or not inner[-1].lower().endswith(".zip"):
-            yield Entry(own, _nothing if fault else read, *when, fault)
+            yield Entry(own, _nothing if fault else read, when[0], when[1], fault)
         elif depth < DEEPEST and (not parts or (zips := zips + 1) <= MOST_ZIPS):
             yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
         else:

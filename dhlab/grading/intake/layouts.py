@@ -143,8 +143,10 @@ def _known(part, names):
     """
     stem = ENDINGS.sub("", part)
     moodle, canvas = MOODLE.match(part), CANVAS.match(part)
-    if moodle or canvas:
-        written = [moodle["name"]] if moodle else [canvas["user"], canvas["name"]]
+    if moodle:
+        written = [moodle["name"]]
+    elif canvas:
+        written = [canvas["user"], canvas["name"]]
     else:
         written = [stem, _called(part, names, True)]
     for called in written:
