@@ -141,9 +141,8 @@ def _in_zip(source, parts, depth, zone, came):
         elif depth < DEEPEST and (not parts or (zips := zips + 1) <= MOST_ZIPS):
             yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
         else:
-            yield Entry(
-                own, _nothing, *when, "refused: a zip in a zip in a zip, or too many of them"
-            )
+            refused = "refused: a zip in a zip in a zip, or too many of them"
+            yield Entry(own, _nothing, when[0], when[1], refused)
 
 
 def _member(source, number):
