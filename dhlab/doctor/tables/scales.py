@@ -42,14 +42,14 @@ def angle_units(table, columns, given):
     beyond = [cell for cell in bare if abs(cell.value) > 2 * np.pi + 0.01]
     near = [cell for cell in bare if cell not in beyond and snapped(cell.value)[1]]
     small = [*near, *(cell for cell in cells if cell.unit == "rad")]
+    if table.angle:
+        return _checked_angle(table.angle, bare, "as the text says")
     if beyond and small:
         return [("mixed", "by size")]
     if beyond:
         return [("deg", "by size")]
     if small:
         return [("rad", "by size")]
-    if table.angle:
-        return _checked_angle(table.angle, bare, "as the text says")
     return [("rad", "by size"), ("deg", "by size")]
 
 

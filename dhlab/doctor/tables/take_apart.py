@@ -37,6 +37,7 @@ READERS = (
     sequences.read,
     lines.read,
 )
+NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
 
 def take_apart(given, values=None, nominal=None, length=None):
@@ -76,7 +77,11 @@ def _with_words(table, source):
     """What the words of the text and its own functions add to what the dialect says."""
     if not table.convention:
         computed = convention_in(source)
-        if computed:
+        if computed and source.convention and computed[0] != source.convention:
+            told, found = NAMES[source.convention], NAMES[computed[0]]
+            note = f"the text names the {told} convention, and its program computes the {found} one"
+            table = replace(table, notes=(*table.notes, note))
+        elif computed:
             table = replace(table, convention=computed[0], because=computed[1])
         elif source.convention:
             table = replace(table, convention=source.convention, because="as the text says")

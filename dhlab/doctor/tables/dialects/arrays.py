@@ -13,6 +13,8 @@ __all__ = ["arrays_in", "read"]
 WRAPPERS = re.compile(
     r"(?:array|matrix|asarray|list|tuple|vector|radians|deg2rad|rad|tensor|svector|deg)$"
 )
+AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$)")
+BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
 
 def arrays_in(source):
@@ -38,15 +40,25 @@ def arrays_in(source):
         cells = [cell for item in group.items for cell in cells_in(item.text)]
         values = [source.value(cell) for cell in cells]
         if len(values) >= 2 and all(value is not None for value in values):
-            if turned or re.match(
-                r"\s*\*\s*(deg|pi\s*/\s*180)", code.split(group.text, 1)[-1][:20]
-            ):
+            factor = "pi/180" if turned else _factor(code, group, source)
+            if factor:
                 values = [
-                    source.value(f"({cell})*pi/180") if not value.unit else value
+                    source.value(f"({cell})*({factor})") if not value.unit else value
                     for cell, value in zip(cells, values)
                 ]
             found.setdefault(name, [(value, cell) for value, cell in zip(values, cells)])
     return found
+
+
+def _factor(code, group, source):
+    """What all numbers of an array are multiplied by, behind it or before; "" when nothing is."""
+    before, _, after = code.partition(group.text)
+    found = AFTER.match(after[:60])
+    said = f"1{found[1]}" if found else ""
+    if not said and (found := BEFORE.search(before[-60:])):
+        said = found[1]
+    value = source.value(said) if said else None
+    return said if value is not None and not value.letters else ""
 
 
 def read(source, nominal=None):

@@ -24,11 +24,13 @@ CLASSES = (
 OLD_LINK = "alpha a theta d sigma offset"
 FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
+LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\s*([^;\n=]+)")
 
 
 def read(source, nominal=None):
     """The Pasted table of calls of link classes; None when there are none."""
     rows, forms, conventions, notes = [], [], set(), []
+    named = {}
     for group in groups(source.code):
         name = group.name.split(".")[-1].split("::")[-1]
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
@@ -38,10 +40,12 @@ def read(source, nominal=None):
         if row is None:
             continue
         rows.append(row)
+        named[group.target] = row
         forms.append(known[1])
         conventions.add(said or known[2])
     if not rows or (len(rows) == 1 and not rows[0].cells):
         return None
+    _changed_later(named, rows, source, conventions)
     conventions.discard("")
     if len(conventions) > 1:
         raise ValueError(
@@ -57,6 +61,24 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _changed_later(named, rows, source, conventions):
+    """``L(2).offset = -pi/2`` and its like, after the links were made."""
+    for name, mark, index, field, text in LATER.findall(source.code):
+        row = named.get(name)
+        if index:
+            at = int(index) - (mark != "[")  # MATLAB counts from 1
+            row = rows[at] if 0 <= at < len(rows) else None
+        role, value = role_of(field)[0], source.value(text.strip())
+        if row is None:
+            continue
+        if role in NAMED and value is not None and (role != "theta" or row.kind == "P"):
+            row.cells["a" if role == "r" else role] = cell_of(value, text.strip())
+        elif field.lower() == "flip" and text.strip().lower() in ("1", "true"):
+            row.sign = -1
+        elif field.lower() in ("mdh", "modified") and text.strip().lower() in ("1", "true"):
+            conventions.add("craig")
 
 
 def _default(source, forms):
@@ -97,6 +119,8 @@ def _row(group, name, known, source, notes, number):
         elif text[:1] in "[{":
             cells.update(_by_order(cells_in(text.strip("[]{}")), order, source, number))
     numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
+    if not cells and len(numbers) >= 3 and known[0] == "link":
+        return None, ""  # somebody's own class: the toolbox takes names or one vector
     if not cells and len(numbers) >= 3 and order:
         cells.update(_by_order(numbers, order, source, number))
     if not cells and group.items and not pairs:

@@ -22,9 +22,13 @@ NOT_A_LINK = re.compile(
 def read(source, nominal=None):
     """The Pasted table of calls with four numbers each; None when there are none."""
     calls = [group for group in groups(source.code) if group.mark == "(" and group.name]
-    orders = {}
+    orders: dict = {}
     for call in calls:
-        roles = tuple(role_of(_bare(item.text))[0] for item in call.items)
+        roles = tuple(
+            role_of(_bare(item.text))[0]
+            for item in call.items
+            if item.text not in ("self", "this", "obj", "cls")
+        )
         named = [role for role in roles if role in (*ROLES, "r")]
         if len(set(named)) == 4 and "alpha" in named:
             orders.setdefault(_last(call.name), roles)

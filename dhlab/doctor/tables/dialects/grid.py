@@ -16,6 +16,8 @@ from ..pasted import Pasted
 __all__ = ["from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
+TURNED = {"yes": -1, "true": -1, "1": -1, "y": -1, "x": -1, "no": 1, "false": 1, "0": 1, "n": 1}
+FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 KINDS = {
     "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
     "prismatic": "P", "p": "P", "linear": "P", "pris": "P", "t": "P", "sliding": "P",
@@ -63,16 +65,18 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     roles, why, units : optional
         The order of the columns where something else than a heading says it.
     """
-    said, because, rows, heads = None, "", [], units or {}
+    said, because, rows, heads, names = None, "", [], units or {}, []
     for where, cells in grid:
         head = header(cells) if not rows else None
         if head:
             roles, heads, said = head
+            names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
             why, because = "as the header says", _because(said)
             continue
         if not rows and _is_title(cells):
             continue
         rows.append(_row(cells, roles, where, source))
+        _require_no_fifth(names, cells, where)
     if not rows:
         raise ValueError(
             "recognise_table: expected at least one row of four numbers, found none; paste the"
@@ -88,6 +92,17 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     if said == "i" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
     return table
+
+
+def _require_no_fifth(names, cells, where):
+    """A fifth number that is not 0 makes the row another one than Denavit and Hartenberg's."""
+    for name, cell in zip(names, cells):
+        read = _try(cell) if name in FIFTH else None
+        if read is not None and (read.value or read.letters):
+            raise ValueError(
+                f"recognise_table: {where}: expected four numbers of Denavit and Hartenberg, found"
+                f" {name} = {str(cell)[:20]} as well; give the joint axes instead, as an axis sheet"
+            )
 
 
 def _because(said):
@@ -124,6 +139,7 @@ def _row(cells, roles, where, source):
     label, kind, sign, kept = "", "", 1, []
     if roles is not None and len(cells) == len(roles) + 1 and "label" not in roles:
         label, cells = plain(str(cells[0])), cells[1:]
+        label = "" if label.isdigit() else label  # the index of a printed data frame
     if roles is not None and roles[0] == "label" and len(cells) > len(roles):
         spare = len(cells) - len(roles)
         cells = [" ".join(map(str, cells[: spare + 1])), *cells[spare + 1 :]]
@@ -140,7 +156,9 @@ def _row(cells, roles, where, source):
         elif role == "type" or (role is None and word in KINDS and (k == 0 or len(word) > 1)):
             kind = KINDS.get(word.split(" ")[0], KINDS.get(word[:1], ""))
         elif role in ("sign", "direction"):
-            sign = _sign(word, where)
+            sign = _sign(word, where, SIGNS)
+        elif role == "turned":
+            sign = _sign(word, where, {**TURNED, **SIGNS, "1": -1})
         elif role in KEPT:
             kept.append(_cell(cell, where, k, source))
         elif roles is None:
@@ -151,13 +169,13 @@ def _row(cells, roles, where, source):
     return tuple(kept), label, kind, sign
 
 
-def _sign(word, where):
-    if word not in SIGNS:
+def _sign(word, where, known):
+    if word not in known:
         raise ValueError(
             f"recognise_table: {where}: expected + or - in the column of directions, found"
             f" {word[:30]!r}; write which way the joint counts"
         )
-    return SIGNS[word]
+    return known[word]
 
 
 def _cell(cell, where, k, source):

@@ -24,7 +24,7 @@ def read(source, nominal=None):
     rows, row, block = [], {}, -1
     for number, line in enumerate(source.code.split("\n")):
         pairs = _pairs(line, source)
-        if (row and BLOCK.match(line)) or (pairs and set(row) & set(pairs)):
+        if (row and BLOCK.match(line)) or (set(row) & set(pairs) - {"index"}):
             rows, row = [*rows, row] if row else rows, {}
         if pairs:
             row = {**row, **pairs}

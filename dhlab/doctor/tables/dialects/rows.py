@@ -77,8 +77,9 @@ def _dictionaries(source):
 
 
 def _numbers(source):
+    found = groups(source.code)
     grid = max(
-        (*map(_matrix, groups(source.code)), *_streams(source.code)), key=_size, default=None
+        (*map(_matrix, found), _one_a_call(found), *_streams(source.code)), key=_size, default=None
     )
     if not grid or len(grid) < 1 or _size(grid) < 4:
         return None
@@ -155,17 +156,29 @@ def _matrix(group):
         ]
     if not rows or len({len(cells) for _, cells in rows}) > 1 or not 4 <= len(rows[0][1]) <= 8:
         return []
-    if len(rows) == 1 and not inner and group.mark != "[":
+    if len(rows) == 1 and (group.mark == "(" or (not inner and group.mark != "[")):
         return []
     return rows
 
 
+def _one_a_call(found):
+    """The rows that calls of one function take: ``setFixedTransform(j1, [0 …], 'dh')``."""
+    rows: dict = {}
+    for group in found:
+        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        if group.outer is not None and group.outer.name and group.mark != "(" and len(cells) == 4:
+            rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
+    return max(rows.values(), key=len, default=[])
+
+
 def _streams(code):
-    """Eigen's ``DH << 0, 0.1, …;``, by lines."""
+    """Eigen's ``DH << 0, 0.1, …;``, by lines, or by fours where it stands in one."""
     for match in re.finditer(r"<<\s*([^;<]{8,2000});", code):
         lines = [
             cells_in(line.strip().rstrip(",")) for line in match[1].split("\n") if line.strip()
         ]
+        if len(lines) == 1 and len(lines[0]) >= 8 and len(lines[0]) % 4 == 0:
+            lines = [lines[0][k : k + 4] for k in range(0, len(lines[0]), 4)]
         if len(lines) > 1 and len({len(line) for line in lines}) == 1:
             first = code.count("\n", 0, match.start()) + 1
             yield [(f"line {first + k}", line) for k, line in enumerate(lines)]

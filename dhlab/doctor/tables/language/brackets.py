@@ -13,7 +13,7 @@ TARGET = re.compile(
 DECLARED = re.compile(r"([A-Za-z_]\w*)\s*(?:\[[\w\s*+]*\]\s*)*$")  # double a[6] {…}
 NO_NAMES = ("in", "return", "if", "and", "or", "not", "for", "while", "print", "else")
 DEEPEST = 12
-KEYWORD = re.compile(r"\s*['\"]?([A-Za-z_][\w.]*)['\"]?\s*(?:=(?!=)|:(?!:))\s*(.*)\Z", re.DOTALL)
+KEYWORD = re.compile(r"\s*\.?['\"]?([A-Za-z_][\w.]*)['\"]?\s*(?:=(?!=)|:(?!:))\s*(.*)\Z", re.DOTALL)
 
 
 @dataclass

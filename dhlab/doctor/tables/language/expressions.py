@@ -19,9 +19,11 @@ TOKEN = re.compile(
 HALF = math.pi / 2
 CONSTANTS = {
     **dict.fromkeys(("pi", "m_pi", "kpi", "const_pi"), math.pi),
-    **dict.fromkeys(("m_pi_2", "pi_2", "half_pi", "halfpi", "pi_half"), HALF),
-    **dict.fromkeys(("m_pi_4", "pi_4"), math.pi / 4),
-    "tau": 2 * math.pi,
+    **dict.fromkeys(("m_pi_2", "pi_2", "half_pi", "halfpi", "pi_half", "frac_pi_2"), HALF),
+    **dict.fromkeys(("m_pi_4", "pi_4", "frac_pi_4"), math.pi / 4),
+    "frac_pi_3": math.pi / 3,
+    "frac_pi_6": math.pi / 6,
+    **dict.fromkeys(("tau", "two_pi"), 2 * math.pi),
     **dict.fromkeys(
         "deg2rad d2r dtr deg_to_rad deg_2_rad degtorad to_rad torad rad_per_deg degree_to_rad"
         " degrees_to_radians deg2radians radians_per_degree".split(),

@@ -51,6 +51,19 @@ WRAPPERS = re.compile(
     r"\s*\{([^{}]*)\}"
 )
 DEGREES = re.compile(r"\^\s*\{?\s*(?:\\circ|\\degree|°|\*?\\?o(?![a-z]))\s*\}?|\\circ|\\degree\b")
+SIUNITX = (
+    (re.compile(r"\\ang\s*\{([^{}]*)\}"), r"\1°"),
+    (re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*(?:\\degree|°|\\circ)\s*\}"), r"\1°"),
+    (
+        re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*(?:\\milli\\met(?:re|er)|\\mm|mm)\s*\}"),
+        r"\1 mm",
+    ),
+    (re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*(?:\\met(?:re|er)|m)\s*\}"), r"\1 m"),
+    (re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*(?:\\radian|rad)\s*\}"), r"\1 rad"),
+    (re.compile(r"\\num\s*\{([^{}]*)\}"), r"\1"),
+    (re.compile(r"\\milli\\met(?:re|er)"), "mm"),
+    (re.compile(r"\\met(?:re|er)\b"), "m"),
+)
 ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
 LAYOUT = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|cline\s*\{[^{}]*\}|centering|left|right|displaystyle"
@@ -77,6 +90,8 @@ def unified(text):
 
 
 def _from_tex(text):
+    for pattern, written in SIUNITX:
+        text = pattern.sub(written, text)
     text = re.sub(r"\\\\(?:\[[^\]\n]*\])?", "\n" if "\n" not in text else " ", text)
     text = DEGREES.sub("°", re.sub(r"\\(?=[,;!:]|\s)", " ", re.sub(r"(?<!\\)%.*", "", text)))
     for _ in range(MOST_NESTED):

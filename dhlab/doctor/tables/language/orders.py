@@ -61,6 +61,9 @@ def order_of_names(text, in_code=False):
     run, units, last = [], {}, 0
     for match in NAME.finditer(text):
         gap = text[last : match.start()]
+        if re.fullmatch(r"[ms]?dh", match[0].lower()) or text[match.start() :][:3].lower() == "d-h":
+            run, last = ([] if len(run) < 4 else run), match.end()
+            continue
         role = role_of(match[0])[0]
         unit = unit_in("x (" + match[0] + ")") if match[0] not in ("d", "a") else ""
         if (unit and run and "(" in gap) or (unit and "[" in gap and run):

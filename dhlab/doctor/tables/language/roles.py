@@ -7,7 +7,9 @@ from .letters import unified
 __all__ = ["ROLES", "role_of", "unit_in"]
 
 ROLES = ("theta", "d", "a", "alpha")
-PREVIOUS = re.compile(r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|\b(?:previous|prev)\b|_im1\b")
+PREVIOUS = re.compile(
+    r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_im1\b"
+)
 UNIT = re.compile(
     r"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in)\s*[\])]?\s*$"
     r"|\s(?:in\s+)?(deg|degrees?|°|rad|radians?|mm|cm|m)\s*$|(°)$",
@@ -24,7 +26,12 @@ PHRASES = (  # the first that fits
     (r"\bthetas?_?0?\b|\bjoint angle|\bth\b", "theta"),
     (r"\blink offset|\bjoint distance|\blink[- ]?distance|\bjoint offset.*\bd\b", "d"),
     (r"\blink length|\bcommon normal", "a"),
-    (r"^(sign|dir|direction|rotation direction|joint direction|sense|axis dir\w*)$", "sign"),
+    (
+        r"^(sign|dir|direction|rot\w* dir\w*|joint dir\w*|motor dir\w*|sense|axis dir\w*|polarity"
+        r"|rotation|turns)$",
+        "sign",
+    ),
+    (r"^(inverted|invert|reversed?|flip(ped)?|negated?)$", "turned"),
     (r"\b(axis|direction)\b", "direction"),
     (r"\b(sigma|prismatic)\b", "sigma"),
     (r"\b(joint)?[ _]?type\b|^p/r$|^r/p$", "type"),
@@ -76,7 +83,7 @@ def role_of(text):
     bare = text[: found.start()] if found and found.start() else text
     previous = bool(PREVIOUS.search(bare)) and len(bare) < 24
     bare = PREVIOUS.sub(" ", bare) if previous else bare
-    words = re.sub(r"[\[\](){}_,;:./|*]+", " ", bare)
+    words = re.sub(r"[\[\](){}_,;:./|*'\"]+", " ", bare)
     words = re.sub(r"(?<=[a-z])0?[ijk]\b|(?<=\bd)h\b", "", words) if len(words) < 8 else words
     words = " ".join(FILLER.sub(" ", words).split())
     for pattern, role in PHRASES:

@@ -18,9 +18,10 @@ ASSIGNED = re.compile(
     r"([^=;\n,|{}\[\]:'\"]{1,120})"
 )
 WORDS_FOR = {
-    "craig": r"(?<![a-z])(modified|modif|craig\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])",
-    "standard": r"(?<![a-z])(standard(?! (?:units|deviation))|classic(?:al)?|distal|paul|spong"
-    r"|siciliano|stddh|sdh)(?![a-z])",
+    "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
+    r"|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])",
+    "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
+    r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh)(?![a-z])",
 }
 LENGTH_WORDS = {
     "mm": r"\b(mm|milli-?met(?:er|re)s?)\b",
@@ -28,9 +29,15 @@ LENGTH_WORDS = {
     "m": r"(?:\bmet(?:er|re)s?\b|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b)",
 }
 ANGLE_WORDS = {
-    "deg": r"\b(deg|degrees?)\b(?!\s*(?:2|to|of freedom))|[\[(]°[\])]",
-    "rad": r"\b(rad|radians?)\b(?!\s*(?:2|to))",
+    "deg": r"(?<![*/.'\"])\b(deg|degrees?)\b(?!\s*(?:2|to|of freedom|[=(]))|[\[(]°[\])]",
+    "rad": r"(?<![*/.'\"])\b(rad|radians?)\b(?!\s*(?:2|to|[=(]))",
 }
+DENIED = re.compile(
+    r"\b(?:not|non|no|isn't|instead of|rather than|unlike|(?:last|i|have|was|were|slightly))[ -]+"
+    r"(?:an?|the|in|using|use)?\s*(?:modified|standard|classic(?:al)?|craig|mm|degrees?|deg|radians?"
+    r"|rad)\b",
+    re.IGNORECASE,
+)
 
 
 @dataclass
@@ -91,7 +98,7 @@ def source_of(text, values=None):
         {**{name: said for name, said in known.items() if not _joint_value(name, said)}, **given},
         _only(text, WORDS_FOR),
         _only(_prose(text, known), LENGTH_WORDS),
-        _only("\n".join(comment for _, comment in comments), ANGLE_WORDS),
+        _only(_prose(text, known), ANGLE_WORDS),
     )
 
 
@@ -109,7 +116,8 @@ def _joint_value(name, said):
 
 
 def _only(text, words):
-    """The one name whose words stand in the text."""
+    """The one name whose words stand in the text, and are not denied there."""
+    text = DENIED.sub(" ", text)
     said = [name for name, pattern in words.items() if re.search(pattern, text, re.IGNORECASE)]
     return said[0] if len(said) == 1 else ""
 
