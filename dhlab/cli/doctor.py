@@ -16,6 +16,7 @@ from ..formats.posefile import LARGEST as LARGEST_POSES
 from ..units import ANGLE, LENGTH
 from .against import against_arm, axes_of, is_arm, sheet_in
 from .common import arm_of, units_of
+from .doctor_program import diagnose_program
 
 __all__ = ["doctor"]
 
@@ -29,7 +30,8 @@ def doctor(
             metavar="ARM",
             help=(
                 "The table that is doubted: a name of the library, a .yaml or .csv table file, a"
-                " URDF, or an axis sheet."
+                " URDF, or an axis sheet. Or a program.py with dh_transform or"
+                " forward_kinematics."
             ),
         ),
     ],
@@ -39,7 +41,8 @@ def doctor(
             metavar="POSES.csv",
             help=(
                 "What was measured: columns q1,…,qn,x,y,z and, where known, an orientation. Or an"
-                " arm that is right, such as a URDF: then nothing is measured."
+                " arm that is right, such as a URDF: then nothing is measured. After a program.py:"
+                " the one arm that it is written for, if it is."
             ),
         ),
     ] = "",
@@ -109,9 +112,12 @@ def doctor(
         bool, typer.Option("--json", help="Print JSON for a program to read.")
     ] = False,
 ) -> None:
-    """What is wrong with an arm's table, from measured poses; or, with --protocol, what to
-    measure.
+    """What is wrong with an arm's table, from measured poses, or with a program; or, with
+    --protocol, what to measure.
     """
+    if arm.endswith(".py"):
+        diagnose_program(arm, poses, as_json)
+        return
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
     if units:

@@ -7,6 +7,7 @@ from .axes.diagnose import diagnose_axes as diagnose_axes
 from .catalogue import Mistake as Mistake
 from .catalogue import catalogue as catalogue
 from .diagnosis import Diagnosis as Diagnosis
+from .diagnosis import Line as Line
 from .finding import Finding as Finding
 from .programs.explain import explain_function as explain_function
 from .programs.functions import diagnose_function as diagnose_function

@@ -12,11 +12,30 @@ from ..printing import number
 from .catalogue import catalogue
 from .finding import Finding
 
-__all__ = ["Diagnosis", "AGREES", "CALIBRATED", "EXPLAINED", "UNDECIDED", "UNEXPLAINED"]
+__all__ = ["Diagnosis", "Line", "AGREES", "CALIBRATED", "EXPLAINED", "UNDECIDED", "UNEXPLAINED"]
 
 AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED = "agrees", "calibrated", "explained", "unexplained"
 UNDECIDED = "undecided"  # too few poses to tell
 WIDTH = 100  # characters of a line, in a terminal
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of a program that must change: its number from 1 in the file or the cell, what stands
+    there, and what makes the program right.
+
+    Examples
+    --------
+    >>> print(Line(7, "T = A @ T", "T = T @ A"))
+    7: T = A @ T  →  T = T @ A
+    """
+
+    number: int
+    found: str
+    instead: str
+
+    def __str__(self):
+        return f"{self.number}: {self.found}  →  {self.instead}"
 
 
 @dataclass(frozen=True)
@@ -34,6 +53,11 @@ class Diagnosis:
     before, after : (float, float) or None
         Largest residual in mm and degrees, of the arm as given and as repaired; the angle is NaN
         where only positions were compared.
+    lines : tuple of Line
+        Of a program: what was changed in its text, by way of trial, so that it gave the right pose
+        in every call; empty when no small change was found.
+    repaired : str or None
+        The program's text with these lines changed; None where there are none.
     notes : tuple of str
         What else a reader should know: look-alikes, too few poses, how the noise was estimated.
     next_pose : array (n,) or None
@@ -69,6 +93,8 @@ class Diagnosis:
     fits: tuple[Finding, ...] = ()
     fitted: Arm | None = field(default=None, repr=False, compare=False)
     compared: tuple | None = field(default=None, repr=False, compare=False)
+    lines: tuple[Line, ...] = ()
+    repaired: str | None = field(default=None, repr=False, compare=False)
 
     @cached_property
     def picture(self):
@@ -94,6 +120,7 @@ class Diagnosis:
             "fits": [finding.to_dict() for finding in self.fits],
             "before": _pair(self.before),
             "after": _pair(self.after),
+            "lines": [vars(line) for line in self.lines],
             "notes": list(self.notes),
             "next_pose": None if self.next_pose is None else np.asarray(self.next_pose).tolist(),
         }
@@ -127,6 +154,11 @@ class Diagnosis:
                 _size(self.before)
                 + (f", once repaired {_size(self.after)}" if self.after is not None else ""),
             )
+        for line in self.lines:
+            yield "Line", str(line)
+        if self.lines:
+            one = "this change" if len(self.lines) == 1 else "these changes together"
+            yield "", f"with {one} the program was right in every call that was tried"
         for note in self.notes:
             yield "Note", note
         if self.next_pose is not None:
@@ -151,7 +183,7 @@ class Diagnosis:
                     fill(
                         text,
                         WIDTH,
-                        initial_indent=f"  {label + ':':8} ",
+                        initial_indent=f"  {label + ':' if label else '':8} ",
                         subsequent_indent=" " * 11,
                     )
                     for label, text in self._lines()
@@ -163,7 +195,8 @@ class Diagnosis:
 
     def _repr_html_(self):
         rows = "".join(
-            f"<div><em>{label}:</em> {escape(text)}</div>" for label, text in self._lines()
+            f"<div><em>{label + ':' if label else ''}</em> {escape(text)}</div>"
+            for label, text in self._lines()
         )
         picture = self.picture._repr_mimebundle_()["text/html"] if self.picture is not None else ""
         return (

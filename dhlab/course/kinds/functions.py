@@ -1,7 +1,7 @@
 """``Function``: a program to be written, compared with the right one on seeded inputs."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,12 +12,15 @@ from ...doctor.programs.answers import answers_in_time, single_precision
 from ...doctor.programs.calling import Called, CallFault, is_stub
 from ...doctor.programs.cases import where
 from ...doctor.programs.explain import NUMBERS
-from ..verdict import NOT_ATTEMPTED, Verdict
+from ...doctor.programs.source.lines import lines_to_change
+from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .exercise import Exercise, Said
 from .units import Group, in_other_units
 
 __all__ = ["CASES", "Function"]
 
+NEAR = 1e-7  # largest deviation of a program that was changed by way of trial
+SECONDS = 0.5  # of the processor, to look for the lines that must change
 SINGLE = 1e-5  # largest deviation of an answer in single precision, absolute and relative
 CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
 OF_POSES = frozenset(  # mistakes whose titles are about poses and tables
@@ -83,8 +86,8 @@ class Function(Exercise):
             )
         cases = self.cases(variant)
         try:
-            special = [id(case) for case in cases[CASES:]]
-            cases, given = answers_in_time(answer, cases, self.shape, self.names)
+            called, given = answers_in_time(answer, cases, self.shape, self.names)
+            cases, general = [cases[k] for k in called], sum(k < CASES for k in called)
             tolerance = SINGLE if single_precision(answer, given) else self.tolerance
             answers = [self.read(one) for one in given]
         except CallFault as fault:
@@ -99,8 +102,24 @@ class Function(Exercise):
                 "the program answers as it did when it was handed out",
                 next="If you have changed something, it makes no difference: look elsewhere.",
             )
-        general = sum(id(case) not in special for case in cases)
-        return self._compared(answers, cases, general, tolerance)
+        verdict = self._compared(answers, cases, general, tolerance)
+        return (
+            verdict
+            if verdict.status == RIGHT or verdict.mistake
+            else self._told_where(verdict, answer, cases)
+        )
+
+    def _told_where(self, verdict, f, cases):
+        """The Verdict, with the lines in which something must change, where trying finds them."""
+        if self.handed_out or self.read is not np.asarray:
+            return verdict
+        calls = [(case, np.asarray(self.answer(*case), dtype=float)) for case in cases]
+        lines, _, _ = lines_to_change(f, calls, NEAR, SECONDS)
+        if not lines:
+            return verdict
+        numbers = " and ".join(str(number) for number in dict.fromkeys(x.number for x in lines))
+        where = f"line{'s' if ' ' in numbers else ''} {numbers} of the cell"
+        return replace(verdict, place="; ".join(filter(None, (verdict.place, f"look at {where}"))))
 
     def _compared(self, answers, cases, general, tolerance):
         """The Verdict on what the calls gave, of which the first are ``general``."""

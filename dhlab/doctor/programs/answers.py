@@ -28,8 +28,8 @@ def answers_in_time(f, cases, shape, names, seconds=SECONDS):
 
     Returns
     -------
-    (list of tuples, list of arrays)
-        The cases that were called, and the answers.
+    (list of int, list of arrays)
+        Which cases were called, and the answers.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def answers_in_time(f, cases, shape, names, seconds=SECONDS):
         As :func:`call_all`; or not even three calls end in time.
     """
     if isinstance(f, Called):
-        return list(cases), call_all(f, cases, shape, names)
+        return list(range(len(cases))), call_all(f, cases, shape, names)
     start = time.process_time()
 
     def run(f, *given):
@@ -47,10 +47,10 @@ def answers_in_time(f, cases, shape, names, seconds=SECONDS):
         call_all(f, cases[:1], shape, names, run)
         each = (time.process_time() - start) / 2  # the first case is called twice
         many = max(LEAST, int(seconds / 2 / max(each, 1e-9)))
-        if many < len(cases):
-            chosen = np.linspace(0, len(cases) - 1, many).round().astype(int)
-            cases = [cases[k] for k in dict.fromkeys(chosen)]
-        return list(cases), call_all(f, cases, shape, names, run)
+        last = len(cases) - 1
+        chosen = np.linspace(0, last, min(many, last + 1)).round().astype(int).tolist()
+        chosen = list(dict.fromkeys(chosen))
+        return chosen, call_all(f, [cases[k] for k in chosen], shape, names, run)
     except OutOfTime:
         raise CallFault(
             f"the function takes too long: {len(cases)} calls do not end in {seconds:g} seconds",

@@ -72,7 +72,7 @@ def _timed(seconds, f, *given):
 
 
 def _stop(_, frame):
-    """Stop here, and at every further line of who catches even that."""
+    """Stop here, and at the next line of who catches even that."""
     while frame is not None and frame.f_code is not _timed.__code__:
         frame.f_trace = _stop_there
         frame = frame.f_back
@@ -80,7 +80,9 @@ def _stop(_, frame):
     raise OutOfTime
 
 
-def _stop_there(*_):
+def _stop_there(frame, event, argument):
+    if event == "exception":  # the one that is under way
+        return _stop_there
     raise OutOfTime
 
 

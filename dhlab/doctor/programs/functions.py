@@ -2,7 +2,8 @@
 one, and what is wrong with it in words.
 """
 
-from functools import cache
+import inspect
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,30 +14,29 @@ from ..finding import find
 from ..mistakes.registry import only_seen
 from .answers import answers_in_time, call_all, single_precision
 from .calling import CallFault, is_stub
-from .cases import SPECIAL, general_chain, general_row, where
+from .cases import where
 from .explain import explain_all
-from .wrong.links import standard
-from .wrong.products import product
+from .source.lines import lines_to_change
+from .task import KINDS, Task
 
 __all__ = ["diagnose_function"]
 
-NAMES = {"dh_transform": ("theta", "d", "a", "alpha"), "forward_kinematics": ("rows", "q")}
-RIGHT = {"dh_transform": standard, "forward_kinematics": product}
-SEED = 4
-CALLS = 16
-# rows of the chains, so that no program can be right for one length alone
-LINKS = (2, 3, 4, 5, 6, 3, 7, 4, 2, 5, 3, 6)
-LEAST_CALLS = min(CALLS, len(LINKS))
 # largest deviation of an agreeing answer, absolute and relative; the second in single precision
 EXACT, SINGLE = 1e-6, 1e-5
+SECONDS = 1.3  # of the processor, to look for the lines that must change
+UNKNOWN = "No known mistake"
+HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
-def diagnose_function(f, kind):
+def diagnose_function(f, kind, *, arm=None):
     """What is wrong with a program for forward kinematics, found by calling it.
 
-    The function is called in this process, on seeded general numbers and on a few special ones
-    (zeros, right angles), on copies, and twice with the same. Right answers agree in any dress:
-    lists, tuples, ``np.matrix``, within 1e-6 (1e-5 where they are ``float32``).
+    The function is called in this process, on seeded general numbers and on special ones (zeros,
+    right and whole turns, long and negative lengths, one row and seven), on copies, and twice with
+    the same. Right answers agree in any dress: lists, tuples, ``np.matrix``, SymPy, within 1e-6
+    (1e-5 where it computes in single precision). Where the function's text can be read, the lines
+    are told that must change: its file or cell is tried again with one or two things in it changed,
+    until it is right; nothing of that is kept.
 
     Parameters
     ----------
@@ -45,17 +45,21 @@ def diagnose_function(f, kind):
         standard convention; ``rows`` (n, 4) holds theta offset, d, a, alpha, ``q`` (n,) the joint
         values; the answer is a pose (4, 4).
     kind : "dh_transform" or "forward_kinematics"
+    arm : Arm, optional
+        The one arm that ``forward_kinematics`` is written for; then it may also take q alone, or
+        (rows, q, base, tool), and the arm's base and tool belong to the pose.
 
     Returns
     -------
     Diagnosis
         ``verdict`` is "agrees", "explained" (one finding, or two mistakes that explain the answers
-        together) or "unexplained".
+        together, or ``lines`` whose change makes it right) or "unexplained".
 
     Raises
     ------
     ValueError
-        ``f`` is no function, or the kind is unknown. What ``f`` itself raises is caught and put
+        ``f`` is no function, the kind is unknown, or the arm is not one of turning joints with
+        standard rows. What ``f`` itself raises is caught and put
         into words.
 
     Examples
@@ -68,7 +72,7 @@ def diagnose_function(f, kind):
     >>> bool(diagnose_function(standard, "dh_transform"))
     True
     """
-    if kind not in NAMES:
+    if kind not in KINDS:
         raise ValueError(
             'diagnose_function: expected the kind "dh_transform" or "forward_kinematics", found'
             f" {kind!r}; say what f computes"
@@ -78,33 +82,102 @@ def diagnose_function(f, kind):
             f"diagnose_function: expected a function, found {type(f).__name__}; hand in its name"
             " without brackets"
         )
+    task = Task(kind, arm, _names(f, arm))
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
     try:
-        return _diagnosed(f, kind)
+        return _diagnosed(f, task)
     except NotImplementedError:
         return Diagnosis(
             UNEXPLAINED, "Nothing is written in this function yet: it raises NotImplementedError."
         )
-    except CallFault as fault:
-        return _stopped(fault)
     except KeyboardInterrupt:
         return Diagnosis(UNEXPLAINED, "You interrupted the search before it came to an end.")
 
 
-def _diagnosed(f, kind):
+def _names(f, arm):
+    """What a program of a chain is given: for one arm it may know the rows itself, or ask for base
+    and tool too.
+    """
+    try:
+        many = len(inspect.signature(f).parameters) if arm is not None else 2
+    except (ValueError, TypeError):
+        many = 2
+    return {1: ("q",), 4: ("rows", "q", "base", "tool")}.get(many, ("rows", "q"))
+
+
+def _diagnosed(f, task):
     """The diagnosis of a function that is called here."""
-    cases, special = _cases(kind)
-    cases, answers = answers_in_time(f, cases, (4, 4), NAMES[kind])
-    special, answers_there = answers_in_time(f, special, (4, 4), NAMES[kind])
-    single = single_precision(f, answers)
-    here, there = (
-        Answers(*part, kind, single) for part in ((cases, answers), (special, answers_there))
-    )
-    steps = (_compared(here, there), _special(here, there), _from_lists(f, here), _agrees(here))
-    return next(
-        diagnosis for diagnosis in steps if diagnosis is not None
-    )  # not "or": a diagnosis of something wrong is false
+    try:
+        here, there = _answers(f, task)
+    except CallFault as fault:
+        if task.is_chain and not task.lists and _takes_lists(f, task):
+            return _diagnosed(f, task)
+        return _with_lines(_stopped(fault), f, task)
+    steps = (_compared(here, there), _special(here, there), _from_lists(f, here))
+    wrong = [step for step in steps if step is not None]  # one that is found is false
+    return _with_lines(wrong[0], f, task) if wrong else _agrees(here)
+
+
+def _takes_lists(f, task):
+    """Whether a program that stops at arrays takes lists; then it is given those."""
+    task.lists = True
+    try:
+        _answers(f, task)
+    except CallFault:
+        task.lists = False
+    return task.lists
+
+
+def _answers(f, task):
+    """What the function gives in the general calls and in the special ones."""
+    found = []
+    for cases in task.calls:
+        calls = [task.arguments(case) for case in cases]
+        called, answers = answers_in_time(f, calls, (4, 4), task.names)
+        found.append(([cases[k] for k in called], answers))
+    single = single_precision(f, found[0][1])
+    return [Answers(*part, task, single) for part in found]
+
+
+def _with_lines(diagnosis, f, task):
+    """A diagnosis, with the lines that must change where they are found."""
+    calls = [
+        (task.arguments(case), task.right(case))
+        for case in [*task.simple, *(case for cases in task.calls for case in cases)]
+    ]
+    lines, whole, better = lines_to_change(f, calls, EXACT, SECONDS)
+    diagnosis = replace(diagnosis, lines=lines, repaired=whole)
+    if lines and (not diagnosis.findings or len(lines) < len(diagnosis.findings)):
+        headline = diagnosis.headline
+        if headline.startswith(UNKNOWN) or diagnosis.findings:
+            places = " and ".join(dict.fromkeys(f"line {line.number}" for line in lines))
+            headline = f"No known mistake, but the program is right with another {places}."
+        return replace(diagnosis, verdict=EXPLAINED, headline=headline, findings=())
+    if diagnosis.verdict == UNEXPLAINED:
+        return _half(better, task) or diagnosis
+    return diagnosis
+
+
+def _half(better, task):
+    """The diagnosis of a program in which one change of its text leaves one known mistake; None."""
+    for lines, g in better[:HALVES]:
+        try:
+            here, _ = _answers(g, task)
+        except (CallFault, NotImplementedError):
+            continue
+        findings = _explained(here)
+        if len(findings) == 1 and any(here.off):
+            (left,), (line,) = findings, lines[:1]
+            return Diagnosis(
+                EXPLAINED,
+                f"Two mistakes together explain what this program does: one in line {line.number},"
+                f" and: {catalogue()[left.mistake].title}.",
+                findings,
+                before=_residual(here.array, here.right),
+                notes=(f"The other one stands in line {line}.",),
+            )
+    return None
 
 
 class Answers:
@@ -114,10 +187,10 @@ class Answers:
     whether each call went wrong, ``tolerance`` the largest deviation of one that did not.
     """
 
-    def __init__(self, cases, given, kind, single):
-        self.cases, self.kind = cases, kind
+    def __init__(self, cases, given, task, single):
+        self.cases, self.task, self.kind = cases, task, task.kind
         self.given = given
-        self.right = np.array([RIGHT[kind](*case) for case in cases])
+        self.right = np.array([task.right(case) for case in cases])
         self.tolerance = SINGLE if single else EXACT
         self.off = [
             not np.allclose(answer, pose, rtol=self.tolerance, atol=self.tolerance)
@@ -131,15 +204,6 @@ class Answers:
     def among(self, off):
         """The calls that went wrong, or those that did not."""
         return [case for case, wrong in zip(self.cases, self.off) if wrong == off]
-
-
-@cache
-def _cases(kind):
-    """General calls and special ones."""
-    rng = np.random.default_rng(SEED)
-    if kind == "dh_transform":
-        return [general_row(rng) for _ in range(CALLS)], SPECIAL[kind]
-    return [general_chain(rng, n) for n in LINKS], SPECIAL[kind]
 
 
 def _stopped(fault):
@@ -166,13 +230,21 @@ def _compared(here, there):
             "One mistake explains what this program does: it gives an earlier call's answer again."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
-    findings = explain_all(here.given, here.right, here.cases, here.kind, tolerance)
+    findings = _explained(here, symptoms=True)
     if findings and not only_seen(findings[0].mistake):
         return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
     return Diagnosis(
         UNEXPLAINED, _unexplained(here), findings, before=before, notes=_hints(here, there)
     )
+
+
+def _explained(here, symptoms=False):
+    """The mistakes that together explain the answers; of symptoms only where they are wanted."""
+    tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
+    bare = here.task.bare
+    given = here.given if here.task.arm is None else list(bare(here.array))
+    findings = explain_all(given, bare(here.right), here.cases, here.kind, tolerance)
+    return findings if symptoms or not findings or not only_seen(findings[0].mistake) else ()
 
 
 def _remembered(answers, cases, off):
@@ -212,8 +284,7 @@ def _unexplained(here):
     }
     what = words[bool(rotation), bool(position)]
     return (
-        f"No known mistake explains the answers: {what} wrong in {sum(here.off)} of"
-        f" {len(here.off)} calls."
+        f"{UNKNOWN} explains the answers: {what} wrong in {sum(here.off)} of {len(here.off)} calls."
     )
 
 
@@ -231,17 +302,17 @@ def _hints(here, there):
     elif not all(here.off):
         right = len(here.off) - sum(here.off)
         notes.append(
-            f"Right in {right} calls; wrong at {_numbers_of(here.among(True)[0], here.kind)}. Look"
+            f"Right in {right} calls; wrong at {_numbers_of(here.among(True)[0], here.task)}. Look"
             " for an if, or for a sign that abs or sqrt took away."
         )
     return tuple(notes)
 
 
-def _numbers_of(case, kind):
+def _numbers_of(case, task):
     """The arguments of a call, where they are few enough to be read."""
-    if kind == "dh_transform":
-        return ", ".join(f"{name} = {value:.3g}" for name, value in zip(NAMES[kind], case))
-    return f"{len(case[1])} rows"
+    if task.is_chain:
+        return f"{len(case[1])} rows"
+    return ", ".join(f"{name} = {value:.3g}" for name, value in zip(task.names, case))
 
 
 def _residual(answers, right):
@@ -259,7 +330,7 @@ def _special(here, there):
         return None
     wrong = there.among(True)
     place = where(here.kind, wrong, here.cases + there.among(False))
-    place = f"where {place}" if place else f"at special ones: {_numbers_of(wrong[0], here.kind)}"
+    place = f"where {place}" if place else f"at special ones: {_numbers_of(wrong[0], here.task)}"
     return Diagnosis(
         UNEXPLAINED,
         f"Right at general numbers, wrong {place}.",
@@ -273,11 +344,12 @@ def _special(here, there):
 
 def _from_lists(f, here):
     """None when lists give what arrays give, or when the program asks for arrays."""
-    if here.kind != "forward_kinematics":
+    if not here.task.is_chain or here.task.lists:
         return None
     rows, q = here.cases[0]
+    call = here.task.arguments((rows.tolist(), q.tolist()))
     try:
-        (answer,) = call_all(f, [(rows.tolist(), q.tolist())], (4, 4), NAMES[here.kind])
+        (answer,) = call_all(f, [call], (4, 4), here.task.names)
     except CallFault:
         return None
     if np.allclose(answer, here.right[0], rtol=here.tolerance, atol=here.tolerance):
@@ -298,6 +370,8 @@ def _agrees(here):
     notes = []
     if worst > 1e-9:
         notes.append(f"Right to {worst:.0e}: the program computes in single precision.")
-    if len(here.cases) < LEAST_CALLS:
+    if len(here.cases) < len(here.task.calls[0]):
         notes.append(f"It is slow, so that only {len(here.cases)} general calls were made.")
+    if here.task.lists:
+        notes.append("It takes lists only and stops when rows and q are arrays.")
     return Diagnosis(AGREES, "This program gives the right pose in every call.", notes=tuple(notes))

@@ -11,6 +11,13 @@ from dhlab.doctor.programs.deadline import OutOfTime, limited
 from dhlab.doctor.programs.functions import diagnose_function
 
 
+@pytest.fixture(autouse=True)
+def _little_time(monkeypatch):
+    """The lines that must change are not what is tested here."""
+    monkeypatch.setattr("dhlab.doctor.programs.functions.SECONDS", 0.02)
+    monkeypatch.setattr("dhlab.course.kinds.functions.SECONDS", 0.02)
+
+
 def turn(axis, angle, kind=float):
     """A turn about x or z."""
     c, s = np.cos(kind(angle)), np.sin(kind(angle))
@@ -91,7 +98,7 @@ def lists_repeated(rows, q):
 )
 def test_a_program_that_is_right_in_general_only_is_not_right(f, kind, words):
     answer = diagnose_function(f, kind)
-    assert answer.verdict == "unexplained" and words in str(answer)
+    assert not answer and words in " ".join(str(answer).split())
 
 
 def test_lists_may_not_give_another_answer():

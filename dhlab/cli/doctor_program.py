@@ -1,0 +1,74 @@
+"""``dhlab doctor program.py``: what is wrong with the programs for link matrices and forward
+kinematics in a file.
+"""
+
+import contextlib
+import importlib.util
+import io
+import json
+import sys
+import traceback
+
+from .common import arm_of
+
+__all__ = ["diagnose_program"]
+
+# under these names programs are looked for
+NAMES = {
+    "dh_transform": ("dh_transform", "dh_matrix", "link_matrix", "link_transform"),
+    "forward_kinematics": ("forward_kinematics", "fkine", "fk"),
+}
+
+
+def diagnose_program(path: str, arm: str, as_json: bool) -> None:
+    """Print what is wrong with each program of a file; ``arm`` is the name or the file of the one
+    that it is written for, or empty.
+    """
+    from ..doctor import diagnose_function
+
+    module = _loaded(path)
+    model = arm_of(arm) if arm else None
+    found = {
+        name: diagnose_function(getattr(module, name), kind, arm=model)
+        for kind, names in NAMES.items()
+        for name in names
+        if callable(getattr(module, name, None))
+    }
+    if not found:
+        raise ValueError(
+            f"doctor: {path}: expected a function dh_transform(theta, d, a, alpha) or"
+            " forward_kinematics(rows, q), found neither; give it that name"
+        )
+    if as_json:
+        print(json.dumps({k: v.to_dict() for k, v in found.items()}, ensure_ascii=False))
+        return
+    print("\n\n".join(f"{name}: {answer}" for name, answer in found.items()))
+
+
+def _loaded(path):
+    """The module in a file; what it prints is not shown, and what stops it is one sentence."""
+    spec = importlib.util.spec_from_file_location("program", path)
+    module = importlib.util.module_from_spec(spec)
+    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            spec.loader.exec_module(module)
+    except FileNotFoundError:
+        raise ValueError(
+            f"doctor: expected a program, found no file {path}; look at its name"
+        ) from None
+    except SyntaxError as error:
+        raise ValueError(
+            f"doctor: {path}, line {error.lineno}: Python cannot read this: {error.msg}; look at"
+            " the brackets and commas there and in the line before"
+        ) from None
+    except (Exception, SystemExit) as error:
+        lines = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
+        where = f", line {lines[-1].lineno}" if lines else ""
+        raise ValueError(
+            f"doctor: {path}{where}: the file stops with {type(error).__name__}: {error}; a file"
+            " that only defines functions can be looked at"
+        ) from None
+    finally:
+        sys.dont_write_bytecode = writes
+    return module

@@ -1,0 +1,144 @@
+"""Every small change of a program that may be what its writer meant, the likeliest first."""
+
+import ast
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+
+from .expressions import in_place_of
+from .statements import statement_edits
+from .text import Edit
+
+__all__ = ["changes_of"]
+
+
+@dataclass(frozen=True)
+class Scope:
+    """The names that may stand in an expression: ``parameters`` of the function, ``names`` that
+    hold something there, ``functions`` of the text with how many arguments they take, the
+    ``attributes`` of its objects, what is ``unused``, and the names of ``rows``.
+    """
+
+    parameters: tuple = ()
+    names: tuple = ()
+    functions: dict = field(default_factory=dict)
+    attributes: tuple = ()
+    unused: tuple = ()
+    rows: tuple = ()
+
+
+def changes_of(text):
+    """What may be changed in a Text: one edit, or several that belong together; sorted by rank,
+    none twice.
+
+    Parameters
+    ----------
+    text : Text
+
+    Returns
+    -------
+    list of tuples of Edit
+    """
+    edits = _edits_of(text)
+    return sorted(
+        [*((edit,) for edit in edits), *_everywhere(edits, text), *_out_of_loops(text)],
+        key=lambda change: change[0].rank,
+    )
+
+
+def _everywhere(edits, text):
+    """The same edit at every place where the same stands."""
+    same = {}
+    for edit in edits:
+        if edit.rank < 2 and edit.start < edit.end:
+            same.setdefault((text.data[edit.start : edit.end], edit.new), []).append(edit)
+    for places in same.values():
+        apart = sorted(places, key=lambda edit: edit.start)
+        if len(apart) > 1 and all(a.end <= b.start for a, b in pairwise(apart)):
+            yield tuple(replace(edit, rank=edit.rank + 1) for edit in apart)
+
+
+def _out_of_loops(text):
+    """A factor that is multiplied in at every turn of a loop, multiplied in once, behind it."""
+    for block in text.blocks:
+        for function in ast.walk(block):
+            if isinstance(function, ast.FunctionDef) and isinstance(function.body[-1], ast.Return):
+                for loop in function.body:
+                    if isinstance(loop, (ast.For, ast.While)):
+                        yield from _moved_factors(loop, function.body[-1], text)
+
+
+def _moved_factors(loop, last, text):
+    start, end = text.span(last.value)
+    for node in ast.walk(loop):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            for factor, rest in ((node.right, node.left), (node.left, node.right)):
+                if isinstance(factor, (ast.Name, ast.Call)):
+                    drop = Edit(*text.span(node), text.of(rest).encode(), 1)
+                    name, value = text.of(factor), text.of(last.value)
+                    for joined in (f"{value} @ {name}", f"{name} @ {value}"):
+                        yield drop, Edit(start, end, joined.encode(), 1)
+
+
+def _edits_of(text):
+    """Single Edits."""
+    found = {}
+    for rank, start, end, new in statement_edits(text):
+        found.setdefault((start, end, new), rank)
+    functions = {
+        name: len(defined.args.args)
+        for name, defined in text.defined.items()
+        if isinstance(defined, ast.FunctionDef)
+    }
+    attributes = dict.fromkeys(
+        node.attr
+        for block in text.blocks
+        for node in ast.walk(block)
+        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store)
+    )
+    for block in text.blocks:
+        scope = Scope(functions=functions, attributes=tuple(attributes))
+        for node, parent, inside in _walk(block, None, scope):
+            for rank, new in in_place_of(node, parent, inside, text):
+                found.setdefault((*text.span(node), new), rank)
+    edits = [
+        Edit(start, end, new.encode(), rank)
+        for (start, end, new), rank in found.items()
+        if text.data[start:end] != new.encode()
+    ]
+    return edits
+
+
+def _walk(node, parent, scope):
+    """Every expression below a node with what it stands in and the names around it."""
+    if isinstance(node, ast.JoinedStr):  # its parts have no places of their own
+        return
+    if isinstance(node, ast.FunctionDef):
+        scope = _scope_of(node, scope)
+    if isinstance(node, (ast.expr, ast.Slice)):
+        yield node, parent, scope
+    in_index = isinstance(parent, ast.Subscript) and node is parent.slice
+    for child in ast.iter_child_nodes(node):
+        around = parent if in_index and isinstance(node, (ast.Tuple, ast.UnaryOp)) else node
+        yield from _walk(child, around, scope)
+
+
+def _scope_of(function, around):
+    parameters = tuple(argument.arg for argument in function.args.args if argument.arg != "self")
+    names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
+    stored = [node.id for node in names if isinstance(node.ctx, ast.Store)]
+    used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+    known = tuple(dict.fromkeys((*parameters, *stored)))
+    rows = dict.fromkeys(
+        node.value.id
+        for node in ast.walk(function)
+        if isinstance(node, ast.Subscript)
+        and isinstance(node.value, ast.Name)
+        and isinstance(node.slice, ast.Constant)
+    )
+    return replace(
+        around,
+        parameters=parameters,
+        names=known,
+        unused=tuple(name for name in known if name not in used),
+        rows=tuple(rows),
+    )

@@ -1,0 +1,374 @@
+"""What may stand in place of an expression in which something went wrong: a sign, a factor, another
+order, another index, a function's sister, a unit.
+"""
+
+import ast
+from itertools import combinations, permutations
+
+import numpy as np
+
+__all__ = ["in_place_of"]
+
+SISTERS = {"cos": "sin", "sin": "cos", "multiply": "matmul", "hstack": "vstack"}
+WRAPPERS = {
+    "deg2rad", "rad2deg", "radians", "degrees", "abs", "fabs", "round", "int", "rint", "floor",
+    "trunc", "transpose", "inv", "reversed", "sorted", "sqrt", "flip", "cumsum", "astype", "around",
+    "sign",
+}  # fmt: skip
+EXACT = [np.pi * k for k in (0.25, 0.5, 1, 1.5, 2)] + [180 / np.pi, np.pi / 180]
+DEG = "(3.141592653589793 / 180)"
+WHOLE = (ast.Name, ast.Constant, ast.Call, ast.Subscript, ast.Attribute, ast.List, ast.Tuple)
+SIGNS = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
+
+
+def in_place_of(node, parent, scope, text):
+    """What may be meant by an expression.
+
+    Parameters
+    ----------
+    node, parent : ast nodes
+    scope : Scope
+        The names that may be used there.
+    text : Text
+
+    Yields
+    ------
+    (int, str)
+        A rank, 0 for what goes wrong most often, and the text that would stand there.
+    """
+    kind = {
+        ast.BinOp: _of_two,
+        ast.UnaryOp: _of_sign,
+        ast.Constant: _of_number,
+        ast.Call: _of_call,
+        ast.Attribute: _of_attribute,
+        ast.Name: _of_name,
+        ast.Slice: _of_slice,
+        ast.Compare: _of_comparison,
+        ast.IfExp: _of_choice,
+        ast.Tuple: _of_list,
+        ast.List: _of_list,
+        ast.Subscript: _of_subscript,
+    }.get(type(node))
+    if kind is not None:
+        yield from kind(node, parent, scope, text)
+    if _is_number(node, parent):
+        yield 1, f"-{_whole(node, text)}"
+    if isinstance(parent, ast.Subscript) and isinstance(node, ast.BinOp):
+        yield 1, f"{text.of(node)} - 1"
+        yield 1, f"{text.of(node)} + 1"
+        yield from _names_exchanged(node, text)
+    if isinstance(node, (ast.Name, ast.Subscript)) and _is_number(node, parent):
+        for name in scope.unused:
+            yield 0, f"({name} + {text.of(node)})"
+        for row in _row_of(node, scope, text):
+            yield 1, f"({row}[0] + {text.of(node)})"
+
+
+def _whole(node, text):
+    """The text of a node, in brackets where it needs them."""
+    return text.of(node) if isinstance(node, WHOLE) else f"({text.of(node)})"
+
+
+def _is_number(node, parent):
+    """Whether a minus may be missing before it."""
+    return isinstance(node, (ast.Name, ast.Call, ast.BinOp, ast.Subscript, ast.Attribute)) and (
+        isinstance(parent, (ast.BinOp, ast.List, ast.Tuple, ast.Assign, ast.AugAssign))
+        or (isinstance(parent, ast.Call) and node in parent.args)
+    )
+
+
+def _names_exchanged(node, text):
+    names = [part for part in ast.walk(node) if isinstance(part, ast.Name)]
+    start = text.span(node)[0]
+    for first, second in combinations(names, 2):
+        if first.id != second.id:
+            shown = text.of(node).encode()
+            parts = sorted((first, second), key=lambda part: text.span(part))
+            (a, b), (c, d) = ((i - start, k - start) for i, k in map(text.span, parts))
+            new = shown[:a] + shown[c:d] + shown[b:c] + shown[a:b] + shown[d:]
+            yield 1, new.decode()
+
+
+def _row_of(node, scope, text):
+    """The row that a joint value belongs to, as it may be written there."""
+    if (
+        isinstance(node, ast.Subscript)
+        and isinstance(node.value, ast.Name)
+        and node.value.id in scope.parameters[1:2]
+    ):
+        yield f"{scope.parameters[0]}[{text.of(node.slice)}]"
+    yield from scope.rows
+
+
+def _is_product(node):
+    return len(_factors(node)) > 1
+
+
+def _factors(node):
+    """The factors of a matrix product, written with @, with .dot or with dot and matmul; how two of
+    them are joined.
+    """
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+        return [*_factors(node.left), *_factors(node.right)]
+    if isinstance(node, ast.Call) and not node.keywords:
+        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+        if name == "dot" and len(node.args) == 1:
+            return [*_factors(node.func.value), *_factors(node.args[0])]
+        if name in ("dot", "matmul") and len(node.args) == 2:
+            return [*_factors(node.args[0]), *_factors(node.args[1])]
+    return [node]
+
+
+def _in_other_orders(node, text):
+    factors = _factors(node)
+    if not 2 <= len(factors) <= 4:
+        return
+    shown = [_whole(factor, text) for factor in factors]
+    for order in permutations(shown):
+        if list(order) != shown:
+            yield 0 if list(order) == shown[::-1] else 1, _joined(node, order, text)
+
+
+def _joined(node, order, text):
+    if isinstance(node, ast.BinOp):
+        return " @ ".join(order)
+    if len(node.args) == 1:
+        return order[0] + "".join(f".dot({factor})" for factor in order[1:])
+    made = order[0]
+    for factor in order[1:]:
+        made = f"{text.of(node.func)}({made}, {factor})"
+    return made
+
+
+def _of_two(node, parent, scope, text):
+    left, right = _whole(node.left, text), _whole(node.right, text)
+    op = type(node.op)
+    if op is ast.MatMult:
+        if not _is_product(parent):
+            yield from _in_other_orders(node, text)
+        yield 1, f"{left} @ {right}.T"
+        yield 1, f"{left}.T @ {right}"
+    elif op is ast.Mult:
+        yield from _of_product(node, left, right, text)
+    elif op is ast.Add:
+        yield 0, f"{left} - {right}"
+        yield 1, f"{left} @ {right}"
+        yield 2, f"{left} * {right}"
+        if isinstance(parent, (ast.List, ast.Tuple, ast.Call)):
+            yield 0, f"{left}, {right}"
+    elif op is ast.Sub:
+        yield 0, f"{left} + {right}"
+        yield 0, f"{right} - {left}"
+        if isinstance(parent, (ast.List, ast.Tuple, ast.Call)):
+            yield 0, f"{left}, -{right}"  # a comma is missing
+    elif op is ast.Div:
+        yield 1, f"{left} * {right}"
+    elif op is ast.FloorDiv:
+        yield 0, f"{left} / {right}"
+    if op in (ast.Mult, ast.Div) and isinstance(node.left, ast.BinOp):
+        yield 0, _whole(node.left.left, text)
+    yield 1, left
+    yield 1, f"-{right}" if op is ast.Sub else right
+
+
+def _of_product(node, left, right, text):
+    if isinstance(node.left, ast.List) and not isinstance(node.left.elts[0], ast.Constant):
+        yield 0, f"[{text.of(node.left.elts[0])} for _ in range({right})]"
+    yield 0, f"{left} @ {right}"
+    yield 1, f"{left} + {right}"
+    yield 2, f"{left} / {right}"
+    yield 2, f"{left} - {right}"
+
+
+def _of_sign(node, parent, scope, text):
+    if isinstance(node.op, ast.USub):
+        yield 0, _whole(node.operand, text)
+
+
+def _of_number(node, parent, scope, text):
+    value = node.value
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        if value == "F":
+            yield 0, "'C'"
+        return
+    if isinstance(parent, (ast.Subscript, ast.Slice)):
+        yield from ((1, str(k)) for k in (0, 1, 2, 3, -1) if k != value)
+        return
+    for exact in EXACT:
+        for near in (exact, -exact):
+            if (
+                value != near
+                and abs(value - near) <= 6e-3 * exact
+                and not float(value).is_integer()
+            ):
+                yield 0, repr(near)
+    if isinstance(value, int):
+        if value >= 2:
+            yield from ((0, f"len({name})") for name in scope.parameters)
+        yield from ((1, str(value + step)) for step in (-1, 1))
+    if value not in (0, 1):
+        yield 2, "1"
+        yield 2, repr(value / 2)
+        yield 2, repr(2 * value)
+    yield 2, "0" if value else "1"
+    if value:
+        yield 1, f"-{value!r}"
+
+
+def _of_call(node, parent, scope, text):
+    function = node.func
+    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    arguments = [text.of(argument) for argument in node.args]
+    keywords = [text.of(keyword) for keyword in node.keywords]
+    called = text.of(function)
+
+    def call(arguments, keywords=keywords, called=called):
+        return f"{called}({', '.join([*arguments, *keywords])})"
+
+    if name in ("dot", "matmul") and not _is_product(parent):
+        yield from _in_other_orders(node, text)
+    if name == "exp":
+        yield from ((0, call([f"1j * ({one})"])) for one in arguments)
+    if name in SISTERS:
+        yield 0, call(arguments, called=called[: -len(name)] + SISTERS[name])
+    if name in WRAPPERS:
+        inner = (
+            arguments[:1] or [text.of(function.value)] if _is_method(function) else arguments[:1]
+        )
+        yield from ((0, f"({one})") for one in inner)
+    if _is_method(function) and name in WRAPPERS | {"copy", "tolist"}:
+        yield 0, text.of(function.value)
+    for k, keyword in enumerate(node.keywords):
+        rest = keywords[:k] + keywords[k + 1 :]
+        if keyword.arg == "dtype":
+            yield 0, call(arguments, [*rest, "dtype=float"])
+        yield 0, call(arguments, rest)
+    own = name in scope.functions
+    for i, k in combinations(range(len(arguments)), 2):
+        other = list(arguments)
+        other[i], other[k] = other[k], other[i]
+        yield 0 if own or len(arguments) == 2 else 1, call(other)
+    yield from ((1, call(other)) for other in _moved_addends(node.args, text))
+    if own and len(arguments) == 3:
+        yield from ((1, call(other)) for other in permutations(arguments))
+    for k in range(len(arguments)):
+        if len(arguments) > 1:
+            yield 0 if name == "range" else 2, call(arguments[:k] + arguments[k + 1 :])
+    if name == "range" and len(arguments) == 2 and isinstance(node.args[1], ast.BinOp):
+        yield 0, call([text.of(node.args[1].left)])
+    if name == "range":
+        yield 1, call([*arguments[:-1], f"{arguments[-1]} + 1"])
+    for other in scope.functions if own else ():
+        if other != name and scope.functions[other] == scope.functions[name]:
+            yield 1, call(arguments, called=other)
+    if name in ("cos", "sin") and arguments:
+        yield 1, call([f"({arguments[0]}) / 2"])
+        yield 2, call([f"2 * ({arguments[0]})"])
+        yield 1, call([f"({arguments[0]}) * {DEG}"])
+        yield 1, call([f"({arguments[0]}) / {DEG}"])
+    if name == "array" and "int" in "".join(keywords):
+        yield 0, call(arguments, ["dtype=float"])
+
+
+def _is_method(function):
+    return isinstance(function, ast.Attribute) and not (
+        isinstance(function.value, ast.Name) and function.value.id in ("np", "math", "numpy", "sp")
+    )
+
+
+def _of_attribute(node, parent, scope, text):
+    if node.attr == "T":
+        yield 0, text.of(node.value)
+    for other in scope.attributes if isinstance(node.ctx, ast.Load) else ():
+        if other != node.attr and node.attr in scope.attributes:
+            yield 2, f"{text.of(node.value)}.{other}"
+
+
+def _of_name(node, parent, scope, text):
+    if not isinstance(node.ctx, ast.Load) or (isinstance(parent, ast.Call) and node is parent.func):
+        return
+    if isinstance(parent, ast.Subscript) and node is parent.slice:
+        yield 0, f"{node.id} - 1"
+        yield 0, f"{node.id} + 1"
+    if isinstance(parent, ast.For) and node is parent.iter:
+        yield 1, f"{node.id}[::-1]"
+    if isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.MatMult):
+        yield 1, f"{node.id}.T"
+    for other in scope.names:
+        if other != node.id:
+            yield 2, other
+
+
+def _of_subscript(node, parent, scope, text):
+    """Swapped indices, and the whole in place of a part."""
+    if isinstance(parent, ast.Return):
+        yield 0, text.of(node.value)
+    if isinstance(node.slice, ast.Tuple) and len(node.slice.elts) == 2:
+        i, k = (text.of(index) for index in node.slice.elts)
+        yield 1, f"{text.of(node.value)}[{k}, {i}]"
+    inner = node.value
+    if isinstance(inner, ast.Subscript):
+        base = text.of(inner.value)
+        yield 1, f"{base}[{text.of(node.slice)}][{text.of(inner.slice)}]"
+    if isinstance(inner, (ast.List, ast.Tuple)) and isinstance(node.slice, ast.Tuple):
+        yield 0, f"{text.of(inner)}, [{text.of(node.slice)}]"  # a comma is missing
+
+
+def _of_slice(node, parent, scope, text):
+    parts = [node.lower, node.upper, node.step]
+    shown = [text.of(part) if part is not None else "" for part in parts]
+    for k, part in enumerate(parts):
+        if part is not None:
+            kept = shown[:k] + [""] + shown[k + 1 :]
+            yield 0, ":".join(kept[: 3 if kept[2] else 2])
+    yield from ((2, part) for part in (":3", "1:", "1:4", ":-1") if part != text.of(node))
+
+
+def _of_comparison(node, parent, scope, text):
+    if len(node.ops) == 1 and type(node.ops[0]) in SIGNS:
+        left, right = text.of(node.left), text.of(node.comparators[0])
+        yield 1, f"{left} {SIGNS[type(node.ops[0])]} {right}"
+    yield 1, f"not ({text.of(node)})"
+    yield 1, "True"
+    yield 1, "False"
+
+
+def _of_choice(node, parent, scope, text):
+    yield 1, text.of(node.body)
+    yield 1, text.of(node.orelse)
+
+
+def _of_list(node, parent, scope, text):
+    """Entries in another order: two exchanged, or all moved on by one; or what was added to one of
+    them added to another.
+    """
+    parts = [text.of(part) for part in node.elts]
+    if not 2 <= len(parts) <= 4 or isinstance(parent, ast.Subscript):
+        return
+    first, last = text.of(node)[0], text.of(node)[-1]
+    around = (first, last) if first in "[(" and last in "])" else ("", "")
+    orders = list(combinations(range(len(parts)), 2))
+    stored = isinstance(node.ctx, ast.Store)
+    for i, k in orders:
+        other = list(parts)
+        other[i], other[k] = other[k], other[i]
+        yield 0 if stored else 1, ", ".join(other).join(around)
+    yield from ((1, ", ".join(other).join(around)) for other in _moved_addends(node.elts, text))
+    if len(parts) > 2:
+        yield 0 if stored else 1, ", ".join(parts[1:] + parts[:1]).join(around)
+        yield 0 if stored else 1, ", ".join(parts[-1:] + parts[:-1]).join(around)
+
+
+def _moved_addends(nodes, text):
+    """Lists of texts in which what is added to one of them is added to another one."""
+    parts = [text.of(node) for node in nodes]
+    for i, node in enumerate(nodes):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            for kept, moved in ((node.left, node.right), (node.right, node.left)):
+                for k in range(len(parts)):
+                    if k != i:
+                        other = list(parts)
+                        other[i] = text.of(kept)
+                        other[k] = f"{parts[k]} + {text.of(moved)}"
+                        yield other

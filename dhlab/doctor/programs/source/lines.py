@@ -1,0 +1,45 @@
+"""The lines of a learner's function that must change, with what was tried."""
+
+import ast
+import contextlib
+import io
+import sys
+import warnings
+
+from .repair import Tried, lines_of, repaired
+from .text import text_of
+
+__all__ = ["lines_to_change"]
+
+
+def lines_to_change(f, calls, tolerance, seconds):
+    """The lines of a function's text that must change so that it is right in every call.
+
+    Parameters
+    ----------
+    f : callable
+    calls : list of (tuple, array)
+        Arguments and right answers, the simplest calls first.
+    tolerance : float
+    seconds : float
+        Of the processor.
+
+    Returns
+    -------
+    (tuple of Line, str or None, list of (tuple of Line, function))
+        The lines, empty when no small change of the text makes it right; the whole text with them
+        changed; then single changes that make more right, with the functions that they make.
+    """
+    text = text_of(f)
+    if text is None or (sys.platform == "emscripten" and _may_go_on(text)):
+        return (), None, []
+    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        changes, better = repaired(text, Tried(calls, tolerance), seconds)
+    whole = text.edited([edit for change in changes for edit in change]) if changes else None
+    return lines_of(text, changes), whole, [(lines_of(text, [change]), g) for change, g in better]
+
+
+def _may_go_on(text):
+    """Whether a loop may have no end; a browser has nothing to stop it."""
+    return any(isinstance(node, ast.While) for node in ast.walk(text.tree))

@@ -1,0 +1,160 @@
+"""The line that must change: a program is tried again and again with one thing in its text changed,
+or two, until it is right in every call.
+"""
+
+import copy
+import time
+from itertools import chain
+
+import numpy as np
+
+from ...diagnosis import Line
+from ..deadline import OutOfTime, limited
+from .edits import changes_of
+
+__all__ = ["Tried", "lines_of", "repaired"]
+
+EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
+FIRST = 6  # calls that tell which changes make more right
+ALL = 16 * FIRST
+BEST = 40  # changes that make more right than was right before, tried in pairs
+
+
+class Tried:
+    """The calls by which a program is judged: ``calls`` of (arguments, right answer), the simplest
+    first.
+    """
+
+    def __init__(self, calls, tolerance):
+        self.calls, self.tolerance = calls, tolerance
+
+    def entries(self, f, k):
+        """Which entries of the answer to call k are right; None where there is no answer, or the
+        arguments are changed.
+        """
+        given, right = self.calls[k]
+        mine = copy.deepcopy(given)
+        try:
+            answer = np.asarray(f(*mine), dtype=float)
+        except (Exception, SystemExit):
+            return None
+        if answer.shape != right.shape or not all(map(np.array_equal, given, mine)):
+            return None
+        return np.abs(answer - right) <= self.tolerance * (1 + np.abs(right))
+
+    def score(self, f):
+        """How many entries are right in the first calls; None when all are."""
+        found = [self.entries(f, k) for k in range(min(FIRST, len(self.calls)))]
+        right = sum(int(entries.sum()) for entries in found if entries is not None)
+        return None if right == sum(T.size for _, T in self.calls[: len(found)]) else right
+
+    def is_right(self, f, k):
+        """Whether the answer to a call is right."""
+        entries = self.entries(f, k)
+        return entries is not None and bool(entries.all())
+
+    def all_right(self, f):
+        """Whether all answers are right, and the first once more at the end."""
+        return all(self.is_right(f, k) for k in (*range(len(self.calls)), 0))
+
+
+def repaired(text, tried, seconds):
+    """The change of a program's text, or the two changes, that make it right in every call.
+
+    Parameters
+    ----------
+    text : Text
+    tried : Tried
+    seconds : float
+        Of the processor, for the whole search.
+
+    Returns
+    -------
+    (tuple of tuples of Edit, list of (tuple of Edit, function))
+        The changes, empty when none is found in time; and then single ones that make more of the
+        answers right, with the functions that they make, the best first.
+    """
+    search = _Search(text, tried, time.process_time() + seconds)
+    try:
+        with np.errstate(all="ignore"):
+            found = search.single() or search.pair()
+    except OutOfTime:
+        found = ()
+    return found, [(change, text.function(change)) for change in search.better]
+
+
+class _Search:
+    def __init__(self, text, tried, end):
+        self.text, self.tried, self.end = text, tried, end
+        self.changes, self.better = changes_of(text), []
+
+    def single(self):
+        """The first change that makes everything right; on the way those that make more right are
+        noted.
+        """
+        before = self._made((), self.tried.score) or 0
+        scored = []
+        for change in self.changes:
+            if time.process_time() > self.end:
+                break
+            score = self._made(change, self.tried.score, 0)
+            if score is None and self._made(change, self.tried.all_right, False):
+                return (change,)
+            if score is None or score > before:
+                scored.append((score or ALL, change))
+        scored.sort(key=lambda entry: -entry[0])
+        self.better = [change for _, change in scored[:BEST]]
+        return ()
+
+    def pair(self):
+        """The first two changes that together make everything right."""
+        tried = self.tried
+        wrong = self._made(
+            (), lambda f: [k for k in range(len(tried.calls)) if not tried.is_right(f, k)], [0]
+        )
+        self.pivot = wrong[0] if wrong else 0
+        best = self.better
+        pairs = ((first, second) for i, first in enumerate(best) for second in best[:i])
+        further = ((first, second) for first in best for second in self.changes)
+        return next((pair for pair in chain(pairs, further) if self._are_right(*pair)), ())
+
+    def _made(self, edits, look, otherwise=None):
+        """What a look at the changed program shows; ``otherwise`` where it is none or takes too
+        long.
+        """
+
+        def make_and_look():
+            return look(self.text.function(edits))
+
+        try:
+            return limited(EACH, make_and_look)
+        except (Exception, SystemExit, OutOfTime):
+            return otherwise
+
+    def _are_right(self, first, second):
+        if time.process_time() > self.end:
+            raise OutOfTime
+        if not all(a.end <= b.start or b.end <= a.start for a in first for b in second):
+            return False
+        edits = (*first, *second)
+        return self._made(
+            edits, lambda f: self.tried.is_right(f, self.pivot), False
+        ) and self._made(edits, self.tried.all_right, False)
+
+
+def lines_of(text, changes):
+    """The lines that changes of a text change, as Lines."""
+    edits = [edit for change in changes for edit in change]
+    edited = text.edited(edits).splitlines()
+    found = []
+    for edit in sorted(edits, key=lambda edit: edit.start):
+        number = text.line_at(edit.start)
+        before = text.data[: edit.start].count(b"\n")
+        moved = sum(
+            e.new.count(b"\n") - text.data[e.start : e.end].count(b"\n")
+            for e in edits
+            if e.start < edit.start
+        )
+        instead = edited[before + moved].strip() if before + moved < len(edited) else ""
+        found.append(Line(number, text.line(number), instead))
+    return tuple(found)
