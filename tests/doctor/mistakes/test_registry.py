@@ -23,7 +23,7 @@ ARMS = ("ar4", "article-6r", "cobra600", "panda", "stanford")
 ELSEWHERE = {
     "programs/answers.py",
     "programs/calling.py",
-    "programs/functions.py",
+    "programs/compared.py",
     "programs/explain.py",
 }
 
