@@ -118,7 +118,7 @@ class Function(Exercise):
         if not lines:
             return verdict
         numbers = " and ".join(str(number) for number in dict.fromkeys(x.number for x in lines))
-        where = f"line{'s' if ' ' in numbers else ''} {numbers} of the cell"
+        where = f"line{'s' if ' ' in numbers else ''} {numbers}"
         return replace(verdict, place="; ".join(filter(None, (verdict.place, f"look at {where}"))))
 
     def _compared(self, answers, cases, general, tolerance):
