@@ -3,12 +3,12 @@ kinematics in a file.
 """
 
 import contextlib
-import importlib.util
 import io
 import json
-import sys
 import traceback
+from types import ModuleType
 
+from ..formats.files import read_text
 from .common import arm_of
 
 __all__ = ["diagnose_program"]
@@ -47,28 +47,21 @@ def diagnose_program(path: str, arm: str, as_json: bool) -> None:
 
 def _loaded(path):
     """The module in a file; what it prints is not shown, and what stops it is one sentence."""
-    spec = importlib.util.spec_from_file_location("program", path)
-    module = importlib.util.module_from_spec(spec)
-    writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    module, text = ModuleType("program"), read_text(path, "a program")
+    module.__file__ = path
     try:
         with contextlib.redirect_stdout(io.StringIO()):
-            spec.loader.exec_module(module)
-    except FileNotFoundError:
-        raise ValueError(
-            f"doctor: expected a program, found no file {path}; look at its name"
-        ) from None
+            exec(compile(text, path, "exec"), vars(module))
     except SyntaxError as error:
         raise ValueError(
             f"doctor: {path}, line {error.lineno}: Python cannot read this: {error.msg}; look at"
             " the brackets and commas there and in the line before"
         ) from None
     except (Exception, SystemExit) as error:
-        lines = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
+        lines = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == path]
         where = f", line {lines[-1].lineno}" if lines else ""
         raise ValueError(
             f"doctor: {path}{where}: the file stops with {type(error).__name__}: {error}; a file"
             " that only defines functions can be looked at"
         ) from None
-    finally:
-        sys.dont_write_bytecode = writes
     return module
