@@ -359,7 +359,7 @@ def test_the_hands_arrow_by_a_step_along_it():
 
 
 def test_the_wrong_program_is_no_attempt_until_it_is_changed():
-    from dhlab.course.exercises.answers09 import reversed_product
+    from dhlab.course.exercises.posttest09 import reversed_product
 
     exercise = exercises()["09.8"]
     assert exercise.judge(reversed_product).status == "not attempted"

@@ -8,9 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...robots import load
 from ...table import DHTable
-from ...transform import rot_y, trans
 from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
 
 __all__ = [
@@ -18,22 +16,19 @@ __all__ = [
     "MEASURED",
     "array_in_row",
     "draw_first",
-    "draw_poses",
-    "draw_printed",
     "draw_second",
     "draw_tube",
     "explain_axes",
-    "makeable",
-    "miscopied",
-    "misjudged",
+    "lengths",
+    "link",
     "misread",
-    "printed_arm",
     "read_off",
     "tube",
     "wrong_tubes",
 ]
 
 ENTRIES = ("θ", "d", "a", "α")
+
 UP, FORWARD = 0.2845, 0.0535  # the xArm6's upper arm, metres; UFACTORY's kinematic parameters
 
 
@@ -53,21 +48,21 @@ def read_off(T_01: NDArray) -> list[float]:
     return [degrees(x[1], x[0]), p[2], x @ p, degrees(T_01[2, 1], T_01[2, 2])]
 
 
-def _lengths(rng):
+def lengths(rng: np.random.Generator) -> tuple[float, float]:
     """Two different lengths, metres."""
     d, a = rng.choice(np.arange(10, 46, 5), 2, replace=False) / 100
     return float(d), float(a)
 
 
 def draw_first(rng: np.random.Generator) -> dict[str, Any]:
-    d, a = _lengths(rng)
+    d, a = lengths(rng)
     return {
         "T_01": link(float(rng.choice([20, 30, 35, 40])), d, a, float(rng.choice([50, 55, 60, 70])))
     }
 
 
 def draw_second(rng: np.random.Generator) -> dict[str, Any]:
-    d, a = _lengths(rng)
+    d, a = lengths(rng)
     return {
         "T_01": link(
             float(rng.choice([110, 125, 140, 155])), d, -a, -float(rng.choice([20, 35, 50, 65]))
@@ -84,11 +79,11 @@ FALSE_TURN = Said(
     next="sin α has a sign too: in which entry of row 3 does it stand?",
 )
 
-
 HALF_A_TURN = Said(
     "θ is off by half a turn",
     next="np.arctan2(y, x) keeps the signs of both; a quotient y / x forgets them.",
 )
+
 X1 = "a and α are counted along and about x1 as it is given: which sign has x1 · p?"
 
 
@@ -176,131 +171,6 @@ def array_in_row(
     )
 
 
-def draw_poses(rng: np.random.Generator) -> dict[str, Any]:
-    """Four poses in the order of the seed: two that a row makes, one shifted along y1, one with a
-    leaning x1.
-    """
-    (d1, a1), (d2, a2) = _lengths(rng), _lengths(rng)
-    row = link(float(rng.choice([25, 40, 65])), d1, a1, float(rng.choice([30, 55, 70])))
-    back = link(-float(rng.choice([20, 50, 75])), -d2, -a2, float(rng.choice([35, 60, 80])))
-    aside = link(30.0, d2, a1, 40.0) @ trans([0, 0.08, 0])
-    leaning = link(50.0, d1, a2, 35.0) @ rot_y(np.deg2rad(25))
-    poses = [row, back, aside, leaning]
-    return {f"T_{letter}": poses[k] for letter, k in zip("abcd", rng.permutation(4))}
-
-
-def leftovers(T: NDArray) -> tuple[float, float]:
-    """What no row can make: how far x leans towards the old z, and how far its line passes by it
-    (m).
-    """
-    return T[2, 0], np.cross([0, 0, 1], T[:3, 0]) @ T[:3, 3]
-
-
-def makeable(**poses: NDArray) -> list[float]:
-    return [float(max(map(abs, leftovers(T))) < 1e-9) for T in poses.values()]
-
-
-def misjudged(**poses: NDArray) -> Mistakes:
-    """All fifteen wrong answers, each with its first reason."""
-    right, names = np.array(makeable(**poses)), list(poses)
-    yield (
-        "four-numbers-for-any-pose",
-        Said(
-            "1 and 0 look exchanged",
-            next="1 is for a pose that one row makes, and whose leftovers are both 0.",
-        ),
-        1 - right,
-    )
-    for code in range(16):
-        given = np.array([code >> k & 1 for k in range(4)], dtype=float)
-        if (given == right).all() or (given == 1 - right).all():
-            continue
-        k = int(np.argmax(given != right))
-        yield *_reason(names[k], poses[names[k]], given[k]), given
-
-
-def _reason(name, T, given):
-    """Why the answer for one pose is wrong, as (mistake, place)."""
-    look = f'Print leftovers(poses["{name}"])'
-    if given:
-        lean, _ = leftovers(T)
-        if abs(lean) > 1e-9:
-            return "x-not-across-z", Said(
-                f"{name} cannot be made by one row: its x1 leans towards z0",
-                next=f"{look}: both numbers must be 0.",
-            )
-        return "origin-off-common-normal", Said(
-            f"{name} cannot be made by one row: its x1 passes z0 by",
-            next=f"{look}: both numbers must be 0.",
-        )
-    if read_off(T)[2] < 0:
-        return "minus-taken-for-error", Said(
-            f"{name} can be made by one row",
-            next=f"{look}. A minus sign in the pose is no objection.",
-        )
-    return "measured-in-other-frame", Said(
-        f"{name} can be made by one row", next=f"{look}: is anything left over?"
-    )
-
-
-def draw_printed(rng: np.random.Generator) -> dict[str, Any]:
-    """A UR arm's table as its maker prints it: θ (rad), a (m), d (m), α (rad)."""
-    name = str(rng.choice(["ur3e", "ur10e", "ur5_cb", "ur10_cb"]))
-    return {"arm": name, "rows": load(name).table.rows[:, [0, 2, 1, 3]].tolist()}
-
-
-def _in_our_order(rows):
-    return [[np.rad2deg(theta), d, a, np.rad2deg(alpha)] for theta, a, d, alpha in rows]
-
-
-def printed_arm(arm: str, rows: list[list[float]]) -> Arm:
-    return Arm(DHTable.standard(_in_our_order(rows), angle="deg"))
-
-
-def miscopied(arm: str, rows: list[list[float]]) -> Mistakes:
-    right = np.array(_in_our_order(rows))
-    yield (
-        "columns-misread",
-        Said(
-            "these are the rows as printed: θ, a, d, α, the angles in radians",
-            next="Two columns change places, and the angles are wanted in degrees.",
-        ),
-        rows,
-    )
-    yield (
-        "a-d-exchanged",
-        Said("the columns stand as printed: θ, a, d, α", next="Which two change places?"),
-        right[:, [0, 2, 1, 3]],
-    )
-    for order in ([0, 3, 2, 1], [3, 1, 2, 0]):
-        yield (
-            "columns-misread",
-            Said(
-                "the columns stand in another order than θ, d, a, α",
-                next="Print one row beside the maker's: where did each number go?",
-            ),
-            right[:, order],
-        )
-    yield (
-        "lengths-made-positive",
-        Said(
-            "the minus signs are gone",
-            why="d and a are coordinates along an arrow; α has its direction too.",
-            next="Copy every number with its sign.",
-        ),
-        np.abs(right),
-    )
-    yield (
-        "lengths-made-positive",
-        Said(
-            "the minus signs of d and a are gone",
-            why="d and a are coordinates along an arrow: against it they are negative.",
-            next="Copy every number with its sign.",
-        ),
-        np.column_stack([right[:, 0], np.abs(right[:, 1:3]), right[:, 3]]),
-    )
-
-
 def draw_tube(rng: np.random.Generator) -> dict[str, Any]:
     return {"q2": float(rng.integers(12, 60) * rng.choice([-1, 1]))}
 
@@ -380,7 +250,9 @@ def wrong_tubes(q2: float) -> Mistakes:
 
 
 MEASURED = ["about-old-z", "along-old-z", "along-new-x", "about-new-x"]  # θ, d, a, α
+
 ANGLES = ("about-old-z", "about-new-x", "about-new-z")
+
 LEFT_OVER = {"about-new-z": "θ", "along-old-x": "a"}  # with the number that each imitates
 
 

@@ -2,42 +2,24 @@
 orders of moves, tables to classify and to convert, a table with no name.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...doctor.mistakes.registry import value_mistake
-from ...doctor.programs.wrong.craig import craig, in_order
-from ...doctor.programs.wrong.links import standard
 from ...robots import load
-from ...table import COLUMNS, DHTable
-from ..kinds import Function, Known, Mistakes, Said, numbers
+from ...table import DHTable
+from ..kinds import Mistakes, Said, numbers
 
 __all__ = [
-    "CRAIGS_ALPHA",
-    "CRAIG_ORDERS",
-    "ENTRIES",
-    "OTHER_ORDER",
-    "PUBLISHED",
-    "REASONS",
-    "SIDES",
     "SIGNS",
-    "STANDARD_ORDER",
-    "CraigsMatrix",
     "badly_repaired",
     "draw_broken",
     "draw_craig",
     "draw_standard",
     "draw_unseen",
-    "explain_order",
-    "explain_published",
-    "explain_reasons",
-    "explain_sides",
     "half_to_craig",
     "half_to_standard",
     "repaired",
@@ -47,130 +29,18 @@ __all__ = [
     "wrong_points",
 ]
 
-MOVES = {"rz": "Rz", "tz": "Tz", "tx": "Tx", "rx": "Rx"}
-SIDES = ["craig", "standard", "craig", "craig", "standard", "standard"]  # 03.1
-PUBLISHED = ["craig", "standard", "standard", "craig", "standard", "craig"]  # 03.5
-REASONS = ["convention", "hand", "digit", "zero-pose", "reversed-joint"]  # 03.6
-ZEROS = [
-    "row 1",
-    "the last row",
-    "the last row",
-    "row 1",
-    "the last row",
-    "row 1",
-]  # where each table of 03.5 has a = 0 and α = 0
 UNSEEN = ("piper", "irb120")
 
-
-def _orders_of(matrix):
-    row = 0.3, 0.2, 0.4, 0.5
-    return [
-        list(order)
-        for order in permutations(MOVES)
-        if np.allclose(in_order([MOVES[move] for move in order], *row), matrix(*row))
-    ]
-
-
-CRAIG_ORDERS, STANDARD_ORDERS = _orders_of(craig), _orders_of(standard)
-
-
-def _wrong_numbers(given, right):
-    return [k for k, (one, wanted) in enumerate(zip(given, right), 1) if one != wanted]
-
-
-def explain_sides(given: list[str]) -> Known | None:
-    wrong = _wrong_numbers(given, SIDES)
-    if len(wrong) == 6:
-        return "frame-at-other-end", "all six: the two conventions have changed places"
-    named = ", ".join(map(str, wrong))
-    if set(wrong) <= {3, 6}:
-        return "frame-at-other-end", Said(
-            f"look again at statement {named}: what lies between plate {{i-1}} and plate {{i}}",
-            next=(
-                "From plate to plate: do you meet the joint first, or the link? And which link is"
-                " it, that before the joint or that behind it?"
-            ),
-        )
-    return "frame-at-other-end", Said(
-        f"look again at statement {named}",
-        next="Which convention's plate i swings when joint i turns, and which one's stays?",
-    )
-
-
-STANDARD_ORDER = Said(
-    "this is the standard matrix: the joint turns first, then comes the link",
-    next="Craig walks the link before joint i first. Which of the moves belong to a link?",
-)
-OTHER_ORDER = Said(
-    "this is neither Craig's matrix nor the standard one",
-    why="A turn changes the direction of every later shift across its axis, so the order counts.",
-    next="One move after the other: first the link before the joint, then the joint.",
-)
-
-
-ENTRIES = Said(
-    "not every entry is right",
-    next=(
-        "Call it with one argument at a time, the other three 0: does each of the four make its own"
-        " move, and the right way?"
-    ),
-)
-CRAIGS_ALPHA = Said(
-    "alpha turns the wrong way",
-    why="In Craig's matrix it is α_{i-1}: measured about x_{i-1}, from z_{i-1} to z_i.",
-    next="Set theta, d and a to 0: is what is left rot_x(alpha)?",
-)
 COPIED = (
     "A conversion changes no number, only its row. Compare signs and digits with the given table."
 )
+
 SIGNS = {
     "alpha-sign": Said("an α has the other sign", next=COPIED),
     "length-sign": Said("a length has the other sign", next=COPIED),
     "offset-sign": Said("a θ has the other sign", next=COPIED),
     "lengths-made-positive": Said("the lengths have lost their signs", next=COPIED),
 }
-
-
-def explain_order(order: list[str]) -> Known | None:
-    if order in STANDARD_ORDERS:
-        return "craig-rows-in-standard-matrix", STANDARD_ORDER
-    return "order-taken-for-free", OTHER_ORDER
-
-
-def explain_published(given: list[str]) -> Known | None:
-    wrong = _wrong_numbers(given, PUBLISHED)
-    if len(wrong) == 6:
-        return "convention-guessed", Said(
-            "all six: the two have changed places",
-            next="Before joint 1 there is no link. Whose row 1 holds that missing link's pair?",
-        )
-    tables = {
-        where: [str(k) for k in wrong if ZEROS[k - 1] == where]
-        for where in ("row 1", "the last row")
-    }
-    said = [
-        f"the zeros of table {', '.join(found)} stand in {where}"
-        for where, found in tables.items()
-        if found
-    ]
-    return "convention-guessed", Said(
-        " and ".join(said),
-        next=(
-            "Row i holds the link before joint i, or the link behind it: which of the two is"
-            " missing in that row?"
-        ),
-    )
-
-
-def explain_reasons(given: list[str]) -> Known | None:
-    wrong = ", ".join(map(str, _wrong_numbers(given, REASONS)))
-    return "tables-differ-otherwise", Said(
-        f"look again at pair {wrong}",
-        next=(
-            "Read the sentence of dh.equivalent once more: the same arm, only the end, a fraction"
-            " of a millimetre, a zero moved, or counted the other way?"
-        ),
-    )
 
 
 def _draw_rows(rng, n):
@@ -437,24 +307,3 @@ def wrong_points(
     yield "rotation-block-misread", "this is the end's z arrow", T[:3, 2]
     yield "rotation-block-misread", "this is the last row of the rotation", T[2, :3]
     yield "pose-inverted", "this is the base's origin, seen from the end", -T[:3, :3].T @ T[:3, 3]
-
-
-@dataclass(frozen=True, kw_only=True)
-class CraigsMatrix(Function):
-    """The function of 03.3; says which of the four moves is missing where one is."""
-
-    def refine(
-        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
-    ) -> Known | None:
-        values = "joint-values-unused", *map(value_mistake, COLUMNS)
-        if mistake not in (None, "matrix-entry-mistyped", *values):
-            return None
-        for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):
-            without = [
-                craig(*(0 if i == k else value for i, value in enumerate(case))) for case in cases
-            ]
-            if np.allclose(answers, without, rtol=0, atol=1e-9):
-                return mistake if mistake in values else None, Said(
-                    f"{name} has no effect", next=f"Is {move} missing in the product?"
-                )
-        return None

@@ -2,29 +2,23 @@
 orders of the moves, the closed form, a row that slides.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...doctor.programs.slipsearch import wrong_entries
 from ...doctor.programs.wrong.craig import craig
 from ...doctor.programs.wrong.links import standard
 from ...transform import inverse
-from ..kinds import Function, Known, Mistakes, Said
+from ..kinds import Known, Mistakes, Said
 
 __all__ = [
-    "OF_THE_MATRIX",
     "OTHER_ORDERS",
-    "ClosedForm",
     "draw_angle",
     "draw_column",
     "draw_slide",
     "explain_order",
-    "from_a_blog",
     "row_in_radians",
     "slide",
     "wrong_origins",
@@ -32,6 +26,7 @@ __all__ = [
 ]
 
 PRINTED = ["rz", "tz", "tx", "rx"]  # the order that 05.3 gives
+
 OTHER_ORDERS = (
     ["tz", "rz", "tx", "rx"],
     ["rz", "tz", "rx", "tx"],
@@ -42,13 +37,6 @@ OTHER_ORDERS = (
 
 def draw_angle(rng: np.random.Generator) -> tuple:
     return (float(rng.uniform(0.2, 3.0) * rng.choice([-1, 1])),)
-
-
-def from_a_blog(theta: float, d: float, a: float, alpha: float) -> NDArray:
-    """The broken program of 05.7: one sign of the z arrow."""
-    T = standard(theta, d, a, alpha)
-    T[1, 2] *= -1
-    return T
 
 
 def draw_column(rng: np.random.Generator) -> dict[str, Any]:
@@ -224,98 +212,3 @@ def explain_order(order: list[str]) -> Known | None:
         next="Set α = 90°: θ must still turn about the old z.",
         why="After Rx(α) the z axis is a new one.",
     )
-
-
-@dataclass(frozen=True, kw_only=True)
-class ClosedForm(Function):
-    """A link matrix typed entry by entry: what is wrong is said of its entries and columns."""
-
-    def refine(
-        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
-    ) -> Known | None:
-        if mistake not in ("matrix-entry-mistyped", "not-rigid"):
-            return None
-        matrices = np.array(answers, dtype=float)
-        said = (
-            _wrong_columns(matrices[:, :3, :3])
-            if mistake == "not-rigid"
-            else _wrong_entries(wrong_entries(matrices, cases))
-        )
-        return said and (mistake, said)
-
-
-NEXT = {
-    2: "Turn y by θ, then tip it towards z by α.",
-    3: "Take z = x × y: z is at right angles to both.",
-}  # by column
-
-
-def _wrong_entries(slips):
-    """Which entries, the typed ones of a closed form; None when they are not known one by one."""
-    if not slips:
-        return None
-    columns = {int(slip.place.split("column ")[1][0]) for slip in slips}
-    given = any("row 3" in slip.place for slip in slips) or columns & {1, 4}
-    column = min(columns)
-    turned = (
-        len(slips) == 2
-        and len(columns) == 1
-        and not given
-        and all("its sign is turned" in slip.place for slip in slips)
-    )
-    headline = (
-        f"column {column} points the wrong way"
-        if turned
-        else "one entry is wrong"
-        if len(slips) == 1
-        else f"{len(slips)} entries are wrong"
-    )
-    return Said(
-        headline,
-        next="Compare with the entries that the text gives." if given else NEXT[column],
-        place="; ".join(slip.place for slip in slips),
-    )
-
-
-def _wrong_columns(R):
-    """The first column, or pair of columns, that no frame's arrows can be."""
-    for k in range(3):
-        if np.abs(np.linalg.norm(R[:, :, k], axis=1) - 1).max() > 1e-6:
-            return Said(
-                f"column {k + 1} does not have length 1",
-                next=NEXT.get(k + 1, "Compare with the entries that the text gives."),
-                why="An arrow that is turned keeps its length.",
-            )
-        for j in range(k):
-            if np.abs((R[:, :, j] * R[:, :, k]).sum(axis=1)).max() > 1e-6:
-                return Said(
-                    f"columns {j + 1} and {k + 1} are not at right angles",
-                    next=NEXT[k + 1],
-                    why="The arrows of a frame stand at right angles, whatever the angles are.",
-                )
-    return None
-
-
-TURNED_BACK = Said(
-    "α turns the other way", next="Set θ = 0, α = 90°: column 2 must be z, (0, 0, 1)."
-)
-X_FIRST = Said(
-    "the x moves come before the z moves",
-    next="Make both z moves first: each next move joins on the right.",
-    place="Rx and Tx stand before Rz and Tz",
-)
-LEFT_HANDED = Said(
-    "one arrow points the wrong way",
-    next="Turn y by θ, then tip it by α; take z = x × y.",
-    why="x, y and z must form a right hand.",
-)
-SIN_COS = Said(
-    "a sine or a cosine is not where it belongs",
-    next="Set this angle to 90°: its turn must be a quarter turn.",
-)
-OF_THE_MATRIX = {
-    "alpha-sign": TURNED_BACK,
-    "standard-rows-in-craig-matrix": X_FIRST,
-    "mirror": LEFT_HANDED,
-    "sin-cos-exchanged": SIN_COS,
-}

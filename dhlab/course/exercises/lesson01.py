@@ -11,7 +11,6 @@ from .answers01 import (
     wrong_plates,
 )
 from .chains01 import (
-    COMPOSED,
     FROM_BASE_TO_TOOL,
     LINKS,
     draw_chain,
@@ -23,6 +22,7 @@ from .chains01 import (
     wrong_points,
     wrong_tips,
 )
+from .compose01 import COMPOSED
 
 __all__ = ["EXERCISES"]
 

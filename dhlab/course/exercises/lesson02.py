@@ -8,20 +8,15 @@ from .answers02 import (
     MEASURED,
     array_in_row,
     draw_first,
-    draw_poses,
-    draw_printed,
     draw_second,
     draw_tube,
     explain_axes,
-    makeable,
-    miscopied,
-    misjudged,
     misread,
-    printed_arm,
     read_off,
     tube,
     wrong_tubes,
 )
+from .tables02 import draw_poses, draw_printed, makeable, miscopied, misjudged, printed_arm
 
 __all__ = ["EXERCISES"]
 

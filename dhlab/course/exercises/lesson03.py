@@ -6,25 +6,12 @@ from ...doctor.programs.cases import SPECIAL, general_row
 from ...doctor.programs.wrong.craig import craig
 from ..kinds import Choice, Option, Order, Prediction, Table, Value
 from .answers03 import (
-    CRAIG_ORDERS,
-    CRAIGS_ALPHA,
-    ENTRIES,
-    OTHER_ORDER,
-    PUBLISHED,
-    REASONS,
-    SIDES,
     SIGNS,
-    STANDARD_ORDER,
-    CraigsMatrix,
     badly_repaired,
     draw_broken,
     draw_craig,
     draw_standard,
     draw_unseen,
-    explain_order,
-    explain_published,
-    explain_reasons,
-    explain_sides,
     half_to_craig,
     half_to_standard,
     repaired,
@@ -32,6 +19,21 @@ from .answers03 import (
     to_standard,
     unseen_point,
     wrong_points,
+)
+from .orders03 import (
+    CRAIG_ORDERS,
+    CRAIGS_ALPHA,
+    ENTRIES,
+    OTHER_ORDER,
+    PUBLISHED,
+    REASONS,
+    SIDES,
+    STANDARD_ORDER,
+    CraigsMatrix,
+    explain_order,
+    explain_published,
+    explain_reasons,
+    explain_sides,
 )
 
 __all__ = ["EXERCISES"]

@@ -7,19 +7,17 @@ from ...doctor.programs.wrong.links import standard
 from ...transform import rot_x
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 from .answers05 import (
-    OF_THE_MATRIX,
     OTHER_ORDERS,
-    ClosedForm,
     draw_angle,
     draw_column,
     draw_slide,
     explain_order,
-    from_a_blog,
     row_in_radians,
     slide,
     wrong_origins,
     wrong_slides,
 )
+from .closed05 import OF_THE_MATRIX, ClosedForm, from_a_blog
 
 __all__ = ["EXERCISES"]
 

@@ -5,17 +5,14 @@ from ..kinds import Choice, Function, Option, Order, Prediction, Value
 from .answers08 import (
     COLUMN_LINES,
     PEN,
-    Speeds,
     draw_bend,
     draw_frames,
-    draw_hand_speed,
     explain_column,
-    joint_speeds,
     third_column,
     to_the_flange,
     wrong_columns,
-    wrong_speeds,
 )
+from .speeds08 import Speeds, draw_hand_speed, joint_speeds, wrong_speeds
 
 __all__ = ["EXERCISES"]
 

@@ -9,10 +9,8 @@ from ...geometry.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
-from .answers09 import (
-    AR4,
-    MAKERS,
-    PIPER,
+from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
+from .posttest09 import (
     between,
     draw_flange,
     draw_rows,
@@ -21,9 +19,6 @@ from .answers09 import (
     misread_arrow,
     misread_rows,
     reversed_product,
-    unrepaired,
-    wrong_axes,
-    wrong_piper,
 )
 
 __all__ = ["EXERCISES"]

@@ -1,0 +1,110 @@
+"""Claims of every exercise: units, shapes, and where an answer is wrong."""
+
+import numpy as np
+
+FACTORS = {
+    "radians": 57.29577951308232,
+    "degrees": 0.017453292519943295,
+    "degrees, converted to degrees once more": 0.017453292519943295,
+    "radians, converted to radians once more": 57.29577951308232,
+    "millimetres": 0.001,
+    "centimetres": 0.01,
+    "metres, divided by 1000": 1000.0,
+    "millimetres per second": 0.001,
+    "degrees per second": 0.017453292519943295,
+}
+
+
+def right_of(given):
+    """The right value, as the exercise has it; its own tests hold it against other programs."""
+    exercise, variant = given["exercise"], given["variant"]
+    return np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
+
+
+def near(a, b, by=6e-3):
+    """Whether two arrays agree within what the eye takes for equal."""
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    return a.shape == b.shape and bool((np.abs(a - b) <= by * (1 + np.abs(b))).all())
+
+
+def off_by(answer, given):
+    """The mask of the entries that are wrong; whole turns do not count where they are angles."""
+    exercise, right = given["exercise"], right_of(given)
+    difference = np.asarray(answer, dtype=float) - right
+    if difference.ndim == 1:
+        for k in exercise.turns:
+            difference[k] = (difference[k] + 180) % 360 - 180
+    return np.abs(difference) > exercise.tolerance * (1 + np.abs(right))
+
+
+def in_units(answer, given, found):
+    """The named numbers are right in the other unit, and wrong as they stand; all others are
+    right.
+    """
+    exercise, right = given["exercise"], right_of(given)
+    named = {}
+    for what, unit in (("what", "unit"), ("more", "more_unit")):
+        for name in (found.get(what) or "").replace(" and ", ", ").split(", "):
+            named[name] = FACTORS.get(found.get(unit))
+    scaled = np.array(answer, dtype=float)
+    if exercise.units == "pose":
+        scaled[:3, 3] *= named["the last column"]
+    elif "the numbers" in named:
+        scaled *= named["the numbers"]
+    else:
+        for k, name in enumerate(exercise.entries):
+            scaled[k] *= named.get(name) or 1
+    if exercise.turns:
+        scaled = right + np.where(
+            np.isin(np.arange(4)[: len(right)], exercise.turns),
+            (scaled - right + 180) % 360 - 180,
+            scaled - right,
+        )
+    return near(scaled, right) and off_by(answer, given).any()
+
+
+def these_entries(answer, given, found):
+    """Exactly the entries that are named are wrong."""
+    exercise, off = given["exercise"], off_by(answer, given)
+    names = exercise.entries or [f"number {k + 1}" for k in range(off.size)]
+    return [name for name, bad in zip(names, off.ravel()) if bad] == found["names"].split(", ")
+
+
+def so_many(answer, given, found):
+    """As many entries are wrong as is said, and the first of them is the one named."""
+    off = off_by(answer, given)
+    i, j = np.argwhere(off)[0] + 1
+    told = tuple(int(found[name]) for name in ("count", "of", "row", "column"))
+    return told == (off.sum(), off.size, i, j)
+
+
+def other_shape(answer, given, found):
+    """The answer has another shape than the right one, or holds no finite numbers."""
+    try:
+        array = np.asarray(answer, dtype=float)
+    except (TypeError, ValueError):
+        return True
+    return array.shape != right_of(given).shape or not np.isfinite(array).all()
+
+
+def cut_off(answer, given, found):
+    return (np.asarray(answer) == np.trunc(right_of(given))).all()
+
+
+ONE = r"in other units: (?P<what>[^;]+?) in (?P<unit>[^;]+); [a-z ]+ (?:are )?asked"
+BOTH = (
+    r"in other units: (?P<what>[θα, and]+) in (?P<unit>[^;]+?), (?P<more>[da, n]+) in"
+    r" (?P<more_unit>[^;]+); degrees and metres are asked"
+)
+GENERAL = [
+    (BOTH, in_units),
+    (r"in other units: (?P<what>.+?) in (?P<unit>[^;]+); .+ are asked", in_units),
+    (
+        r"these are not the numbers @ (?P<count>\d+) of (?P<of>\d+) entries, the first in row"
+        r" (?P<row>\d+), column (?P<column>\d+)",
+        so_many,
+    ),
+    (r"these are not the numbers @ (?P<names>.+)", these_entries),
+    (r"these are the right numbers with their decimals cut off", cut_off),
+    (r"expected .+, found .+", other_shape),
+]

@@ -1,0 +1,44 @@
+"""Every sentence of every exercise is true of the answer it is said of: decided by a predicate of
+its own in ``claims``; a sentence without one fails.
+"""
+
+import pytest
+from claims import judged, sentence
+from draws import few, variants
+from wrong_answers import unforeseen, wrong_answers
+
+from dhlab.course.exercises import exercises
+from dhlab.course.kinds import Order, Table, Value
+
+ASKED = {key: e for key, e in exercises().items() if isinstance(e, (Value, Table, Order))}
+
+
+def refused(exercise, answers, variant):
+    """(answer, verdict) of each that is told something."""
+    for answer in answers:
+        verdict = exercise.judge(answer, variant)
+        if verdict.status == "wrong":
+            yield answer, verdict
+
+
+@pytest.mark.parametrize("key", ASKED)
+def test_every_sentence_has_a_predicate_and_is_true(key):
+    exercise = ASKED[key]
+    for variant in variants(2)[:2]:
+        answers = few(wrong_answers(exercise, variant), 90)
+        for answer, verdict in refused(exercise, answers, variant):
+            assert judged(exercise, verdict, answer, variant) is not None, (
+                f"no predicate: {sentence(verdict)}"
+            )
+            assert judged(exercise, verdict, answer, variant), f"not true: {verdict} of {answer}"
+
+
+@pytest.mark.parametrize("key", ASKED)
+def test_a_mistake_that_no_list_foresees_is_told_where_it_is(key):
+    """What is named all the same must be true."""
+    exercise = ASKED[key]
+    answers = unforeseen(exercise, 1)
+    seen = list(refused(exercise, answers, 1))
+    assert len(seen) >= min(5, len(answers)), "five answers and more are refused"
+    for answer, verdict in seen:
+        assert judged(exercise, verdict, answer, 1), f"not true: {verdict} of {answer}"
