@@ -11,6 +11,10 @@ from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Order, Table, Value
 
 ASKED = {key: e for key, e in exercises().items() if isinstance(e, (Value, Table, Order))}
+KEYS = [  # a table is compared with some hundred others for each verdict
+    pytest.param(key, marks=pytest.mark.slow) if isinstance(e, Table) else key
+    for key, e in ASKED.items()
+]
 
 
 def refused(exercise, answers, variant):
@@ -21,11 +25,11 @@ def refused(exercise, answers, variant):
             yield answer, verdict
 
 
-@pytest.mark.parametrize("key", ASKED)
+@pytest.mark.parametrize("key", KEYS)
 def test_every_sentence_has_a_predicate_and_is_true(key):
     exercise = ASKED[key]
-    for variant in variants(2)[:2]:
-        answers = few(wrong_answers(exercise, variant), 90)
+    for variant in variants(1):
+        answers = few(wrong_answers(exercise, variant), 60)
         for answer, verdict in refused(exercise, answers, variant):
             assert judged(exercise, verdict, answer, variant) is not None, (
                 f"no predicate: {sentence(verdict)}"
@@ -33,7 +37,7 @@ def test_every_sentence_has_a_predicate_and_is_true(key):
             assert judged(exercise, verdict, answer, variant), f"not true: {verdict} of {answer}"
 
 
-@pytest.mark.parametrize("key", ASKED)
+@pytest.mark.parametrize("key", KEYS)
 def test_a_mistake_that_no_list_foresees_is_told_where_it_is(key):
     """What is named all the same must be true."""
     exercise = ASKED[key]

@@ -348,7 +348,7 @@ def _wrongly(given_as):
         k = list(given["exercise"].given(given["variant"])).index(found["name"])
         level, meets = _one_row_makes(np.asarray(given[found["name"]]))
         return (
-            bool(answer[k]) == (given_as != "made")
+            bool(round(float(answer[k]))) == (given_as != "made")
             and {"leans": not level, "passes": level and not meets, "made": level and meets}[
                 given_as
             ]

@@ -1,0 +1,171 @@
+"""What is told, and when: units before all else, plain sentences for what holds no numbers, and a
+debugging task bit by bit.
+"""
+
+import numpy as np
+import pandas as pd
+import pytest
+import sympy
+
+import dhlab as dh
+from dhlab.course import check, session
+from dhlab.course.exercises import exercises
+from dhlab.course.progress import Log
+
+E = exercises()
+
+
+def right(key, variant=0):
+    return np.asarray(E[key].answer(**E[key].given(variant)), dtype=float)
+
+
+@pytest.fixture
+def fresh(monkeypatch, tmp_path):
+    """A session in which nothing has been checked."""
+    monkeypatch.setattr(session, "_log", Log())
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize("key", ["01.3", "02.3", "06.10"])
+def test_right_numbers_pass_in_any_dress(key):
+    value = right(key)
+    for dress in (
+        value.tolist(),
+        value.astype(np.float32),
+        value.astype(complex),
+        np.ma.masked_array(value),
+        np.asmatrix(value),
+        pd.DataFrame(value) if value.ndim == 2 else pd.Series(value),
+        [sympy.Float(x, 17) for x in value] if value.ndim == 1 else sympy.Matrix(value),
+    ):
+        assert E[key].judge(dress).status == "right", type(dress)
+
+
+@pytest.mark.parametrize(
+    "spoil, words",
+    [
+        (lambda v: v + 0.1j, "complex numbers, with an imaginary part that is not 0"),
+        (lambda v: np.ma.masked_array(v, v == v[0]), "1 of 3 numbers is hidden"),
+        (lambda v: [sympy.Symbol("x"), *v[1:]], "a formula in which letters are left"),
+        (lambda v: [[1], [1, 2]], "rows of different lengths"),
+    ],
+)
+def test_what_holds_no_numbers_is_told_in_a_plain_sentence(spoil, words):
+    assert words in E["01.3"].judge(spoil(right("01.3"))).headline
+
+
+@pytest.mark.parametrize("key", ["00.1", "02.1", "02.3", "02.7", "04.2", "05.4", "06.6", "09.1"])
+def test_a_question_mark_is_always_an_answer(key):
+    for answer in ("?", ["?"] * 4):
+        verdict = E[key].judge(answer)
+        assert verdict.status == "wrong" and verdict.headline == E[key].undecided
+
+
+def test_a_list_that_is_half_filled_is_not_attempted_yet():
+    for key, answer, place in (
+        ("02.1", ["a", ..., ..., ...], "place 2, place 3, place 4"),
+        ("02.3", [30, ..., 0.2, 60], "number 2"),
+        ("01.2", [[0, -1, 0, ...], *np.eye(4)[1:].tolist()], "number 1"),
+    ):
+        verdict = E[key].judge(answer)
+        assert (verdict.status, verdict.place) == ("not attempted", place)
+
+
+MAKERS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90]]
+
+
+@pytest.mark.parametrize(
+    "key, answer, words",
+    [
+        ("02.3", lambda v: [np.deg2rad(v[0]), *v[1:]], "θ in radians"),
+        ("02.3", lambda v: [v[0], 1000 * v[1], v[2], v[3]], "d in millimetres"),
+        (
+            "02.3",
+            lambda v: [np.deg2rad(v[0]), 1000 * v[1], 1000 * v[2], np.deg2rad(v[3])],
+            "θ and α in radians, d and a in millimetres",
+        ),
+        ("01.7", lambda v: 1000 * v, "the numbers in millimetres"),
+        ("06.10", lambda v: v * np.where(np.arange(4) == 3, 1000, 1), "last column in millimetres"),
+    ],
+)
+def test_units_are_told_of_numbers(key, answer, words):
+    assert words in E[key].judge(answer(right(key))).headline
+
+
+def test_units_are_told_of_tables_and_placements():
+    rows = np.array([[0, 0.3, 0, 90], [90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]])
+    for factors, words in (
+        ([np.pi / 180, 1, 1, np.pi / 180], "θ and α in radians"),
+        ([1, 1000, 1000, 1], "d and a in millimetres"),
+        ([1, 1, 100, 1], "a in centimetres"),
+    ):
+        assert words in E["04.5"].judge((rows * factors).tolist()).headline
+    axes, end = E["04.2"].given(0).values()
+    (a, _, h), x = axes[1][0], [1, 0, 0]
+    tool = np.array(end)
+    frames = [[[0, 0, 1], [0, 0, 0], x], [[0, 1, 0], [a, 0, h], x]]
+    frames.append([tool[:3, 2], tool[:3, 3], tool[:3, 0]])
+    assert E["04.2"].judge(frames).status == "right"
+    thousand = [[z, np.multiply(1000, o), x] for z, o, x in frames]
+    said = E["04.2"].judge(thousand)
+    assert said.mistake == "length-unit" and "origins in millimetres" in said.headline
+
+
+def test_a_mistyped_number_is_no_slip_of_units():
+    value = right("02.3")
+    for k in range(4):
+        for other in (0, 2 * value[k], value[k] + 5):
+            answer = [*value[:k], other, *value[k + 1 :]]
+            assert "units" not in E["02.3"].judge(answer).headline
+
+
+def test_a_sign_to_be_found_is_told_in_three_steps(fresh):
+    def other_sign(theta, d, a, alpha):
+        T = dh.transform.rot_z(theta) @ dh.transform.trans_z(d)
+        T = T @ dh.transform.trans_x(a) @ dh.transform.rot_x(alpha)
+        T[0, 2] *= -1
+        return T
+
+    first, second, third, fourth = (check("05.7", other_sign) for _ in range(4))
+    assert not first.place and "column" not in str(first) and "sign" not in str(first)
+    assert second.place and "sign" not in str(second) and second.headline == first.headline
+    assert third == fourth and "sign" in str(third) and "row 1, column 3" in third.place
+
+
+def test_a_colleagues_frames_do_not_tell_which_step_is_wrong_at_once(fresh):
+    given = E["04.7"].given(0)
+    tried = [[list(part) for part in frame] for frame in given["frames"]]
+    tried[3][2] = [-1, 0, 0]
+    first, second, third = (check("04.7", tried) for _ in range(3))
+    assert "o1" not in str(first) and "foot" not in str(first)
+    assert second.place == "o1" and "foot" not in str(second)
+    assert "foot" in str(third)
+
+
+def test_the_given_order_earns_nothing():
+    verdict = E["05.3"].judge(["rz", "tz", "tx", "rx"])
+    assert verdict.points == 0 and "order that was given" in verdict.headline
+
+
+def test_a_makers_sheet_is_accepted_and_told_how_far_off_it_is():
+    verdict = E["09.4"].judge(dh.load("piper"))
+    assert verdict.status == "right" and "within 0.0" in verdict.headline
+    other = dh.load("piper.sdk_old")
+    q = E["09.4"].poses_at(0)
+    off = np.linalg.norm((other.forward(q) - dh.load("piper").forward(q))[:, :3, 3], axis=1).max()
+    assert f"up to {1000 * off:.0f} mm" in E["09.4"].judge(other).headline
+
+
+def test_drawn_poses_are_rotations_to_the_last_digit():
+    """So that nothing but the answer can bend space."""
+    for case in E["01.4"].cases(3):
+        for T in case:
+            assert np.allclose(T[:3, :3].T @ T[:3, :3], np.eye(3), atol=1e-14)
+    for slip in (
+        lambda A, B: np.block([[B[:3, :3] @ A[:3, :3], (A @ B)[:3, 3:]], [np.zeros((1, 3)), 1]]),
+        lambda A, B: np.block(
+            [[A[:3, :3] @ B[:3, :3], A[:3, :3] @ B[:3, 3:]], [np.zeros((1, 3)), 1]]
+        ),
+    ):
+        verdict = E["01.4"].judge(slip)
+        assert verdict.mistake and "bends" not in str(verdict)
