@@ -3,7 +3,6 @@ debugging task bit by bit.
 """
 
 import numpy as np
-import pandas as pd
 import pytest
 import sympy
 
@@ -13,6 +12,16 @@ from dhlab.course.exercises import exercises
 from dhlab.course.progress import Log
 
 E = exercises()
+
+
+class Frame:
+    """A table of pandas, as far as it matters here."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def to_numpy(self):
+        return self.values
 
 
 def right(key, variant=0):
@@ -35,7 +44,7 @@ def test_right_numbers_pass_in_any_dress(key):
         value.astype(complex),
         np.ma.masked_array(value),
         np.asmatrix(value),
-        pd.DataFrame(value) if value.ndim == 2 else pd.Series(value),
+        Frame(value),
         [sympy.Float(x, 17) for x in value] if value.ndim == 1 else sympy.Matrix(value),
     ):
         assert E[key].judge(dress).status == "right", type(dress)
@@ -85,7 +94,11 @@ MAKERS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90]]
             "θ and α in radians, d and a in millimetres",
         ),
         ("01.7", lambda v: 1000 * v, "the numbers in millimetres"),
-        ("06.10", lambda v: v * np.where(np.arange(4) == 3, 1000, 1), "last column in millimetres"),
+        (
+            "06.10",
+            lambda v: v * np.array([[1, 1, 1, 1000]] * 3 + [[1] * 4]),
+            "last column in millimetres",
+        ),
     ],
 )
 def test_units_are_told_of_numbers(key, answer, words):
