@@ -1,167 +1,219 @@
-"""Every exercise against right answers in several dresses and against wrong ones: how many pass,
-how many fail, how many are named, as a Markdown table.
+"""Every exercise against right answers in eight dresses and against wrong ones: how many pass, how
+many fail, how many are named or told where, how many sentences are not true, and how long a check
+takes; as a Markdown table.
 
-    python benchmarks/exercises.py
+    python benchmarks/exercises.py            # all exercises
+    python benchmarks/exercises.py 02 06.10   # some
 
-Wrong values are the exercise's own mistakes and slips of the hand (a sign, a unit, degrees, an
-order, one digit); wrong programs are the doctor's wrong versions of the family; wrong tables its
-wrong tables that move the arm; of a choice all other options, of an order up to 200 others. A guess
-and the pre-test have no wrong answer; exercises of a kind of their own (frames to place, a table to
-repair) and tables of drawn numbers are judged in tests/course.
+Right answers come as lists, as arrays made at once for all, from a recursive program, as numbers of
+SymPy, as an object of a class, in float32, as np.matrix and from programs that think in degrees.
+Wrong values are the exercise's own mistakes and slips of the hand, and mistakes that no list
+foresees; wrong programs are the doctor's wrong versions of the family; wrong tables its wrong
+tables that move the arm; of an order up to 120 others. Whether a sentence is true is decided by the
+predicates of tests/course/claims: of numbers, tables and orders. What is said of programs is
+measured by benchmarks/doctor_programs.py.
 """
 
-from itertools import islice, permutations, product
+import sys
+from pathlib import Path
+from statistics import median
+from time import process_time
 
 import numpy as np
 
-import dhlab as dh
-from dhlab.course.exercises import exercises
-from dhlab.course.kinds import Choice, Function, Order, Table, Value
-from dhlab.doctor.programs.explain import WRONG_VERSIONS
-from dhlab.doctor.tables.rows import wrong_tables
+TESTS = Path(__file__).parents[1] / "tests"
+sys.path[:0] = [str(TESTS), str(TESTS / "course")]
 
-VARIANTS = range(3)
+from claims import judged  # noqa: E402
+from wrong_answers import unforeseen, wrong_answers  # noqa: E402
+
+from dhlab.course.exercises import exercises  # noqa: E402
+from dhlab.course.kinds import Choice, Function, Order, Table, Value, numbers  # noqa: E402
+from dhlab.doctor.programs.explain import WRONG_VERSIONS  # noqa: E402
+
+VARIANTS = range(2)
+KINDS = (Value, Function, Table, Choice, Order)
+HEADINGS = (
+    "exercise",
+    "kind",
+    "right answers",
+    "refused",
+    "wrong answers",
+    "passed",
+    "named",
+    "told where",
+    "sentences not true",
+    "median (s)",
+    "longest (s)",
+)
+SYMBOLIC = "SymPy"  # its own arithmetic takes its time, and is timed apart
+
+
+def dresses(value):
+    """A right value as people hand it in: (dress, answer)."""
+    import sympy
+
+    array = np.asarray(value, dtype=float)
+    yield "lists", array.tolist()
+    yield "vectorised", np.stack([array, array])[0]
+    yield SYMBOLIC, np.array([sympy.Float(x, 17) for x in array.flat]).reshape(array.shape)
+    yield "class", Handed(array)
+    yield "float32", array.astype(np.float32)
+    if array.ndim:
+        yield "np.matrix", np.asmatrix(array)
+    yield "degrees inside", np.deg2rad(np.rad2deg(array))
+    yield "rounded by nothing", tuple(array.tolist()) if array.ndim else float(array)
+
+
+class Handed:
+    """Something that numpy can read, and that is no array."""
+
+    def __init__(self, array):
+        self.array = array
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(self.array, dtype=dtype)
+
+
+def programs(right):
+    """A right program in eight dresses, as far as they fit any program: (dress, program)."""
+    import sympy
+
+    def recursive(*case, depth=3):
+        return right(*case) if depth == 0 else recursive(*case, depth=depth - 1)
+
+    class Program:
+        def __call__(self, *case):
+            return right(*case)
+
+        def solve(self, *case):
+            return right(*case)
+
+    def symbolic(*case):
+        array = np.asarray(right(*case), dtype=float)
+        return np.array([sympy.Float(x, 17) for x in array.flat]).reshape(array.shape)
+
+    def degrees_inside(*case):
+        turned = np.rad2deg(np.asarray(right(*case), dtype=float))
+        return np.deg2rad(turned)
+
+    yield "lists", lambda *case: np.asarray(right(*case)).tolist()
+    yield "vectorised", lambda *case: np.stack([right(*case)] * 2)[1]
+    yield "recursive", lambda *case: recursive(*case)
+    yield SYMBOLIC, symbolic
+    yield "class", Program().solve
+    yield "float32", lambda *case: np.asarray(right(*case), dtype=np.float32)
+    yield "np.matrix", lambda *case: _as_matrix(right(*case))
+    yield "degrees inside", degrees_inside
+
+
+def _as_matrix(array):
+    return np.asmatrix(array) if np.ndim(array) == 2 else array
 
 
 def answers(exercise, variant):
-    """(right answers, wrong answers) of one variant."""
-    if isinstance(exercise, Value):
-        return values(exercise, exercise.given(variant))
+    """Right answers with their dress, and wrong ones."""
     if isinstance(exercise, Function):
-        own = exercise.answer
-        return [
-            own,
-            lambda *case: np.asarray(own(*case)).tolist(),
-            lambda *case: np.array(own(*case), dtype=float, order="F"),
-        ], [f for *_, f in WRONG_VERSIONS[exercise.family]]
-    if isinstance(exercise, Table):
-        return tables(exercise)
+        wrong = [f for *_, f in WRONG_VERSIONS.get(exercise.family, ())]
+        return list(programs(exercise.answer)), wrong[:: max(1, len(wrong) // 30)]
     if isinstance(exercise, Choice):
         letters = exercise.letters(variant)
         right = letters.pop(exercise.correct)
-        return [right, right.upper(), f" {right} ", exercise.correct], list(letters.values())
-    return orders(exercise, variant)
+        dressed = [right, right.upper(), f" {right} ", exercise.correct]
+        return [("letter", answer) for answer in dressed], list(letters.values())
+    wrong = [*wrong_answers(exercise, variant, 120), *unforeseen(exercise, variant)]
+    if isinstance(exercise, Value):
+        return list(dresses(exercise.answer(**exercise.given(variant)))), wrong
+    if isinstance(exercise, Order):
+        return [("letters", ids) for ids in orders(exercise)], wrong
+    return [*dressed_table(exercise, variant)], wrong
 
 
-def orders(exercise, variant):
-    """A right order in several dresses, and up to 200 others; an item may stand twice where it must
-    for a right one.
-    """
-    letters, accepts = exercise.letters(variant), exercise.accepts
-    given = [list(ids) for ids in permutations(exercise.items, exercise.size)]
-    if not any(accepts(ids) for ids in given):
-        given = [list(ids) for ids in product(exercise.items, repeat=exercise.size)]
-    ids = next(ids for ids in given if accepts(ids))
-    right = [letters[key] for key in ids]
-    rest = np.random.default_rng(variant).permutation([o for o in given if not accepts(o)])
-    wrong = [[letters[key] for key in order] for order in islice(rest.tolist(), 200)]
-    return [right, tuple(right), ", ".join(right), ids], wrong
+def orders(exercise):
+    """A right order, as ids and in capitals."""
+    from itertools import permutations, product
+
+    given = (list(ids) for ids in permutations(exercise.items, exercise.size))
+    if exercise.repeats:
+        given = (list(ids) for ids in product(exercise.items, repeat=exercise.size))
+    ids = next(ids for ids in given if exercise.accepts(ids))
+    letters = [exercise.letters()[key] for key in ids]
+    return [ids, letters, tuple(letters), ", ".join(letters).upper()]
 
 
-def values(exercise, given):
-    """Slips that change the right value; those that do not (a sign of 0, say) are no mistakes."""
-    right = np.asarray(exercise.answer(**given), dtype=float)
-    slips = [value for *_, value in exercise.mistakes(**given)] + [
-        -right,
-        1000 * right,
-        right / 1000,
-        np.rad2deg(right),
-        np.deg2rad(right),
-        2 * right,
-        right + 0.1,
-        1.05 * right,
-        np.abs(right),
-        np.round(right),
-        np.flip(right),
-        right.T,
-        np.zeros_like(right),
-    ]
-    slips += (
-        [
-            np.where(np.arange(right.size).reshape(right.shape) == k, right + 0.3, right)
-            for k in range(min(right.size, 4))
-        ]
-        if right.ndim
-        else []
-    )
-    wrong = [np.asarray(slip, dtype=float) for slip in slips]
-    allowed = max(5e-3, exercise.tolerance) * (1 + np.abs(right))
-    return [right, right.tolist(), right * (1 + 1e-7)], [
-        slip
-        for slip in wrong
-        if slip.shape != right.shape or (np.abs(slip - right) > allowed).any()
-    ]
+def dressed_table(exercise, variant):
+    """The right table as rows in every dress, as a table and as an arm; for an impostor, none."""
+    if exercise.id == "07.4":
+        return
+    right = exercise.right_arm(variant)
+    for dress, rows in dresses(numbers(right.table)):
+        fits = np.allclose(right.base, np.eye(4)) and np.allclose(right.tool, np.eye(4))
+        if fits:
+            yield dress, rows
+    yield "class", right
 
 
-def tables(exercise):
-    """The right table as written, and as other right tables of the same arm; the wrong ones that
-    move the end.
-    """
-    arm = exercise.right_arm()
-    q = np.random.default_rng(1).uniform(-2, 2, (8, len(arm)))
-    right = [rows(arm.table)] + [
-        rows(other.table)
-        for other in (arm.flip_x(1), arm.flip_x(2))
-        if np.allclose(other.base, arm.base) and np.allclose(other.tool, arm.tool)
-    ]
-    wrong = [
-        table
-        for _, _, table in wrong_tables(arm.table)
-        if (table.convention, table.joints) == (arm.table.convention, arm.table.joints)
-    ]
-    moved = [
-        table
-        for table in wrong
-        if not np.allclose(
-            dh.Arm(table, base=arm.base, tool=arm.tool, sign=arm.sign).forward(q),
-            arm.forward(q),
-            atol=1e-6,
-        )
-    ]
-    return [*right, np.array(right[0])], [rows(table) for table in moved]
+def moved(exercise, variant, answer, verdict):
+    """Whether a wrong answer is wrong: a table may be another right one, a number right enough."""
+    if verdict.status != "right":
+        return True
+    if isinstance(exercise, Table):
+        return False  # judged by the arm: what passes is the arm, or 07.4's impostor
+    right = np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
+    return np.abs(np.asarray(answer) - right).max() > 0.02 * (1 + np.abs(right).max())
 
 
-def rows(table):
-    return np.c_[np.rad2deg(table.theta), table.d, table.a, np.rad2deg(table.alpha)].tolist()
+def measured(exercise):
+    """The counts of one exercise, and the times of its checks."""
+    count, times = np.zeros(7, dtype=int), []
+    for variant in VARIANTS:
+        right, wrong = answers(exercise, variant)
+        for dress, answer in right:
+            start = process_time()
+            verdict = exercise.judge(answer, variant)
+            if dress != SYMBOLIC:
+                times.append(process_time() - start)
+            count[:2] += 1, verdict.status != "right"
+            if verdict.status != "right":
+                print(f"refused: {exercise.id} {dress}: {verdict}", file=sys.stderr)
+        for answer in wrong:
+            start = process_time()
+            verdict = exercise.judge(answer, variant)
+            times.append(process_time() - start)
+            if verdict.status == "not attempted":
+                continue
+            if verdict.status == "right":
+                if callable(answer) or moved(exercise, variant, answer, verdict):
+                    count[[2, 3]] += 1
+                    print(f"passed: {exercise.id} {answer}", file=sys.stderr)
+                continue
+            named = verdict.mistake is not None
+            count[[2, 4 if named else 5]] += 1
+            if isinstance(exercise, (Value, Table, Order)):
+                true = judged(exercise, verdict, answer, variant)
+                count[6] += not true
+                if not true:
+                    print(f"not true: {exercise.id} {verdict} of {answer}", file=sys.stderr)
+    return count, times
 
 
 def main():
     """One line an exercise."""
-    print(
-        "| exercise | kind | right answers | pass | wrong answers | fail | named"
-        " |\n|---|---|---|---|---|---|---|"
-    )
-    total = np.zeros(5, dtype=int)
+    print(f"| {' | '.join(HEADINGS)} |\n|{'---|' * len(HEADINGS)}", flush=True)
+    total, every = np.zeros(7, dtype=int), []
     for key, exercise in exercises().items():
-        kind = next(
-            (
-                kind
-                for kind in (Value, Function, Table, Choice, Order)
-                if isinstance(exercise, kind)
-            ),
-            None,
-        )
-        if kind is None or (kind is Table and (exercise.given(0) or exercise.handed_out)):
-            continue  # these are judged in tests/course, each in its own way
-        count = np.zeros(5, dtype=int)
-        for variant in VARIANTS:
-            right, wrong = answers(exercise, variant)
-            good, bad = (
-                [exercise.judge(a, variant) for a in right],
-                [v for a in wrong if (v := exercise.judge(a, variant)).status != "not attempted"],
-            )
-            count += [
-                len(good),
-                sum(v.status == "right" for v in good),
-                len(bad),
-                sum(v.status == "wrong" for v in bad),
-                sum(v.mistake is not None for v in bad),
-            ]
-        total += count
-        print(
-            f"| {key} | {kind.__name__.lower()} | " + " | ".join(map(str, count)) + " |", flush=True
-        )
-    print("| all | | " + " | ".join(map(str, total)) + " |")
+        kind = next((kind for kind in KINDS if isinstance(exercise, kind)), None)
+        if kind is None or (sys.argv[1:] and not key.startswith(tuple(sys.argv[1:]))):
+            continue
+        count, times = measured(exercise)
+        total, every = total + count, every + times
+        row(key, kind.__name__.lower(), count, times)
+    row("all", "", total, every)
+
+
+def row(key, kind, count, times):
+    cells = [key, kind, *map(str, count), f"{median(times):.3f}", f"{max(times):.2f}"]
+    print(f"| {' | '.join(cells)} |", flush=True)
 
 
 if __name__ == "__main__":
