@@ -16,7 +16,7 @@ if HOME.exists():
     made = importlib.util.spec_from_file_location("bad_input", HOME)
     bad_input = importlib.util.module_from_spec(made)
     made.loader.exec_module(bad_input)
-    CASES = few(bad_input.cases(), 70)
+    CASES = few(bad_input.cases(), 50)
 else:
     CASES = []
 

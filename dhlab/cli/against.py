@@ -15,7 +15,7 @@ from ..formats.files import read_text
 from ..formats.posefile import LARGEST
 from ..formats.urdf import ENDINGS
 from ..robots import robots
-from .common import arm_of
+from .common import arm_of, thinned
 
 __all__ = ["is_arm", "sheet_in", "against_arm", "axes_of"]
 
@@ -92,6 +92,7 @@ def axes_of(
 
     letters = "".join(letter for *_, letter in sheet.axes)
     q, measured = read_poses(poses, len(letters), *units, joints=letters)
+    q, measured = thinned(q, measured)
     answer = diagnose_axes(sheet.axes, sheet.end, q, measured, noise=noise, name=sheet.name)
     print(json.dumps(answer.to_dict(), ensure_ascii=False) if as_json else answer)
     if not repair:

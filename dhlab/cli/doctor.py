@@ -15,7 +15,7 @@ from ..formats.plainyaml import placed
 from ..formats.posefile import LARGEST as LARGEST_POSES
 from ..units import ANGLE, LENGTH
 from .against import against_arm, axes_of, is_arm, sheet_in
-from .common import arm_of, units_of
+from .common import arm_of, thinned, units_of
 from .doctor_program import diagnose_program
 
 __all__ = ["doctor"]
@@ -242,6 +242,7 @@ def _poses(model, path, lengths, angles, noise, free_base, free_tool, budget):
     from ..formats.posefile import read_poses
 
     q, measured = read_poses(path, len(model), lengths, angles, joints=model.table.joints)
+    q, measured = thinned(q, measured)
     return diagnose(
         model,
         q,
