@@ -35,6 +35,7 @@ DATA = ("exact", "rounded", "noisy")
 ENDS = (("fixed", "fixed"), ("free", "fixed"), ("fixed", "free"), ("free", "free"))
 ROUNDED = (1e-3, np.deg2rad(0.1))  # steps: positions in whole mm, rotation vectors in 0.1°
 EXACT = (1e-6, 1e-6)
+CHUNK = 100  # cases of one sort between two lines
 SEEN, SURE = 3.0, 5.0  # standard deviations of the true noise
 
 
@@ -203,17 +204,24 @@ def main():
     parser.add_argument("--only", choices=("right", "wrong"))
     parser.add_argument("--show", action="store_true")
     options = parser.parse_args()
-    seeds = range(
-        SEEDS[options.half] + options.first, SEEDS[options.half] + options.first + options.cases
-    )
-    for sort in ("right", "wrong"):
-        if options.only in (None, sort):
-            tally, times = run(sort == "wrong", seeds, options.show)
-            seconds = [t for t, _ in times]
-            print(f"{sort}: " + ", ".join(f"{k} {v}" for k, v in sorted(tally.items())))
-            worst, seed = max(times)
-            print(f"  median {np.median(seconds):.2f} s, worst {worst:.1f} s (seed {seed})")
-            sys.stdout.flush()
+    first = SEEDS[options.half] + options.first
+    sorts = [options.only] if options.only else ["right", "wrong"]
+    totals = {sort: (Counter(), []) for sort in sorts}
+    for begun in range(first, first + options.cases, CHUNK):
+        seeds = range(begun, min(begun + CHUNK, first + options.cases))
+        for sort, (tally, times) in totals.items():
+            found, taken = run(sort == "wrong", seeds, options.show)
+            tally.update(found)
+            times += taken
+            _print(sort, tally, times)
+
+
+def _print(sort, tally, times):
+    """One line of counts so far, and one of times."""
+    worst, seed = max(times)
+    print(f"{sort}: " + ", ".join(f"{k} {v}" for k, v in sorted(tally.items())))
+    print(f"  median {np.median([t for t, _ in times]):.2f} s, worst {worst:.1f} s (seed {seed})")
+    sys.stdout.flush()
 
 
 if __name__ == "__main__":

@@ -35,15 +35,20 @@ class Choice:
 
 def choose(arm, explanations, data, now):
     """The :class:`Choice` from many explanations, fitting or not."""
-    rough = sorted((weigh(e, data) for e in explanations), key=lambda w: w.cost)
+    rough = sorted((weigh(e, data) for e in explanations), key=_order)
     settled = [_settled(w, data) for w in rough[:LOOKED_AT] if _may_fit(w, data)]
-    fitting = sorted((w for w in settled if _fits(w, data)), key=lambda w: w.cost)
+    fitting = sorted((w for w in settled if _fits(w, data)), key=_order)
     if any(w.explanation.data_fault is None for w in fitting):
         fitting = [w for w in fitting if w.explanation.data_fault is None]
     convincing = [w for w in fitting if w.cost <= least_needed(now.arm, data)]
     if convincing:
         convincing = [w for w in convincing if w.cost <= convincing[0].cost + AS_GOOD]
     return Choice(tuple(fitting), tuple(convincing))
+
+
+def _order(w):
+    """By cost; of equally dear ones, which make the same arm, what the search found first."""
+    return round(w.cost, 2)
 
 
 def least_needed(placed, data):

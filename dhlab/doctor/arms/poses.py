@@ -10,13 +10,13 @@ from ...arm import Arm
 from ...printing import number
 from ...table import DHTable
 from ...transform import to_xyz_rpy
-from ..diagnosis import AGREES, UNEXPLAINED
+from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
 from .given import measured, oddities
 from .ranking import ranked
 from .rebuilding import rebuilt
 from .search.budget import SECONDS, Budget
 from .search.fitting import misfit
-from .unexplained import all_but_one, right_part, still_right
+from .unexplained import all_but_one, of_the_library, right_part, still_right
 from .verdict import decide, explained
 
 __all__ = ["diagnose"]
@@ -84,7 +84,8 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed", budget=SE
             answer = _looked_at_again(arm, data, answer, clock)
     finally:
         clock.close()
-    answer = replace(answer, notes=_cut_short(clock) + answer.notes)
+    if answer.verdict not in (AGREES, EXPLAINED):
+        answer = replace(answer, notes=_cut_short(clock) + answer.notes)
     placed = misfit(arm, data).arm
     if answer.verdict == AGREES and (data.base_free or data.tool_free):
         answer = replace(answer, fitted=placed, notes=answer.notes + _found_ends(placed, data))
@@ -105,8 +106,8 @@ def _cut_short(clock):
     if clock.cut_short:
         tried = ", ".join(dict.fromkeys(clock.cut_short))
         said = (
-            f"The time of {number(clock.seconds, 1)} s was over before everything was tried"
-            f" ({tried}): this is the best so far; more time (budget=, --budget) may find more."
+            f"Not everything was tried in {number(clock.seconds, 1)} s ({tried}):"
+            " this is the best so far; more time (budget=, --budget) may find more."
         )
         return (said,)
     return ()
@@ -119,6 +120,11 @@ def _looked_at_again(arm, data, answer, clock):
     as_given, data = data, replace(data, stated=True)
     found = all_but_one(arm, data, clock)
     if found is None:
+        model = of_the_library(arm, data)
+        if model is not None:
+            name, explanation = model
+            said = (*answer.notes, f"The measurements fit {name} of the library as it stands.")
+            return explained(arm, data, misfit(arm, data), [explanation], said)
         again = rebuilt(arm, as_given, clock)
         if again is None:
             return replace(answer, notes=answer.notes + still_right(arm, data))

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..mistakes.remade import A, D, with_rows
+from ..mistakes.remade import A, D, with_parts, with_rows
 from .differences import difference_text
 from .naming import name_change, name_data_fault
 from .search.fitting import Fit, fit, misfit
@@ -25,6 +25,8 @@ __all__ = [
 ]
 
 MOST_EQUIVALENTS = 4
+NEAR_ROUND = 5.0  # standard deviations within which a shift may be none
+WORSE_ROUND = 12.0  # χ² that a rounder base or tool may cost
 
 
 def ranked(arm, explanations, data):
@@ -111,6 +113,8 @@ def with_equivalents(finding, best, others, data):
 
 def snapped(explanation, data):
     """Fitted numbers made round where a round one fits: -90, not -89.97."""
+    if explanation.ends and not explanation.entries:
+        return _rounded_end(explanation, data)
     if not explanation.entries or explanation.fit.sigma is None:
         return replace(explanation, odd=len(explanation.entries))
     arm, start = explanation.fit.arm, explanation.chain[0]
@@ -134,6 +138,28 @@ def snapped(explanation, data):
     odd = sum(rows[entry] == arm.table.rows[entry] for entry in explanation.entries)
     found = Fit(found.arm, found.chi2, explanation.fit.fitted, explanation.fit.sigma)
     return replace(explanation, fit=found, chain=taken_over(explanation, found.arm), odd=odd)
+
+
+def _rounded_end(explanation, data):
+    """A base or a tool that was fitted, not moved or turned where that fits about as well."""
+    (end,) = explanation.ends
+    was, found = getattr(explanation.chain[0], end), explanation.fit
+    moved = np.linalg.inv(was) @ getattr(found.arm, end)
+    moved = moved if end == "tool" else getattr(found.arm, end) @ np.linalg.inv(was)
+    quarter = np.round(moved[:3, :3])
+    turn = quarter if abs(np.linalg.det(quarter) - 1) < 1e-9 else moved[:3, :3]
+    near = NEAR_ROUND * max(data.noise[0], data.noise[1] * data.reach)
+    shift = np.where(np.abs(moved[:3, 3]) < near, 0, moved[:3, 3])
+    for R, p in ((turn, shift), (turn, moved[:3, 3]), (moved[:3, :3], shift)):
+        made_round = np.eye(4)
+        made_round[:3, :3], made_round[:3, 3] = R, p
+        changed = made_round @ was if end == "base" else was @ made_round
+        arm = with_parts(found.arm, **{end: changed})
+        chi2 = float((data.residual(arm.forward(data.q)) ** 2).sum())
+        if chi2 < found.chi2 + WORSE_ROUND:
+            done = replace(found, arm=arm, chi2=chi2)
+            return replace(explanation, fit=done, chain=(*explanation.chain[:-1], arm))
+    return explanation
 
 
 def taken_over(explanation, arm):

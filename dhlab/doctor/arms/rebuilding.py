@@ -111,7 +111,8 @@ def _put_back(wrong, right, data):
     found = fit(right, data, free, steps=10)
     rows = right.table.rows
     off = np.array([_apart(rows[e], wrong.table.rows[e], e[1]) for e in free])
-    order = np.argsort(np.abs(off) / np.maximum(found.sigma[: len(off)], 1e-12))
+    sure = np.abs(off) / np.maximum(found.sigma[: len(off)], 1e-12)
+    order = np.argsort([s / (1 if wrong.table.rows[e] else 2) for s, e in zip(sure, free)])
     for entry in [free[k] for k in order]:
         rest = [e for e in free if e != entry]
         rows = found.arm.table.rows

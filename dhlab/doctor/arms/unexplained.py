@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
+from ..mistakes.models import models
 from .search.fitting import misfit
 from .search.measured import limit, rotation_vectors
-from .search.singles import singles
+from .search.singles import Explanation, singles
 
-__all__ = ["all_but_one", "right_part", "still_right"]
+__all__ = ["all_but_one", "of_the_library", "right_part", "still_right"]
 
 MOST_POSES = 40  # beyond these a line is looked for by eye
 SUSPECTS = 3  # a search for each of them left out
@@ -65,6 +66,15 @@ def _suspects(arm, data):
 def _without(data, k):
     keep = np.arange(len(data.q)) != k
     return replace(data, q=data.q[keep], p=data.p[keep], R=None if data.R is None else data.R[keep])
+
+
+def of_the_library(arm, data):
+    """(name, Explanation) where a model of the library fits as it stands; None where none does."""
+    fits = [(name, misfit(model, data)) for name, model in models(arm)]
+    name, best = min(fits, key=lambda fit: fit[1].chi2, default=(None, None))
+    if best is None or best.arm.table == arm.table or not best.explains(data):
+        return None
+    return name, Explanation(best, (arm, best.arm))
 
 
 def still_right(arm, data):

@@ -11,6 +11,7 @@ from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from .agreement import FEW, agreement
 from .calibration import calibration, changes_by_size, explains_better, is_small
 from .choosing import choose, least_needed
+from .differences import difference_text
 from .given import distinct
 from .ranking import named, ranked, rivals_of, telling_pose, with_equivalents
 from .search.fitting import misfit
@@ -48,9 +49,12 @@ def decide(arm, data, notes, budget):
         choice = choose(arm, found, data, now)
     if _settles(choice, whole):
         return _told(arm, data, now, choice, notes, budget)
+    few = distinct(data.q) < FEW
+    if few and choice.best is not None:
+        return undecided(data, now, choice.fitting, notes, budget)
     if whole and whole.cost + CLEAR < as_it_is(now.arm, data) and explains_better(whole, data):
         return _calibrated(arm, data, whole, now, choice, notes)
-    if distinct(data.q) < FEW or (data.stated and now.chi2 <= limit(data.count)):
+    if few or (data.stated and now.chi2 <= limit(data.count)):
         return undecided(data, now, choice.fitting, notes, budget)
     words = "No one or two mistakes explain these measurements."
     return Diagnosis(UNEXPLAINED, words, before=largest(now.arm, data), notes=notes)
@@ -104,7 +108,8 @@ def _calibrated(arm, data, whole, now, choice, notes):
     )
     nearest = [w.explanation for w in choice.fitting if len(w.explanation.entries) == 1][:1]
     said = tuple(
-        f"If it is one number, this is the nearest: {named(e, data)[0].detail}." for e in nearest
+        f"If it is one number, this is the nearest: {difference_text(arm, e.fit.arm)}."
+        for e in nearest
     )
     return Diagnosis(
         CALIBRATED,

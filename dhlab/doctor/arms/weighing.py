@@ -29,6 +29,7 @@ __all__ = [
 DISCRETE = 5.0  # one of some hundred mistakes without a number to guess
 PLACE = 3.2  # one of some twenty numbers of a table
 GUESS = 2.0  # a fitted number that one would have guessed: 0, -90°, its negative
+SAME = 1e-9  # of a turn, or of the reach: what was not moved
 LEAST = 3.0  # of any other fitted number
 DATA = 2.0  # measurements are blamed after the arm
 
@@ -94,7 +95,7 @@ def number_costs(level, data):
 
 
 def _ends_cost(e, level, data):
-    """A base or a tool that was fitted: nothing where it was not moved, little where it was moved
+    """A base or a tool that was fitted: nothing for what was not moved, little where it was turned
     as one would have guessed.
     """
     length, angle = number_costs(level, data)
@@ -102,19 +103,18 @@ def _ends_cost(e, level, data):
     for end in e.ends:
         was, found = getattr(e.chain[0], end), getattr(e.fit.arm, end)
         moved = np.linalg.inv(was) @ found if end == "tool" else found @ np.linalg.inv(was)
-        near = 5 * level[0], 5 * (level[1] if data.R is not None else level[0] / data.reach)
-        cost += DISCRETE + length * int((np.abs(moved[:3, 3]) > near[0]).sum())
+        cost += DISCRETE + length * int((np.abs(moved[:3, 3]) > SAME * data.reach).sum())
         if data.R is not None or end == "base":
-            cost += _turn_cost(moved[:3, :3], near[1], angle)
+            cost += _turn_cost(moved[:3, :3], angle)
     return cost
 
 
-def _turn_cost(R, near, angle):
-    if np.abs(R - np.eye(3)).max() < near:
+def _turn_cost(R, angle):
+    if np.abs(R - np.eye(3)).max() < SAME:
         return 0.0
-    if np.abs(R - np.round(R)).max() < near:
+    if np.abs(R - np.round(R)).max() < SAME:
         return GUESS
-    return angle * (1 if np.abs(R[2, 2] - 1) < near**2 + 1e-9 else 3)
+    return angle * (1 if np.abs(R[2, 2] - 1) < SAME else 3)
 
 
 def weigh(e, data):

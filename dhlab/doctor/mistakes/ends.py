@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...transform import rot_x, rot_z, trans
+from ...transform import rot_x, rot_y, rot_z, trans, trans_z
 from .changes import FIRST, LAST, ArmChange, RowChange, scaled
 from .registry import END, mistake
 from .remade import with_parts
@@ -45,4 +45,37 @@ def base_turned():
         for turn in (rot_z(np.pi), rot_z(np.pi / 2), rot_z(-np.pi / 2), rot_x(np.pi)):
             yield None, "", with_parts(arm, base=turn @ arm.base)
 
-    yield ArmChange(make, "base")
+    def undo(arm):
+        yield from ((turned, ()) for _, _, turned in make(arm))
+
+    yield ArmChange(make, "base", undo=undo)
+
+
+# what makers put behind the last frame: a flange, a hand's turn, both, the hand's fingers; and the
+# two ways in which ROS and a DH table turn a tool frame
+HAND = rot_z(-np.pi / 4)
+KNOWN_FLANGES = (
+    trans_z(0.107),
+    HAND,
+    trans_z(0.107) @ HAND,
+    trans_z(0.1034),
+    HAND @ trans_z(0.1034),
+    trans_z(0.107) @ HAND @ trans_z(0.1034),
+    rot_y(np.pi / 2),
+    rot_z(np.pi),
+)
+
+
+@mistake("flange-frame", preference=END)
+def flange_frame():
+    """A known transform from the last frame to a flange or a hand, left out or one too many."""
+
+    def make(arm):
+        for flange in KNOWN_FLANGES:
+            for moved in (flange, np.linalg.inv(flange)):
+                yield None, "", with_parts(arm, tool=arm.tool @ moved)
+
+    def undo(arm):
+        yield from ((right, ()) for _, _, right in make(arm))
+
+    yield ArmChange(make, "tool", undo=undo, only="arm")

@@ -162,11 +162,18 @@ def _offsets_summed(rows, q):
 @mistake("joints-coupled")
 def joints_coupled():
     def undo(n):
+        """A neighbour's value left out, or counted once too often."""
         for j in range(1, n):
             for sign in (1, -1):
                 matrix = np.eye(n)
                 matrix[j, j - 1] = sign
                 place = f"q{j + 1} {'+' if sign > 0 else '-'} q{j} in place of q{j + 1}"
+                yield j + 1, place, lambda q, p, R, matrix=matrix: (q @ matrix.T, p, R)
+        for j in range(2, n):
+            for sign in (1, -1):  # two motors of a wrist drive one joint
+                matrix = np.eye(n)
+                matrix[j, j - 2] = sign
+                place = f"q{j + 1} {'+' if sign > 0 else '-'} q{j - 1} in place of q{j + 1}"
                 yield j + 1, place, lambda q, p, R, matrix=matrix: (q @ matrix.T, p, R)
 
     yield MeasuredChange(undo, "q")

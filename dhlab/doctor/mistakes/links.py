@@ -4,9 +4,10 @@ import numpy as np
 
 from ...kinematics import link_matrices
 from ...transform import rot_x, rot_z, trans_x, trans_z
-from .changes import RowChange, Slip, Symptom, of_numbers
+from .changes import ArmChange, RowChange, Slip, Symptom, of_numbers
 from .entries import typed, wrong_entries
 from .registry import mistake
+from .remade import ALPHA, THETA, A, with_rows
 
 __all__ = ["MOVES", "in_another_order", "in_order", "mistyped"]
 
@@ -57,6 +58,60 @@ def _half_exchanged(theta, d, a, alpha):
     T[..., :3, 1] = np.stack([-np.sin(theta), np.cos(theta), np.sin(alpha)], axis=-1)
     T[..., 2, 2] = 1
     return T
+
+
+@mistake("bent-link")
+def bent_link():
+    """A link that is bent: its a written as the part along one arm of the bend, without the angle
+    that the bend takes from this theta and gives to the next.
+    """
+
+    def make(arm):
+        rows = arm.table.rows
+        for i, k in _bends(arm):
+            bend = rows[i, THETA] - np.pi / 2 * np.round(rows[i, THETA] / (np.pi / 2))
+            if SMALLEST_BEND < abs(bend) < np.pi / 4:
+                yield i + 1, f"rows {i + 1} and {i + 2}", _bent(arm, i, k, -bend, np.cos(bend))
+
+    def undo(arm):
+        for i, k in _bends(arm):
+            for bend in (0.2, -0.2):
+                yield (
+                    _bent(arm, i, k, bend, 1 / np.cos(bend)),
+                    ((i, THETA), (_a(arm, i), A), (k, THETA)),
+                )
+
+    yield ArmChange(make, "theta", undo=undo)
+
+
+SMALLEST_BEND = np.deg2rad(3)
+
+
+def _a(arm, i):
+    """The row that holds the length behind joint i (from 0)."""
+    return i if arm.table.convention == "standard" else i + 1
+
+
+def _bends(arm):
+    """(i, i + 1) where a link of some length lies between two parallel revolute joints."""
+    rows, standard = arm.table.rows, arm.table.convention == "standard"
+    for i in range(len(arm) - 1):
+        row = i if standard else i + 1
+        parallel = rows[row, A] and abs(np.sin(rows[row, ALPHA])) < 1e-9
+        if parallel and arm.table.joints[i : i + 2] == "RR":
+            yield i, i + 1
+
+
+def _bent(arm, i, k, bend, factor):
+    """The arm with the angle of a bend taken from theta k and given to theta i, a times a
+    factor.
+    """
+    rows = arm.table.rows
+    side = np.cos(rows[_a(arm, i), ALPHA])  # the next axis may be turned over
+    rows[i, THETA] += bend
+    rows[k, THETA] -= side * bend
+    rows[_a(arm, i), A] *= factor
+    return with_rows(arm, rows)
 
 
 MISTYPED = "matrix-entry-mistyped"

@@ -20,7 +20,18 @@ from .changes import Symptom
 __all__ = ["changes", "mistake", "only_seen", "preference", "value_mistake"]
 
 # the modules that hold the mistakes; of mistakes that fit equally well the first one is told first
-THEMES = ("joints", "numbers", "links", "columns", "digits", "frames", "ends", "products", "poses")
+THEMES = (
+    "joints",
+    "numbers",
+    "links",
+    "columns",
+    "digits",
+    "frames",
+    "ends",
+    "models",
+    "products",
+    "poses",
+)
 # Two repairs may make the same arm. These kinds of mistakes are told first, in this order.
 CONVENTION, SIGN, SENSE, OFFSET, COLUMNS, UNITS, END, OTHER = range(8)
 
