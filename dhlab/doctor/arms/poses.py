@@ -120,15 +120,7 @@ def _looked_at_again(arm, data, answer, clock):
     as_given, data = data, replace(data, stated=True)
     found = all_but_one(arm, data, clock)
     if found is None:
-        model = of_the_library(arm, data)
-        if model is not None:
-            name, explanation = model
-            said = (*answer.notes, f"The measurements fit {name} of the library as it stands.")
-            return explained(arm, data, misfit(arm, data), [explanation], said)
-        again = rebuilt(arm, as_given, clock)
-        if again is None:
-            return replace(answer, notes=answer.notes + still_right(arm, data))
-        return replace(again, notes=answer.notes + tuple(right_part(misfit(arm, data), data)))
+        return _of_many(arm, as_given, answer, clock)
     k, rest, ones = found
     best = ranked(arm, ones, rest)[0].fit.arm if ones else misfit(arm, rest).arm
     off = 1e3 * (best.forward(data.q[k])[:3, 3] - data.p[k])
@@ -151,6 +143,24 @@ def _looked_at_again(arm, data, answer, clock):
         headline=f"The table agrees with every measurement but number {k + 1}.",
         notes=(said,),
     )
+
+
+def _of_many(arm, data, answer, clock):
+    """An answer that explained nothing, where many numbers are wrong: another model of the library,
+    the arm rebuilt from the measurements, or what is right all the same.
+    """
+    at = replace(data, stated=True)
+    model = of_the_library(arm, at)
+    said = answer.notes
+    if model is not None:
+        name, explanation, mistaken = model
+        said = (*said, f"The measurements fit {name} of the library as it stands.")
+        if mistaken:
+            return explained(arm, at, misfit(arm, at), [explanation], said)
+    again = rebuilt(arm, data, clock)
+    if again is None:
+        return replace(answer, notes=said + still_right(arm, at))
+    return replace(again, notes=said + tuple(right_part(misfit(arm, at), at)))
 
 
 def _ordinal(k):

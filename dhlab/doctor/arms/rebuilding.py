@@ -20,6 +20,7 @@ from .weighing import as_measured, largest, level_left, number_costs, squares
 
 __all__ = ["rebuilt"]
 
+SHARE = 0.85  # of the time, after which nothing more is begun
 SPARE = 6  # numbers that must be left over when all of the table are fitted
 WIDE, DEEP = 3, 5  # arms kept after each mistake that is taken back, and how many are
 NEARER = 0.7  # of the misfit must be left at most by one more change
@@ -52,12 +53,12 @@ def _starts(arm, data, budget):
     for _ in range(DEEP):
         more = []
         for begun in kept:
-            more += budget.within(singles(begun, data), "rebuilding the arm")
+            more += budget.within(singles(begun, data), "rebuilding the arm", SHARE)
         nearest = _nearest(more)
         if not nearest or nearest[0].chi2 > NEARER * before:
             return
         kept, before = [found.arm for found in nearest], nearest[0].chi2
-        yield from budget.within(kept, "rebuilding the arm")
+        yield from budget.within(kept, "rebuilding the arm", SHARE)
 
 
 def _nearest(explanations):

@@ -69,12 +69,16 @@ def _without(data, k):
 
 
 def of_the_library(arm, data):
-    """(name, Explanation) where a model of the library fits as it stands; None where none does."""
-    fits = [(name, misfit(model, data)) for name, model in models(arm)]
+    """(name, Explanation, whether the table is that of another model) where a model of the library
+    fits as it stands; None where none does.
+    """
+    known = list(models(arm))
+    fits = [(name, misfit(model, data)) for name, model in known]
     name, best = min(fits, key=lambda fit: fit[1].chi2, default=(None, None))
     if best is None or best.arm.table == arm.table or not best.explains(data):
         return None
-    return name, Explanation(best, (arm, best.arm))
+    mistaken = any(np.allclose(model.table.rows, arm.table.rows, atol=1e-6) for _, model in known)
+    return name, Explanation(best, (arm, best.arm)), mistaken
 
 
 def still_right(arm, data):

@@ -25,7 +25,7 @@ __all__ = ["decide", "explained"]
 
 DOUBT = 8.0  # nats by which mistakes must explain a small misfit better than a calibration does
 RIVAL = 4.0  # nats dearer, and still as good where the poses are few
-FOR_PAIRS = 0.4  # share of the time that the search for two mistakes may take
+FOR_PAIRS = 0.35  # share of the time that the search for two mistakes may take
 CHEAPEST_PAIR = 10.0  # nats; where two mistakes could not convince, they are not looked for
 CLEAR = 4.0  # nats by which a calibration must be better than the table as it is
 
