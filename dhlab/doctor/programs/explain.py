@@ -10,6 +10,7 @@ from ..catalogue import catalogue
 from ..finding import find
 from ..mistakes.changes import PoseChange, Symptom
 from ..mistakes.registry import changes
+from .asarms import as_another_arm
 from .slipsearch import search
 from .wrong.branches import WRONG_BRANCHES
 from .wrong.craig import WRONG_CRAIG
@@ -100,6 +101,9 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9):
     slips, look_alikes = _searched(answers, cases, kind, tolerance)
     if slips:
         return tuple(_finding(slip, look_alikes if len(slips) == 1 else ()) for slip in slips)
+    one_row = as_another_arm(answers, cases, tolerance) if kind == "forward_kinematics" else None
+    if one_row is not None:
+        return (one_row,)
     topped = _with_right_last_row(answers, expected, tolerance)
     if topped is not None and (slips := _searched(topped, cases, kind, tolerance)[0]):
         return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))

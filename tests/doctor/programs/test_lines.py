@@ -116,6 +116,9 @@ def test_a_program_of_one_arm_may_know_the_arm(tmp_path):
     assert diagnose_function(written(tmp_path, ends_in_tool), KIND, arm=arm)
     answer = diagnose_function(written(tmp_path, text), KIND, arm=arm)
     assert answer.lines[0].instead == "return T @ TOOL"
+    other = ends_in_tool.replace("[0, 0, 1, 0.1]", "[0, 0, 1, 0.135]")
+    answer = diagnose_function(written(tmp_path, other), KIND, arm=arm)
+    assert answer.lines[0].instead.count("[0, 0, 1, 0.1]") == 1
     with pytest.raises(ValueError, match="whose joints all turn"):
         diagnose_function(written(tmp_path, text), KIND, arm=arm.to("craig"))
 

@@ -4,12 +4,14 @@ or two, until it is right in every call.
 
 import copy
 import time
+from functools import cached_property
 from itertools import chain
 
 import numpy as np
 
 from ...diagnosis import Line
 from ..deadline import OutOfTime, limited
+from .constants import fitted_numbers
 from .edits import changes_of
 
 __all__ = ["Tried", "lines_of", "repaired"]
@@ -32,15 +34,19 @@ class Tried:
         """Which entries of the answer to call k are right; None where there is no answer, or the
         arguments are changed.
         """
+        off, right = self.deviation(f, k), self.calls[k][1]
+        return None if off is None else np.abs(off) <= self.tolerance * (1 + np.abs(right))
+
+    def deviation(self, f, k):
+        """The answer to call k minus the right one; None as for :meth:`entries`."""
         given, right = self.calls[k]
         mine = copy.deepcopy(given)
         try:
             answer = np.asarray(f(*mine), dtype=float)
         except (Exception, SystemExit):
             return None
-        if answer.shape != right.shape or not all(map(np.array_equal, given, mine)):
-            return None
-        return np.abs(answer - right) <= self.tolerance * (1 + np.abs(right))
+        same = answer.shape == right.shape and all(map(np.array_equal, given, mine))
+        return answer - right if same else None
 
     def score(self, f):
         """How many entries are right in the first calls; None when all are."""
@@ -77,7 +83,7 @@ def repaired(text, tried, seconds):
     search = _Search(text, tried, time.process_time() + seconds)
     try:
         with np.errstate(all="ignore"):
-            found = search.single() or search.pair()
+            found = search.single() or search.number() or search.pair()
     except OutOfTime:
         found = ()
     return found, [(change, text.function(change)) for change in search.better]
@@ -106,13 +112,30 @@ class _Search:
         self.better = [change for _, change in scored[:BEST]]
         return ()
 
+    @cached_property
+    def pivot(self):
+        """The first call that goes wrong."""
+        tried = self.tried
+
+        def first_wrong(f):
+            return next((k for k in range(len(tried.calls)) if not tried.is_right(f, k)), 0)
+
+        return self._made((), first_wrong, 0)
+
+    def number(self):
+        """A number that is written in, and with another value makes everything right."""
+
+        def deviation(edits):
+            if time.process_time() > self.end:
+                raise OutOfTime
+            return self._made(edits, lambda f: self.tried.deviation(f, self.pivot))
+
+        edits = fitted_numbers(self.text, deviation)
+        right = (edit for edit in edits if self._made((edit,), self.tried.all_right, False))
+        return next((((edit,),) for edit in right), ())
+
     def pair(self):
         """The first two changes that together make everything right."""
-        tried = self.tried
-        wrong = self._made(
-            (), lambda f: [k for k in range(len(tried.calls)) if not tried.is_right(f, k)], [0]
-        )
-        self.pivot = wrong[0] if wrong else 0
         best = self.better
         pairs = ((first, second) for i, first in enumerate(best) for second in best[:i])
         further = ((first, second) for first in best for second in self.changes)
