@@ -45,7 +45,8 @@ def moved_chain(name):
         import pinocchio
     except ImportError:
         return lambda q: np.array([chain_pose(joints, row) for row in q])
-    model = pinocchio.buildModelFromXML(urdf_text(joints))
+    limited = [{"lower": -7.0, "upper": 7.0, **joint} for joint in joints]  # it wants limits
+    model = pinocchio.buildModelFromXML(urdf_text(limited))
     data, frame = model.createData(), model.getFrameId(f"link_{len(joints)}")
     free = [joint.nq == 2 for joint in model.joints[1:]]  # a continuous joint has cos and sin
 

@@ -35,6 +35,8 @@ PAGES = [
     "add-an-exercise",
     "conventions",
     "cheat-sheet",
+    "arms",
+    "add-an-arm",
     "table-files",
     "reference",
     *(f"reference/{room}" for room in ROOMS),
