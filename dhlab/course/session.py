@@ -9,6 +9,7 @@ from typing import Any
 
 from .exercises import exercises, sittings
 from .growth import Growth
+from .handing import as_rows, offer, watch
 from .kinds import Prediction
 from .progress import Log, Progress
 from .verdict import Verdict
@@ -18,6 +19,7 @@ __all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_varia
 _log = Log()
 _guesses: dict[str, Any] = {}
 _variant = 0
+watch()
 
 
 def set_variant(variant: int) -> None:
@@ -60,12 +62,19 @@ def check(exercise_id: str, answer: Any) -> Verdict:
     ValueError
         There is no such exercise.
 
+    Notes
+    -----
+    In JupyterLab an answer that is still dots is asked for under the check: with cards, or with
+    bare axes. What is chosen there is written in place of the dots when the answer's own cell is
+    run again.
+
     Examples
     --------
     >>> check("05.3", ...).status
     'not attempted'
     """
-    verdict = _exercise(exercise_id).judge(answer, _variant)
+    exercise, rows = _exercise(exercise_id), as_rows(answer)
+    verdict = offer(exercise, rows, exercise.judge(rows, _variant), _variant)
     _log.add(verdict)
     return verdict.at_try(_log.wrong_tries(exercise_id))
 
@@ -104,7 +113,8 @@ def predict(prediction_id: str, guess: Any) -> Verdict:
     >>> predict("05.P1", "a").status
     'recorded'
     """
-    verdict = _exercise(prediction_id, Prediction).judge(guess, _variant)
+    exercise = _exercise(prediction_id, Prediction)
+    verdict = offer(exercise, guess, exercise.judge(guess, _variant), _variant)
     if verdict.status == "recorded":
         (_guesses[prediction_id],) = verdict.chosen
         _log.add(verdict)

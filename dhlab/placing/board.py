@@ -203,6 +203,16 @@ class Placement:
         return tuple(f"{step}: {said[step].message}" for step in self._every_step if step in said)
 
     @property
+    def placed(self) -> list[list[Any]]:
+        """A row [z, origin, x] for each frame, as an exercise takes them: plain numbers, and
+        ``...`` for what is not placed yet.
+        """
+        return [
+            [[float(v) for v in part[i]] if i in part else ... for part in (self.z, self.o, self.x)]
+            for i in range(len(self) + 1)
+        ]
+
+    @property
     def frames(self) -> dict[int, NDArray[np.float64]]:
         """The frames that are placed: {i: pose (4, 4)} in the base frame."""
         return {i: pose(self.x[i], self.z[i], self.o[i]) for i in sorted(self.x)}

@@ -220,3 +220,35 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.screenshot(path=folder.parent / "explorer-again.png")
     page.close()
     assert faults == asked == []
+
+
+def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page):
+    from playwright.sync_api import expect
+
+    address, folder = lab
+    path = folder / "01-frames.ipynb"
+    before = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    codes = ["".join(cell["source"]) for cell in before if cell["cell_type"] == "code"]
+    checks = next(k for k, text in enumerate(codes) if text.startswith('check("01.6"'))
+    page = new_page(viewport={"width": 1280, "height": 1400})
+    page.goto(f"{address}/lab/workspaces/cards/tree/{path.name}?reset")
+    page.locator(".jp-CodeCell").first.wait_for()
+    kernel_is_idle(page)
+    for cell in (0, checks - 1, checks):
+        run(page, cell)
+    page.get_by_role("radio", name="the arm reported the flange").check(force=True)
+    expect(page.get_by_text("is not in the notebook yet").first).to_be_visible()
+    page.screenshot(path=folder.parent / "cards.png")
+    cell = run(page, checks - 1)
+    expect(cell.locator(".cm-content")).to_contain_text('why = "c"')
+    expect(run(page, checks)).to_contain_text("Right")
+    page.keyboard.press("Control+s")
+    for _ in range(600):
+        after = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        if any('why = "c"' in "".join(one["source"]) for one in after):
+            break
+        page.wait_for_timeout(100)
+    changed = [one["id"] for one, old in zip(after, before) if one["source"] != old["source"]]
+    assert len(after) == len(before) and len(changed) == 1
+    assert 'why = "c"' in "".join(next(one for one in after if one["id"] == changed[0])["source"])
+    page.close()

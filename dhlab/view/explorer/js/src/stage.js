@@ -111,6 +111,7 @@ export class Stage {
     });
     for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => {
       held.delete(event.pointerId);
+      if (this.hand && name === "pointerup") this.hand(this.at(event), true);
       if (this.hand) this.redraw();
       this.hand = null;
     });

@@ -22,6 +22,7 @@ export function placeMode(host, redraw) {
   const ways = (host.live ? judged : worked)(host, mode, redraw);
   mode.controls = ways.controls;
   mode.close = ways.close;
+  [mode.grab, mode.hover] = [ways.grab, ways.hover];
   mode.below = [tableHere];
   mode.frames = frameTable.element;
   mode.changed = () => {
@@ -145,6 +146,18 @@ function judged(host, mode, redraw) {
       show();
       return { placed: mapOf(answer.placed, data), words: spoken() };
     },
+    // A click near an offer chooses it, a second one places it; an origin that may stand anywhere on its line can be dragged along it.
+    grab(at, camera, near) {
+      const one = nearest(at, camera, near), own = one || answer.next?.[0] !== "o" ? null : line();
+      if (one) return (_, done) => done && (one === chosen ? submit.click() : take(one));
+      if (!own || !chosen || Math.hypot(...camera.flat(chosen.value).map((v, k) => v - at[k])) > near) return null;
+      return (to) => {
+        const [p, z] = own, [a, b] = [camera.flat(p), camera.flat(along(p, z, 1))], way = [b[0] - a[0], b[1] - a[1]];
+        const far = ((to[0] - a[0]) * way[0] + (to[1] - a[1]) * way[1]) / (way[0] ** 2 + way[1] ** 2 || 1);
+        choose(nearest(to, camera, near) ?? free(far));
+      };
+    },
+    hover: (at, camera, near) => at && nearest(at, camera, near),
     draw(scene) {
       answer.offers.forEach((offer, k) => drawOffer(scene, offer, k));
       if (chosen && !answer.offers.includes(chosen)) scene.ball(chosen.value, 0.02 * data.reach, "error");
@@ -191,8 +204,33 @@ function judged(host, mode, redraw) {
   function choose(offer) {
     chosen = offer;
     submit.disabled = !offer;
-    write(what, offer ? describe(offer) : "Each letter stands in the view. Choose one, then place it.");
+    write(what, offer ? describe(offer) : "Each letter stands in the view. Click one there or here, then place it, or click it again.");
     redraw();
+  }
+
+  function take(offer) {
+    for (const [k, input] of [...offers.querySelectorAll("input")].entries()) input.checked = answer.offers[k] === offer;
+    choose(offer);
+  }
+
+  // The offer that is drawn nearest to a point of the canvas.
+  function nearest(at, camera, near) {
+    const far = answer.offers.map((offer) => {
+      const [from, to] = drawnAt(offer).map((p) => camera.flat(p)), [x, y] = [to[0] - from[0], to[1] - from[1]];
+      const t = Math.max(0.35, Math.min(1, ((at[0] - from[0]) * x + (at[1] - from[1]) * y) / (x * x + y * y || 1))); // where arrows start they are together
+      return Math.hypot(at[0] - from[0] - t * x, at[1] - from[1] - t * y);
+    });
+    const least = Math.min(...far);
+    return least <= near ? answer.offers[far.indexOf(least)] : null;
+  }
+
+  // From where to where an offer is drawn: a point, or an arrow.
+  function drawnAt(offer) {
+    const [letter, i] = [answer.next[0], answer.next.slice(1)];
+    if (letter === "o") return [offer.value, offer.value];
+    const from = offer.point ?? answer.placed.find((one) => one.step === `o${i}`)?.value ?? [0, 0, 0];
+    const start = letter === "z" ? along(from, offer.value, 0.06 * data.reach) : from;
+    return [start, along(start, unit(offer.value), 0.22 * data.reach)];
   }
 
   // The line of the z whose origin is asked for, where an origin may be anywhere on it.
@@ -219,8 +257,7 @@ function judged(host, mode, redraw) {
       scene.label(LETTERS[k], offer.value, { color, far: true, size, weight, key });
       return;
     }
-    const i = answer.next.slice(1), from = offer.point ?? answer.placed.find((one) => one.step === `o${i}`)?.value ?? [0, 0, 0];
-    const start = answer.next[0] === "z" ? along(from, offer.value, 0.06 * data.reach) : from;
+    const [start] = drawnAt(offer);
     const tip = scene.arrow(start, unit(offer.value), 0.22 * data.reach, (here ? 0.008 : 0.0045) * data.reach, color);
     scene.label(LETTERS[k], tip, { toward: offer.value, color, size, weight, key });
   }

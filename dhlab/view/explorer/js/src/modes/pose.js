@@ -122,7 +122,8 @@ export function poseMode(host, redraw) {
 
   function moving({ k }, start, camera) {
     const first = origin(world[k]), [x, y] = camera.flat(first), aside = [start[0] - x, start[1] - y];
-    return (at) => { // where the pointer is on the plane of the picture through the plate; the picture may have been fitted anew
+    return (at, done) => { // where the pointer is on the plane of the picture through the plate; the picture may have been fitted anew
+      if (done) return;
       const from = camera.flat(first), [right, down] = [0, 1].map((j) => (at[j] - aside[j] - from[j]) / camera.scale);
       const to = add(first, add(scale(camera.right, right), scale(camera.up, -down))), T = world[k].slice();
       [T[3], T[7], T[11]] = to;
@@ -136,7 +137,8 @@ export function poseMode(host, redraw) {
   function turning({ k, column }, camera) {
     let side = Math.sign(dot(axis(world[k], column), camera.toward)) || 1, outside = false;
     const start = world[k], radius = arrow * camera.scale, middle = camera.flat(origin(start)), straight = k ? world[0] : IDENTITY;
-    return (at) => {
+    return (at, done) => {
+      if (done) return;
       const [x, y] = [(at[0] - middle[0]) / radius, (middle[1] - at[1]) / radius], far = Math.hypot(x, y);
       if (far < 0.97 && outside) side = -side;
       outside = far >= 0.97;
