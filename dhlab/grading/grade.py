@@ -16,6 +16,7 @@ from .intake.roster import Student
 from .judging.questions import Course, seed
 from .judging.work import Handed, Task, close, work
 from .plan import Plan, plan
+from .results.decisions import NAME, apply, read_decisions
 from .results.gradebook import Gradebook
 from .results.marks import Graded
 from .results.standing import left_standing, together
@@ -41,7 +42,9 @@ def grade(
     """Grade everything that was handed in; what an earlier run graded, and has not changed since,
     is kept.
 
-    Marks of other lessons, and of work that is not among what is graded now, stand as they are.
+    What the teacher decided in ``decisions.yaml`` in that folder is part of what is returned and of
+    ``grades.csv``; it is read and never written. Marks of other lessons, and of work that is not
+    among what is graded now, stand as they are.
 
     Parameters
     ----------
@@ -79,6 +82,7 @@ def grade(
         )
     planned = plan(place, roster, key, settings, exercise)
     book = Gradebook(out)
+    decisions = read_decisions(book.folder / NAME, planned.course.settings)
     book.check_ours({*planned.found, *book.students()})
     if exercise and not book.students():
         raise ValueError(
@@ -98,8 +102,11 @@ def grade(
             *(graded for student in planned.found if (graded := book.read(student))),
             *(left_standing(graded) for student in others if (graded := book.read(student))),
         ]
-        book.write_grades(results, roster)
-    return results, planned
+        decided, stale = apply(results, decisions, planned.course.settings)
+        for graded, with_decisions in zip(results, decided):
+            book.write(graded, with_decisions)
+        book.write_grades(decided, roster)
+    return decided, replace(planned, notes=(*planned.notes, *stale))
 
 
 def _todo(planned, book, key):

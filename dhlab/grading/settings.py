@@ -16,7 +16,7 @@ from ..formats import plainyaml
 if TYPE_CHECKING:
     from ..course.kinds.exercise import Exercise
 
-__all__ = ["Limits", "Lesson", "Settings", "read_settings", "LEVELS"]
+__all__ = ["Limits", "Lesson", "Settings", "moment", "read_settings", "LEVELS"]
 
 LEVELS = ("bubblewrap", "landlock", "rlimits")
 TOP = {"lessons", "late", "timezone", "partial", "own_kinematics", "limits", "cage"}
@@ -86,6 +86,10 @@ class Settings:
         due = self.lessons[lesson].due if lesson in self.lessons else None
         if due is None or when is None:
             return 0.0, 0.0
+        return self.late_after(due, when)
+
+    def late_after(self, due: datetime, when: datetime) -> tuple[float, float]:
+        """The same, for a due date of one student's own."""
         days = (when - due).total_seconds() / 86400
         if days <= self.grace_hours / 24:
             return 0.0, 0.0
@@ -196,11 +200,12 @@ def _lesson(name, item, zone):
         )
         points = {key: _between(entry, f"points of {key}", 0, 1000) for key, entry in given.items()}
     return Lesson(
-        _moment(known["due"], f"lesson {name}: due", zone) if "due" in known else None, points
+        moment(known["due"], f"lesson {name}: due", zone) if "due" in known else None, points
     )
 
 
-def _moment(item, what, zone):
+def moment(item: plainyaml.Item, what: str, zone: tzinfo) -> datetime:
+    """A moment; of a day alone its end."""
     words = plainyaml.text(item, what)
     try:
         moment = datetime.fromisoformat(words)

@@ -44,8 +44,9 @@ def read_marks(folder: str | Path) -> dict[str, Graded]:
 
 def _read(path):
     try:
-        return Graded.from_dict(json.loads(read_text(path, "a student's marks")))
-    except (KeyError, TypeError, json.JSONDecodeError):
+        told = json.loads(read_text(path, "a student's marks"))
+        return Graded.from_dict(told.get("decided", told))
+    except (KeyError, TypeError, AttributeError, json.JSONDecodeError):
         raise ValueError(
             f"{path}: expected marks that dhlab grade wrote, found something else; delete it and"
             " grade again"

@@ -13,6 +13,7 @@ from ..inside.wire import error_name
 from ..intake.roster import Student
 from .marks import (
     ERROR,
+    HELD,
     MISSING,
     NOT_ALLOWED,
     NOT_ATTEMPTED,
@@ -70,10 +71,11 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     """
     student = student or Student(graded.student)
     said = words(student.language)
-    cards = [_card(mark, said, graded.variant) for mark in graded.marks]
+    held = graded.status == HELD  # then nothing is given out
+    cards = [] if held else [_card(mark, said, graded.variant) for mark in graded.marks]
     no_file = (
         sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN})
-        if graded.status != MISSING
+        if graded.status not in (MISSING, HELD)
         else []
     )
     sentence = said[
@@ -88,6 +90,7 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
         lang=said["lang"],
         words=said,
         graded=graded,
+        held=held,
         name=student.name or graded.student,
         cards=cards,
         sentence=sentence,

@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from ...formats import files
 from ..intake.roster import Student
 from .csvtext import csv_text
-from .marks import NOT_HANDED_IN, Graded
+from .marks import HELD, NOT_HANDED_IN, Graded
 from .names import marks_stem, page_stem
 from .pages import OURS
 
@@ -131,13 +131,17 @@ class Gradebook:
         except OSError:
             return ""
 
-    def write(self, graded: Graded) -> None:
-        """Write one student's marks, whole or not at all."""
-        files.write_text(
-            self.path(graded.student),
-            json.dumps(graded.to_dict(), ensure_ascii=False, indent=1) + "\n",
-            overwrite=True,
-        )
+    def write(self, graded: Graded, decided: Graded | None = None) -> None:
+        """Write one student's marks, whole or not at all; beside them, where they differ, the same
+        with the teacher's decisions.
+        """
+        told = graded.to_dict()
+        if decided is not None and decided != graded:
+            told["decided"] = decided.to_dict()
+        text = json.dumps(told, ensure_ascii=False, indent=1) + "\n"
+        path = self.path(graded.student)
+        if not path.exists() or path.read_bytes() != text.encode():
+            files.write_text(path, text, overwrite=True)
 
     def write_grades(self, results: Sequence[Graded], roster: Sequence[Student] = ()) -> None:
         """``grades.csv``: a line with a status for each student, and the points of each
@@ -154,29 +158,33 @@ class Gradebook:
                 key,
             )
         )
-        head = [*HEAD, *exercises, "handed_in", "file", "cage", "notes"]
+        bonus = ["bonus"] if any(graded.bonus for graded in results) else []
+        head = [*HEAD, *exercises, *bonus, "handed_in", "file", "cage", "notes"]
         files.write_text(
             self.folder / "grades.csv",
-            csv_text([head, *(self._row(graded, names, exercises) for graded in results)]),
+            csv_text([head, *(self._row(graded, names, exercises, bonus) for graded in results)]),
             overwrite=True,
         )
 
     @staticmethod
-    def _row(graded, names, exercises):
+    def _row(graded, names, exercises, bonus):
         points = {
             mark.exercise: _plain(mark.points)
             for mark in graded.marks
-            if mark.status != NOT_HANDED_IN
+            if mark.status != NOT_HANDED_IN and graded.status != HELD
         }
         numbers = map(
             _plain, (graded.total, graded.points, graded.of, graded.late_days, graded.penalty)
         )
+        if graded.status == HELD:  # no marks are given out
+            numbers = iter([None] * 5)
         return [
             graded.student,
             names.get(graded.student, ""),
             graded.status,
             *numbers,
             *(points.get(exercise) for exercise in exercises),
+            *(_plain(graded.bonus) for _ in bonus),
             handed_in(graded.marks),
             graded.file,
             graded.cage,

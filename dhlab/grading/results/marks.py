@@ -19,6 +19,7 @@ __all__ = [
     "GRADED",
     "UNREADABLE",
     "MISSING",
+    "HELD",
 ]
 
 RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = (
@@ -30,9 +31,9 @@ RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = (
     "not allowed",
 )
 NOT_HANDED_IN = "not handed in"
-GRADED, UNREADABLE, MISSING = "graded", "unreadable", "missing"
+GRADED, UNREADABLE, MISSING, HELD = "graded", "unreadable", "missing", "on hold"
 OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED, NOT_HANDED_IN)
-OF_STUDENT = (GRADED, NOT_ATTEMPTED, UNREADABLE, TIMED_OUT, MISSING)
+OF_STUDENT = (GRADED, NOT_ATTEMPTED, UNREADABLE, TIMED_OUT, MISSING, HELD)
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,8 @@ class Mark:
         Days after the due date, and the share of the points, 0 to 1, that is taken off for them.
     chosen : tuple of str
         Of an answer in letters: the ids of the options chosen, or "?".
+    comment : str
+        The teacher's own words, from decisions.yaml.
 
     Examples
     --------
@@ -84,6 +87,7 @@ class Mark:
     late_days: float = 0.0
     penalty: float = 0.0
     chosen: tuple[str, ...] = ()
+    comment: str = ""
 
     @property
     def lesson(self) -> str:
@@ -120,7 +124,8 @@ class Graded:
         Where the submission was found, in words relative to the folder that was graded; empty when
         there is none.
     status : str
-        "graded", "not attempted", "unreadable", "timed out" or "missing".
+        "graded", "not attempted", "unreadable", "timed out", "missing" or, by the teacher, "on
+        hold".
     marks : tuple of Mark
         One for every exercise asked for, also where the status is not "graded".
     variant : int
@@ -145,6 +150,8 @@ class Graded:
     number : str
         What the inputs of graded calls were drawn from, with the teacher's key: drawn when the
         student is first graded, and kept, so that unchanged work gets the same marks again.
+    bonus, comment : float, str
+        The teacher's, from decisions.yaml.
 
     Examples
     --------
@@ -170,6 +177,8 @@ class Graded:
     numbers_of: str | None = None
     fingerprint: str = ""
     number: str = ""
+    bonus: float = 0.0
+    comment: str = ""
 
     def __post_init__(self) -> None:
         if self.status not in OF_STUDENT:
@@ -190,8 +199,8 @@ class Graded:
 
     @property
     def total(self) -> float:
-        """The points after the late penalty, to two decimals."""
-        return round(self.points * (1 - self.penalty), 2)
+        """The points after the late penalty, with the bonus, to two decimals."""
+        return round(self.points * (1 - self.penalty) + self.bonus, 2)
 
     def to_dict(self) -> dict[str, Any]:
         """A dict of text, numbers and lists, with ``points``, ``of`` and ``total`` for whoever
