@@ -173,11 +173,15 @@ class Gradebook:
             for mark in graded.marks
             if mark.status != NOT_HANDED_IN and graded.status != HELD
         }
-        numbers = map(
-            _plain, (graded.total, graded.points, graded.of, graded.late_days, graded.penalty)
-        )
+        numbers: list[int | float | None] = [
+            _plain(number)
+            for number in (
+                *(graded.total, graded.points, graded.of),
+                *(graded.late_days, graded.penalty),
+            )
+        ]
         if graded.status == HELD:  # no marks are given out
-            numbers = iter([None] * 5)
+            numbers = [None] * len(numbers)
         return [
             graded.student,
             names.get(graded.student, ""),
