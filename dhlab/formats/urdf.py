@@ -48,7 +48,8 @@ def read_urdf(
     Parameters
     ----------
     path : str or path
-        A ``.urdf`` file, or a xacro file, which the package xacro expands (extra ``[urdf]``).
+        A ``.urdf`` file, or a xacro file, which the package xacro expands (extra ``[urdf]``). That
+        evaluates the file's expressions: read files that you trust.
     base : str, optional
         The link whose frame poses are given in; the root when left out.
     tip : str, optional
