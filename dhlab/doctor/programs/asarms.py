@@ -2,6 +2,8 @@
 joint, and a constant transform at either end.
 """
 
+import re
+
 import numpy as np
 
 from ...arm import Arm
@@ -14,6 +16,7 @@ from .steps import run_chain
 
 __all__ = ["as_another_arm"]
 
+NUMBER = re.compile(r"\d+")
 VERIFIED = 5  # calls, after the first, on which an explanation must hold
 
 
@@ -89,16 +92,26 @@ def _in_a_row(answers, cases, tolerance):
             for key, fault in fitting.items()
             if _near(here[key].arm.forward(q) if key in here else right, answers[k], tolerance)
         }
-    found = list(fitting.values())
-    if not found:
+    if not fitting:
         return None
-    best = found[0]
-    alike = tuple(dict.fromkeys(f.mistake for f in found[1:] if f.mistake != best.mistake))
-    place = best.place or f"joint {best.joint}"
-    return find(best.mistake, place, joint=best.joint, parameter=best.parameter, look_alikes=alike)
+    (_, joint, _, _), best = next(iter(fitting.items()))
+    alike = tuple(dict.fromkeys(f.mistake for f in fitting.values() if f.mistake != best.mistake))
+    place, row = best.place or f"joint {best.joint}", best.joint
+    if joint is not None and joint < 0:  # counted from the end, whatever the number of rows
+        place, row = "the last row" if joint == -1 else f"row {-joint} from the end", None
+    return find(best.mistake, place, joint=row, parameter=best.parameter, look_alikes=alike)
 
 
 def _faults(case):
-    """Every mistake of the chain's arm, by what and where."""
+    """Every mistake of the chain's arm, by what and where: its joint counted from 1, and from -1
+    at the end.
+    """
     arm = Arm(DHTable.standard(case[0], angle="rad"))
-    return {(f.mistake, f.joint, f.parameter, f.place): f for f in faults(arm)}
+    made = list(faults(arm))
+    ahead = {(f.mistake, f.joint, f.parameter, f.place): f for f in made}
+    back = {
+        (f.mistake, f.joint - len(arm) - 1, f.parameter, NUMBER.sub("", f.place)): f
+        for f in made
+        if f.joint is not None
+    }
+    return ahead | back

@@ -179,3 +179,34 @@ def test_the_same_program_twice_gets_the_same_answer():
     assert str(diagnose_function(f, "forward_kinematics")) == str(
         diagnose_function(f, "forward_kinematics")
     )
+
+
+def _reversed_at(k):
+    def f(rows, q):
+        sense = np.ones(len(q))
+        sense[k : k + 1 or None] = -1
+        return product(rows, q * sense)
+
+    return f
+
+
+@pytest.mark.parametrize(
+    "f, mistake, place",
+    [
+        (_reversed_at(2), "joint-reversed", "joint 3"),
+        (_reversed_at(-1), "joint-reversed", "the last row"),
+        (lambda rows, q: product(rows, q) @ rot_y(0.3), "tool-missing", "a turn by 17.19°"),
+        (lambda rows, q: rot_y(0.3) @ product(rows, q), "base-turned", "before the first link"),
+        (
+            lambda rows, q: product(rows * np.where(np.arange(len(q)) == 1, -1, 1)[:, None], q),
+            "unexplained",
+            "",
+        ),
+    ],
+)
+def test_a_program_may_be_right_for_another_arm(f, mistake, place):
+    answer = diagnose_function(f, "forward_kinematics")
+    if mistake == "unexplained":
+        assert answer.verdict == mistake and not answer.findings
+    else:
+        assert answer.findings[0].mistake == mistake and place in answer.findings[0].place
