@@ -32,7 +32,7 @@ class Fault:
     change: Change
 
 
-def faults(arm, typed=False):
+def faults(arm, typed=False, program=False):
     """Every mistake at every place, made on a right arm; those that change nothing in the numbers
     are left out.
 
@@ -42,12 +42,16 @@ def faults(arm, typed=False):
     typed : bool
         Only what may happen to a table that is typed: other numbers, another convention, other
         joint letters.
+    program : bool
+        Only what may happen in a program: nothing that happens to whole arms only.
 
     Yields
     ------
     Fault
     """
     for change in changes(RowChange, ArmChange):
+        if program and getattr(change, "only", None) == "arm":
+            continue
         made = _of_rows if isinstance(change, RowChange) else _of_arm
         for fault in made(change, arm, typed):
             if fault.arm != arm and not (typed and _more_than_rows(fault.arm, arm)):

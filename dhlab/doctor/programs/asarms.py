@@ -107,7 +107,7 @@ def _faults(case):
     at the end.
     """
     arm = Arm(DHTable.standard(case[0], angle="rad"))
-    made = list(faults(arm))
+    made = list(faults(arm, program=True))
     ahead = {(f.mistake, f.joint, f.parameter, f.place): f for f in made}
     back = {
         (f.mistake, f.joint - len(arm) - 1, f.parameter, NUMBER.sub("", f.place)): f
