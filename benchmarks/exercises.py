@@ -160,7 +160,10 @@ def moved(exercise, variant, answer, verdict):
     if isinstance(exercise, Table):
         return False  # judged by the arm: what passes is the arm, or 07.4's impostor
     right = np.asarray(exercise.answer(**exercise.given(variant)), dtype=float)
-    return np.abs(np.asarray(answer) - right).max() > 0.02 * (1 + np.abs(right).max())
+    off = np.asarray(answer, dtype=float) - right
+    for k in exercise.turns:  # whole turns are no mistake
+        off[k] = (off[k] + 180) % 360 - 180
+    return np.abs(off).max() > 0.02 * (1 + np.abs(right).max())
 
 
 def measured(exercise):

@@ -1,7 +1,7 @@
 """``Table``: a DH table to be written, judged by the arm it describes."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,13 @@ from .functions import CASES
 from .reading import Unreadable, plain, unusable
 
 __all__ = ["Table", "as_arm", "numbers"]
+
+OF_TABLES = {  # where the title is about more than a row
+    "tool-missing": Said(
+        "the length along the last axis is left out, or counted twice",
+        next="How far is it along the last axis to the end, and in which row does that stand?",
+    )
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -111,8 +118,10 @@ class Table(Exercise):
         if {finding.mistake, (finding.mistake, finding.place)} & self.words.keys():
             return self.wrong(finding.mistake, place=finding.place)
         mistake = catalogue()[finding.mistake]
-        said = Said(mistake.title, next=mistake.next, why=mistake.why, place=finding.place)
-        return self.told(finding.mistake, said)
+        said = OF_TABLES.get(finding.mistake) or Said(
+            mistake.title, next=mistake.next, why=mistake.why
+        )
+        return self.told(finding.mistake, replace(said, place=finding.place))
 
     def _unchanged(self, answer, variant):
         """Whether an answer, in whatever dress, is the table that was handed out."""

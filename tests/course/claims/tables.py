@@ -365,6 +365,10 @@ DOCTOR = [
         _half_flipped(_of_z),
     ),
     (
+        r"the length along the last axis is left out, or counted twice" + ROW,
+        _over(lambda r: [r * [1, 0, 1, 1], r * [1, 2, 1, 1]]),
+    ),
+    (
         r"The base height is missing, or counted twice" + ROW,
         _over(lambda r: [r * [1, 0, 1, 1], r * [1, 2, 1, 1]]),
     ),
