@@ -11,7 +11,7 @@ legend { font-weight: 600; padding: 0; margin-bottom: 6px; }
 .card, .place { font: inherit; text-align: left; color: var(--ink); background: var(--ground); border: 1.5px solid var(--line); border-radius: 8px; padding: 8px 10px; min-height: 40px; cursor: pointer; display: flex; gap: 9px; align-items: baseline; width: 100%; box-sizing: border-box; position: relative; touch-action: manipulation; }
 .card:hover, .place:hover { border-color: var(--accent); }
 .card:has(:checked), .place[aria-current="true"] { border-color: var(--accent); background: var(--mark); box-shadow: inset 0 0 0 1px var(--accent); }
-.card[aria-disabled="true"] { opacity: .62; }
+.card.used { opacity: .75; border-style: dashed; }
 .card input { position: absolute; inset: 0; opacity: 0; margin: 0; cursor: pointer; }
 .card:focus-within, :focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 .letter { font-weight: 700; color: var(--accent); min-width: 1em; }
@@ -103,7 +103,7 @@ function laying(model, title, options, places, repeats) {
       const place = h("span", { html: `${k + 1}. ${places[k]}` });
       slot.replaceChildren(place, ...(chosen[k] ? card(chosen[k], texts.get(chosen[k]) ?? "") : [h("span", { class: "empty" }, k === current ? "choose a card" : "empty")]));
     });
-    cards.forEach((one, k) => one.setAttribute("aria-disabled", String(!repeats && chosen.includes(options[k][0]))));
+    cards.forEach((one, k) => one.classList.toggle("used", !repeats && chosen.includes(options[k][0])));
   }
 }
 
