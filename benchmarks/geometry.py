@@ -35,7 +35,7 @@ from geometry_cases import (
 import dhlab as dh
 from dhlab.geometry.canonical import gaps, joint_axes
 from dhlab.geometry.equivalence import equivalent
-from dhlab.geometry.frames import NearlyParallelWarning, assign_frames
+from dhlab.geometry.procedure.frames import NearlyParallelWarning, assign_frames
 
 FREEDOMS = (("fixed", "fixed"), ("fixed", "free"), ("free", "fixed"), ("free", "free"))
 

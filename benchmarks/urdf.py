@@ -18,7 +18,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from dhlab.formats.urdf import read_urdf, to_urdf
+from dhlab.formats.descriptions.urdf import read_urdf, to_urdf
 
 PACKAGES = Path(site.getsitepackages()[0])
 FOLDERS = {

@@ -9,7 +9,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
-from dhlab.geometry import freedoms, prismatic
+from dhlab.geometry import freedoms
+from dhlab.geometry.procedure import prismatic
 from dhlab.transform import from_xyz_rpy, inverse, trans
 
 CHAINS = sorted((Path(__file__).parent / "data" / "chains").glob("*.json"))

@@ -11,9 +11,9 @@ import numpy as np
 
 from ..formats import plainyaml
 from ..formats.axisfile import AxisSheet, holds_axes, sheet_from_item
+from ..formats.descriptions.urdf import ENDINGS
 from ..formats.files import read_text
 from ..formats.posefile import LARGEST
-from ..formats.urdf import ENDINGS
 from ..robots import robots
 from .common import arm_of, thinned
 

@@ -53,7 +53,7 @@ def from_urdf(
     as_json: Json = False,
 ) -> None:
     """The DH table of a chain in a robot description: the same pose for every q."""
-    from ..formats.urdf import read_description
+    from ..formats.descriptions.urdf import read_description
 
     xacro = {"arguments": _pairs(arg, "--arg"), "packages": _pairs(package, "--package")}
     with warnings.catch_warnings(record=True) as noted:

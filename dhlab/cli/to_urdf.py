@@ -17,7 +17,7 @@ def to_urdf(
     ] = "",
 ) -> None:
     """A URDF of an arm, with links, joints and limits, for simulators and visualisers."""
-    from ..formats.urdf import to_urdf as written
+    from ..formats.descriptions.urdf import to_urdf as written
 
     text = written(arm_of(arm), out or None)
     print(f"{out}: written." if out else text, end="\n" if out else "")

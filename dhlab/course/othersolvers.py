@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
-from ..formats.urdf import to_urdf
+from ..formats.descriptions.urdf import to_urdf
 from ..printing import grid_text, number
 from ..table import DHTable
 

@@ -21,7 +21,7 @@ from .plainyaml import Item, entries, fields, number, text
 from .tableyaml import pose_of, read_limits, scales_of
 
 if TYPE_CHECKING:
-    from ..geometry.frames import PlacedArm
+    from ..geometry.procedure.frames import PlacedArm
 
 __all__ = ["AxisSheet", "read_axes", "holds_axes", "sheet_from_item"]
 
@@ -51,7 +51,7 @@ class AxisSheet:
 
     def arm(self, convention: str = "standard") -> PlacedArm:
         """The arm of these axes, with frames assigned."""
-        from ..geometry.frames import assign_frames
+        from ..geometry.procedure.frames import assign_frames
 
         return assign_frames(
             self.axes,

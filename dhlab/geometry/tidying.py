@@ -14,7 +14,7 @@ from ..arm import Arm
 from ..table import DHTable
 from .canonical import joint_axes
 from .conversion import as_arm, require_uncoupled
-from .frames import NearlyParallelWarning, assign_frames
+from .procedure.frames import NearlyParallelWarning, assign_frames
 
 __all__ = ["Tidied", "tidied"]
 

@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 from ..arm import Arm
 from ..transform import inverse
 from .closedform import ClosedForm, closed_form
-from .descent import Problem, approach
-from .families import flat, same_family, settled, still_free
 from .joints import counted, inside_by_turns, nearest_by_turns, variables
-from .merging import merged
+from .numeric.descent import Problem, approach
+from .numeric.families import flat, same_family, settled, still_free
+from .numeric.merging import merged
+from .numeric.search import SHARP, arm_length, search
 from .prepared import folder_of, is_ready
 from .question import Question, free_joints
 from .residuals import residuals
-from .search import SHARP, arm_length, search
 
 __all__ = ["Candidates", "by_closed_form", "by_search", "form_for", "needs_preparation"]
 

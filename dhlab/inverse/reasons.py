@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..printing import number
-from .descent import Problem, approach, descend
 from .joints import bounds, inside_by_turns, nearest_by_turns
+from .numeric.descent import Problem, approach, descend
+from .numeric.search import STARTS, arm_length, search, starts
 from .question import Question
 from .reach import elbow_arm
 from .residuals import residuals
-from .search import STARTS, arm_length, search, starts
 from .solutions import Nearest, Reason
 
 __all__ = ["explained"]

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..geometry.frames import PlacedArm, assign_frames
-from ..geometry.inputs import axes_from
 from ..geometry.lines import nearest_on, tilt
-from ..geometry.normals import ROUNDING, Choices, place
+from ..geometry.procedure.frames import PlacedArm, assign_frames
+from ..geometry.procedure.inputs import axes_from
+from ..geometry.procedure.normals import ROUNDING, Choices, place
 from ..transform import require_pose
 from .finished import placed_arm, pose
 from .geometry import LENGTH, Geometry, geometry
@@ -29,7 +29,7 @@ class Placement:
     Parameters
     ----------
     axes : list
-        As :func:`dhlab.geometry.frames.assign_frames` takes them: per joint (point, direction) or
+        As :func:`dhlab.assign_frames` takes them: per joint (point, direction) or
         (point, direction, "R" | "P").
     end : array (4, 4)
         The end pose at q = 0.

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry.frames import PlacedArm
 from ..geometry.lines import angle_about
-from ..geometry.normals import no_dust, tidy
+from ..geometry.procedure.frames import PlacedArm
+from ..geometry.procedure.normals import no_dust, tidy
 from ..table import DHTable
 from ..transform import inverse
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.lines import across, common_normal, parallel_normal, tilt, unit
-from ..geometry.normals import ROUNDING, SAME_PLACE
+from ..geometry.procedure.normals import ROUNDING, SAME_PLACE
 
 __all__ = ["Geometry", "Line", "geometry", "LENGTH"]
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.lines import nearest_on, tilt, unit
-from ..geometry.normals import NEARLY, Axis
+from ..geometry.procedure.normals import NEARLY, Axis
 from ..printing import number
 from .geometry import LENGTH
 from .words import ANGLE, NO_DIRECTION, NO_POINT, Judgement, beside, vector
@@ -33,7 +33,7 @@ def judge_z(
     Parameters
     ----------
     i : int
-    axes : list of dhlab.geometry.normals.Axis
+    axes : list of dhlab.geometry.procedure.normals.Axis
         Joints 1 … n, then the tool's.
     convention : "standard" or "craig"
     reach : float
@@ -49,7 +49,7 @@ def judge_z(
 
     Examples
     --------
-    >>> from dhlab.geometry.normals import Axis
+    >>> from dhlab.geometry.procedure.normals import Axis
     >>> z, y = np.array([0, 0, 1.0]), np.array([0, 1.0, 0])
     >>> axes = [Axis(0 * z, z, "R"), Axis(z, y, "R"), Axis(z, z, "tool")]
     >>> print(judge_z(1, axes, "standard", 1.0, [0, 0, 1])[0])

@@ -6,9 +6,9 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from ..arm import Arm
+from ..formats.descriptions.urdf import ENDINGS as URDF
+from ..formats.descriptions.urdf import read_description
 from ..formats.tablefile import read_arm
-from ..formats.urdf import ENDINGS as URDF
-from ..formats.urdf import read_description
 from .entries import FOLDER, CheckPose, Entry, entry
 from .examples import example
 

@@ -14,12 +14,12 @@ from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
 from ..formats import plainyaml
+from ..formats.descriptions.urdf import read_urdf
+from ..formats.descriptions.urdfjoint import unrounded
+from ..formats.descriptions.urdftree import read_chain
 from ..formats.files import write_text
 from ..formats.tablefile import read_arm
 from ..formats.tableyaml import yaml_text
-from ..formats.urdf import read_urdf
-from ..formats.urdfjoint import unrounded
-from ..formats.urdftree import read_chain
 from ..geometry.equivalence import equivalent
 from ..transform import trans
 from .drawing_up import plainest, topology, zero_pose

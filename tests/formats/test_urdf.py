@@ -9,8 +9,8 @@ import pytest
 from draws import few
 
 from dhlab import Arm, DHTable, load, robots
-from dhlab.formats.urdf import read_urdf, to_urdf
-from dhlab.formats.urdftree import read_chain
+from dhlab.formats.descriptions.urdf import read_urdf, to_urdf
+from dhlab.formats.descriptions.urdftree import read_chain
 from dhlab.transform import from_xyz_rpy
 
 CHAINS = sorted((pathlib.Path(__file__).parents[1] / "data" / "chains").glob("*.json"))

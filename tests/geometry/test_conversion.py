@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dhlab as dh
-from dhlab.geometry import freedoms, prismatic
+from dhlab.geometry import freedoms
 from dhlab.geometry.conversion import to_convention
+from dhlab.geometry.procedure import prismatic
 
 SEEDS = st.integers(0, 10**6)
 

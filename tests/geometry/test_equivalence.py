@@ -25,10 +25,11 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import dhlab as dh
-from dhlab.geometry import freedoms, prismatic
+from dhlab.geometry import freedoms
 from dhlab.geometry.differences import ANGLE
 from dhlab.geometry.equivalence import equivalent
-from dhlab.geometry.frames import assign_frames
+from dhlab.geometry.procedure import prismatic
+from dhlab.geometry.procedure.frames import assign_frames
 from dhlab.geometry.zeros import with_zeros
 from dhlab.transform import rot_x, trans, trans_z
 
@@ -243,7 +244,7 @@ def test_the_stanford_arms_prismatic_shift():
     )
 
 
-@pytest.mark.filterwarnings("ignore::dhlab.geometry.frames.NearlyParallelWarning")
+@pytest.mark.filterwarnings("ignore::dhlab.geometry.procedure.frames.NearlyParallelWarning")
 @given(seed=SEEDS)
 def test_a_sliding_axis_placed_anywhere_is_one_arm(seed):
     rng = np.random.default_rng(seed)

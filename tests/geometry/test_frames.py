@@ -22,7 +22,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dhlab as dh
-from dhlab.geometry.frames import NearlyParallelWarning, PlacedArm, assign_frames
+from dhlab.geometry.procedure.frames import NearlyParallelWarning, PlacedArm, assign_frames
 from dhlab.transform import trans
 
 X, Y, Z = np.eye(3)

@@ -21,7 +21,7 @@ from geometry_cases import (
 )
 
 import dhlab as dh
-from dhlab.geometry.frames import NearlyParallelWarning
+from dhlab.geometry.procedure.frames import NearlyParallelWarning
 from dhlab.placing.board import Placement
 from dhlab.transform import from_xyz_rpy, trans
 

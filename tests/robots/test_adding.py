@@ -6,7 +6,7 @@ from oracles import elementary_pose
 
 import dhlab as dh
 from dhlab.formats import plainyaml
-from dhlab.formats.urdfjoint import unrounded
+from dhlab.formats.descriptions.urdfjoint import unrounded
 from dhlab.robots import example
 from dhlab.robots.adding import add
 from dhlab.robots.entries import read_entry

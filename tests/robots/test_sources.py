@@ -13,7 +13,7 @@ from oracles import elementary_pose
 
 import dhlab as dh
 from dhlab.geometry.canonical import joint_axes
-from dhlab.geometry.frames import NearlyParallelWarning
+from dhlab.geometry.procedure.frames import NearlyParallelWarning
 from dhlab.robots import entry
 from dhlab.robots.entries import FOLDER
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...geometry.frames import assign_frames
+from ...geometry.procedure.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ...transform import from_xyz_rpy

@@ -5,7 +5,7 @@ which mirrors the pre-test of lesson 00.
 from ...arm import Arm
 from ...doctor.programs.cases import SPECIAL, general_chain
 from ...doctor.programs.wrong.products import product
-from ...geometry.frames import assign_frames
+from ...geometry.procedure.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value

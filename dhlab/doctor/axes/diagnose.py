@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ...formats.axisfile import AxisSheet
-from ...geometry.frames import assign_frames
-from ...geometry.inputs import axes_from
+from ...geometry.procedure.frames import assign_frames
+from ...geometry.procedure.inputs import axes_from
 from ...transform import require_pose
 from ..arms.given import distinct, measured
 from ..arms.ranking import differs, telling_pose

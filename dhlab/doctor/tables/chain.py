@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arm import Arm
-from ...geometry.frames import NearlyParallelWarning, assign_frames
+from ...geometry.procedure.frames import NearlyParallelWarning, assign_frames
 from ...kinematics import link_matrices
 from ...table import DHTable
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..canonical import JointAxes
 from ..lines import across, angle_about, common_normal, nearest_on, tilt, unit
-from ..normals import NEARLY
+from ..procedure.normals import NEARLY
 
 __all__ = ["Link", "Walk", "Cases", "cases_of", "walk", "links_of"]
 

@@ -77,7 +77,7 @@ def _table(value):
     if not type(value).__module__.startswith("dhlab."):
         return None
     from dhlab.arm import Arm
-    from dhlab.geometry.frames import PlacedArm
+    from dhlab.geometry.procedure.frames import PlacedArm
     from dhlab.table import DHTable
 
     kind = type(value)

@@ -13,12 +13,12 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from ..arm import Arm
-from ..transform import to_xyz_rpy
-from .files import write_text
+from ...arm import Arm
+from ...transform import to_xyz_rpy
+from ..files import write_text
 
 if TYPE_CHECKING:
-    from ..geometry.frames import PlacedArm
+    from ...geometry.procedure.frames import PlacedArm
 
 __all__ = ["ENDINGS", "read_description", "read_urdf", "to_urdf"]
 

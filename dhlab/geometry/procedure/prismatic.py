@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..arm import Arm
-from ..transform import trans
-from .edit import FREE, Edit
+from ...arm import Arm
+from ...transform import trans
+from ..edit import FREE, Edit
 
 __all__ = ["shift_prismatic"]
 
@@ -15,7 +15,7 @@ def shift_prismatic(arm: Arm, k: int, h: float) -> Arm:
 
     Only the direction of a sliding axis counts. The frame on it (k-1 standard, k Craig) moves by v;
     that v_y vanishes in both rows leaves one direction, of which ``h`` is the length. (A shift in
-    any direction also moves the next frame: :func:`dhlab.geometry.frames.assign_frames` with
+    any direction also moves the next frame: :func:`dhlab.assign_frames` with
     another point does that.)
 
     Parameters

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm import Arm
-from ..geometry.canonical import joint_axes
+from ...arm import Arm
+from ...geometry.canonical import joint_axes
+from ..joints import bounds
+from ..residuals import residuals
 from .descent import Problem, approach
-from .joints import bounds
 from .merging import merged
-from .residuals import residuals
 
 __all__ = ["Found", "arm_length", "search", "starts"]
 

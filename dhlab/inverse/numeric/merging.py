@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm import Arm
-from .joints import nearest_by_turns
-from .residuals import residuals
+from ...arm import Arm
+from ..joints import nearest_by_turns
+from ..residuals import residuals
 
 __all__ = ["merged"]
 

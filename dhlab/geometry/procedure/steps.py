@@ -1,12 +1,12 @@
-"""What :func:`dhlab.geometry.frames.assign_frames` did, in sentences that a learner can follow with
+"""What :func:`dhlab.assign_frames` did, in sentences that a learner can follow with
 a drawing of the arm.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..printing import number
-from .freechoices import turn_of
+from ...printing import number
+from ..freechoices import turn_of
 from .normals import Placement
 
 __all__ = ["describe"]
@@ -34,7 +34,7 @@ def describe(
 
     Examples
     --------
-    >>> from dhlab.geometry.frames import assign_frames
+    >>> from dhlab.geometry.procedure.frames import assign_frames
     >>> print(*assign_frames([([0, 0, 0.1], [0, 0, 2])], end=np.eye(4)).steps, sep="\\n")
     z0 is the axis of joint 1; it runs through the base's origin, which is o0, and x0 is taken along
     the base's x: frame 0 is the base frame.

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 from xml.parsers import expat
 
-from .files import read_text
+from ..files import read_text
 from .xacrofile import expanded
 
 __all__ = ["EXPAND", "XACRO", "parsed", "read_parts"]
@@ -36,7 +36,7 @@ def read_parts(
     path : str or path
         A URDF, or a xacro file, which is expanded.
     arguments, packages
-        Of a xacro file, as :func:`dhlab.formats.xacrofile.expanded` takes them.
+        Of a xacro file, as :func:`dhlab.formats.descriptions.xacrofile.expanded` takes them.
 
     Returns
     -------

@@ -30,13 +30,13 @@ def read_chain(
     base, tip : str or None
         Names of links; None: the root and the end of the longest chain of arm joints.
     arguments, packages
-        Of a xacro file, as :func:`dhlab.formats.xacrofile.expanded` takes them.
+        Of a xacro file, as :func:`dhlab.formats.descriptions.xacrofile.expanded` takes them.
     unround : bool
         Take the angles of rpy for what they are rounded from.
 
     Returns
     -------
-    joints : list of dhlab.formats.urdfjoint.Joint
+    joints : list of dhlab.formats.descriptions.urdfjoint.Joint
         Fixed ones included.
     name, base, tip, said : str
 

@@ -7,8 +7,8 @@ from xml.etree.ElementTree import Element
 import numpy as np
 from numpy.typing import NDArray
 
-from ..transform import from_xyz_rpy
-from .plainyaml import FLOAT
+from ...transform import from_xyz_rpy
+from ..plainyaml import FLOAT
 from .urdfxml import EXPAND, XACRO
 
 __all__ = ["Joint", "read_joint", "unrounded"]

@@ -1,4 +1,4 @@
-"""What :func:`dhlab.geometry.frames.assign_frames` is given, checked: the joint axes, and the
+"""What :func:`dhlab.assign_frames` is given, checked: the joint axes, and the
 choices that the geometry leaves open.
 """
 

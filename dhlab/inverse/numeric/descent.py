@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arm import Arm
-from .residuals import missing
+from ...arm import Arm
+from ..residuals import missing
 
 __all__ = ["Problem", "approach", "descend"]
 

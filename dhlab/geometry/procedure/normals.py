@@ -1,5 +1,5 @@
 """From joint axes in space to common normals and DH numbers: the geometry behind
-:func:`dhlab.geometry.frames.assign_frames`.
+:func:`dhlab.assign_frames`.
 
 Axis k is the axis of joint k, axis n+1 the z axis of the tool. Normal k joins axis k to axis k+1
 (normal 0 is a choice, on axis 1). Both conventions hold these normals and these numbers: theta_k
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .lines import (
+from ..lines import (
     CommonNormal,
     across,
     angle_about,

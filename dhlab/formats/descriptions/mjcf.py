@@ -16,14 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from ..plainyaml import FLOAT, placed
 from .placed import placed_arm
-from .plainyaml import FLOAT, placed
 from .urdfends import GRIPS, TURNS
 from .urdfwords import listed
 from .urdfxml import parsed
 
 if TYPE_CHECKING:
-    from ..geometry.frames import PlacedArm
+    from ...geometry.procedure.frames import PlacedArm
 
 __all__ = ["read_mjcf"]
 

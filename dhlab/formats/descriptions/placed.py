@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..printing import number
+from ...printing import number
 
 if TYPE_CHECKING:
-    from ..geometry.frames import PlacedArm
+    from ...geometry.procedure.frames import PlacedArm
 
 __all__ = ["placed_arm"]
 
@@ -31,7 +31,7 @@ def placed_arm(
     """:func:`dhlab.assign_frames`, with axes that are all but parallel taken as parallel where that
     costs next to nothing; warns of it with the file's name, three calls up.
     """
-    from ..geometry.frames import NearlyParallelWarning, assign_frames
+    from ...geometry.procedure.frames import NearlyParallelWarning, assign_frames
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NearlyParallelWarning)
@@ -72,8 +72,8 @@ def _size(axes, end):
 
 def _readable(axes, end, given):
     """The smallest tolerance that brings the lengths down, what it costs (m, rad), and the arm."""
-    from ..geometry.frames import assign_frames
-    from ..geometry.lines import tilt, unit
+    from ...geometry.lines import tilt, unit
+    from ...geometry.procedure.frames import assign_frames
 
     z = [unit(np.asarray(direction, float)) for _, direction, _ in axes]
     tilts = sorted({t for a, b in pairwise(z) if 0 < (t := tilt(a, b)) < LARGEST})

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arm import Arm
-from ..printing import number
-from ..table import CONVENTIONS, DHTable
-from ..transform import inverse, require_pose
+from ...arm import Arm
+from ...printing import number
+from ...table import CONVENTIONS, DHTable
+from ...transform import inverse, require_pose
 from .inputs import axes_from, choices_from, signs_from
 from .normals import NEARLY, place
 from .steps import describe

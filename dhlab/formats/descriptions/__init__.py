@@ -1,0 +1,1 @@
+"""Robot descriptions of other programs: URDF in and out, xacro and MJCF in."""
