@@ -5,6 +5,7 @@ from collections import Counter
 
 from ..cells import read_cell
 from ..language.brackets import cells_in
+from ..language.roles import ROLES, role_of
 from .grid import from_grid, header
 
 __all__ = ["read"]
@@ -32,7 +33,7 @@ def read(source, nominal=None):
     ]
     split, mark = _splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
-    grid = _with_heading(grid, source, split)
+    grid = _with_heading(_upright(grid), source, split)
     grid = _one_cell_a_line(grid, lines) or _table_only(grid)
     if len(grid) > MOST_LINES:
         raise ValueError(
@@ -40,6 +41,21 @@ def read(source, nominal=None):
             " rows only"
         )
     return from_grid(grid, source)
+
+
+def _upright(grid):
+    """A table that lies on its side, a parameter in each line, stood up; others as they are."""
+    named = {}
+    for _, cells in grid:
+        role = role_of(cells[0])[0] if cells and isinstance(cells[0], str) else None
+        if role in (*ROLES, "r", "offset") and len(cells) > 2:
+            named.setdefault(role, cells)
+    n = {len(cells) for cells in named.values()}
+    if not {"alpha", "d"} <= set(named) or len(named) < 3 or len(n) > 1:
+        return grid
+    return [
+        ("line 1" if k == 0 else f"column {k}", list(c)) for k, c in enumerate(zip(*named.values()))
+    ]
 
 
 def _with_heading(grid, source, split):

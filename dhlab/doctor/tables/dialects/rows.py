@@ -3,12 +3,14 @@ dictionaries, a stream of numbers.
 """
 
 import re
+from dataclasses import replace
 
 from ..cells import cell_of
 from ..language.brackets import cells_in, groups, keyword
 from ..language.orders import order_in
 from ..language.roles import role_of
 from ..pasted import Row, from_rows
+from .arrays import arrays_in
 from .grid import from_grid
 
 __all__ = ["read"]
@@ -101,10 +103,8 @@ def _numbers(source):
     fits = order if order and width in (4,) else None
     if order and width > 4:
         fits = _with_more(order, [row for _, row in grid])
-    table = from_grid(grid, source, fits, why, units, form)
+    table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
     if convention:
-        from dataclasses import replace
-
         table = replace(table, convention=convention, because=f"as {form} has it")
     return table
 
@@ -159,6 +159,35 @@ def _matrix(group):
     if len(rows) == 1 and (group.mark == "(" or (not inner and group.mark != "[")):
         return []
     return rows
+
+
+def _with_beside(table, source):
+    """The table with the zeros and signs that stand in arrays of their own beside it."""
+    n, roles = len(table.rows), table.roles
+    for name, values in arrays_in(source).items():
+        role = role_of(name)[0]
+        if len(values) != n or "home" in name.lower() or any(v.letters for v, _ in values):
+            continue
+        if role == "sign" and set(table.signs) <= {1}:
+            signs = tuple(-1 if value.number < 0 else 1 for value, _ in values)
+            table = replace(table, signs=signs)
+        if role != "offset" or roles is None or "offset" in roles or "theta" not in roles:
+            continue
+        zero = [cell_of(value, text) for value, text in values]
+        if not any(cell.value for cell in zero):
+            continue
+        if any(row[roles.index("theta")].value for row in table.rows):
+            raise ValueError(
+                f"recognise_table: the rows have zeros of their own, and {name} stands beside them;"
+                " is it added? Leave one of them out, or add them up"
+            )
+        table = replace(
+            table,
+            rows=tuple((*row, cell) for row, cell in zip(table.rows, zero)),
+            roles=(*roles, "offset"),
+            notes=(*table.notes, f"{name} is added to theta"),
+        )
+    return table
 
 
 def _one_a_call(found):

@@ -178,7 +178,10 @@ def _ikpy(links, source):
                 return [0.0, 0.0, 0.0] if names[0] != "rotation" else None
             cells = cells_in(re.sub(r"^[\w.]*\(?\[|[\])]+$", "", text.strip()))
             if len(cells) != 3:
-                raise ValueError(f"recognise_table: {what}: expected three numbers, found {text!r}")
+                raise ValueError(
+                    f"recognise_table: {what}: expected three numbers, found {text[:40]!r};"
+                    " write all three"
+                )
             return _numbers(cells, source, what)
 
         xyz = triple("origin_translation", "translation_vector", "translation")

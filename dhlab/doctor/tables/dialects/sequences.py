@@ -28,8 +28,10 @@ def read(source, nominal=None):
         kind_of_letter(letter) in ("alpha", "a", "length") for _, _, _, letter, _ in joints
     ):
         return None
-    if re.search(r"\bdef\b|\bfunction\b|return\b|\bA_?i\b|T_i\b", source.code):
-        return None
+    if re.search(r"\bA_?i\b|T_i\b|\[i\]|\(i\)", source.code) or any(
+        letter and not re.search(r"\d", letter) for *_, letter, _ in joints if letter != "q"
+    ):
+        return None  # one row for all: the general link matrix
     angles = [abs(value.number) for turns, _, value, _, _ in moves if turns and not value.unit]
     degrees = any(angle > 2 * math.pi + 0.01 for angle in angles)
     lengths = [value.number for turns, _, value, _, _ in moves if not turns]

@@ -64,7 +64,7 @@ def read(source, nominal=None):
 
 def _nominal(arrays, nominal, n):
     """The maker's rows (n, 4), in the text or given."""
-    if all(len(arrays.get(role, ())) == n for role in ("a", "d", "alpha")):
+    if n and all(len(arrays.get(role, ())) == n for role in ("a", "d", "alpha")):
         theta = arrays.get("theta", [0.0] * n)
         return np.column_stack([theta, arrays["d"], arrays["a"], arrays["alpha"]])
     if nominal is None:
