@@ -133,7 +133,7 @@ def test_it_is_graded_and_the_mistake_has_its_name(graded, blocks):
     ] == "wrong-frame-compared"
     assert (
         blocks["verdict"].split()
-        == f"✗ 10.1 Not yet: {wrong[0]['headline']} Where: {wrong[0]['place']}".split()
+        == f"✗ 10.1 Not yet: {wrong[0]['headline']} Next: {wrong[0]['next']}".split()
     )
 
 
