@@ -25,7 +25,7 @@ from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.calling import Called, CallFault, record
 from dhlab.grading.cage import cage, sight, stage
-from dhlab.grading.inside import notebook
+from dhlab.grading.inside import demonstrations, notebook
 from dhlab.grading.inside.cells import parsed, run_cell
 from dhlab.grading.inside.clock import TimeLimit
 from dhlab.grading.inside.slices import needed, statement
@@ -165,7 +165,9 @@ def test_no_input_and_no_answer_is_sent_beforehand():
     assert {
         name: decode(value) for name, value in decode(sent["given"]["05.5"]).items()
     } == exercises()["05.5"].given(7)
-    assert set(sent) == {"checks", "given", "functions", "only", "skip", "cell_seconds"}
+    assert set(sent) == {
+        *("checks", "given", "functions", "only", "skip", "untouched", "cell_seconds")
+    }
     asked = call_request(COURSE, 7, exercises()["05.4"], 3)
     assert set(asked) == {
         *("checks", "given", "skip", "cell_seconds"),
@@ -316,3 +318,30 @@ def test_a_cage_that_is_killed_is_built_again():
     assert [line for line in first.lines if "check" in line] == [
         line for line in third.lines if "check" in line
     ]
+
+
+def code(source, *ids):
+    return notebook.Cell(source, list(ids))
+
+
+def test_cells_that_only_show_something_need_not_run():
+    cells = [
+        code("import numpy as np\nimport dhlab as dh\nnp.set_printoptions(precision=3)"),
+        code("arm = dh.load('ur5e')\nq = np.zeros(6)"),  # what the answer uses
+        code("print(arm.forward(q))\ndh.explore(arm)"),
+        code(
+            "def helper(x): return later(x)"
+        ),  # called by the answer, which calls what comes later
+        code("for name in ('a', 'b'):\n    other = dh.load(name)"),
+        code("def later(x): return x"),
+        code("answer = helper(arm.table.rows)", "06.1"),
+        code("arm = dh.load('piper')\nshown = arm.forward(q)"),  # after it
+        code("mine = 1"),  # the student's own
+        code("def (", "06.2"),
+    ]
+    prints = {demonstrations.print_of(cell.source) for cell in cells} - {
+        demonstrations.print_of("mine = 1")
+    }
+    assert demonstrations.skippable(cells, prints, ()) == {2, 4, 7}
+    assert demonstrations.skippable(cells, prints, ("shown",)) == {2, 4}
+    assert demonstrations.skippable(cells, (), ()) == set()

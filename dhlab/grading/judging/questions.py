@@ -16,6 +16,7 @@ from ...course.exercises import exercises
 from ...course.kinds import Function, Prediction, PreTest
 from ...course.kinds.exercise import Exercise
 from ...course.workspace import handed_out
+from ..inside.demonstrations import print_of
 from ..inside.wire import encode
 from ..settings import Settings
 
@@ -106,6 +107,17 @@ def handed_out_checks() -> dict[str, dict[str, Any]]:
     return lessons
 
 
+@cache
+def _handed_out_cells():
+    """The fingerprints of all cells of code, as they were handed out."""
+    return frozenset(
+        print_of("".join(cell["source"]))
+        for path in handed_out().glob("[0-9][0-9]*.ipynb")
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+        if cell["cell_type"] == "code"
+    )
+
+
 def _checks(source):
     """(exercise, expression) of each check in a cell."""
     if "check(" not in source:
@@ -190,6 +202,7 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
         "functions": [e.id for e in mine if isinstance(e, Function)],
         "only": [course.only] if course.only else [],
         "skip": sorted(skip),
+        "untouched": sorted(_handed_out_cells()),
         "cell_seconds": course.settings.limits.cell_seconds,
     }
 
