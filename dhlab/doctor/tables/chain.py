@@ -11,6 +11,7 @@ from ...kinematics import link_matrices
 from ...table import DHTable
 
 __all__ = ["Step", "arm_of", "joint_along", "still"]
+MOST_JOINTS = 60
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ def arm_of(steps, convention="standard"):
     Raises
     ------
     ValueError
-        No joint is in it.
+        No joint is in it, or more than any arm has.
 
     Examples
     --------
@@ -70,6 +71,12 @@ def arm_of(steps, convention="standard"):
     >>> arm_of(steps).forward([0.0])[:3, 3]
     array([0.4, 0. , 0.1])
     """
+    steps = list(steps)
+    moving = sum(bool(step.letter) for step in steps)
+    if moving > MOST_JOINTS:
+        raise ValueError(
+            f"recognise_table: expected at most {MOST_JOINTS} joints, found {moving}; paste one arm"
+        )
     T, axes, signs, limits = np.eye(4), [], [], []
     for step in steps:
         if not step.letter:

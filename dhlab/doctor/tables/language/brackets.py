@@ -136,7 +136,7 @@ def _finish(group):
 
 def _quoted(text, at):
     """Where the quotation that begins here ends; ``at`` itself when none begins."""
-    before = text[:at].rstrip(" \t")[-1:] if at else ""
+    before = text[max(0, at - 99) : at].rstrip(" \t")[-1:]
     if before and before not in "([{,=:;\n+%rfbu":
         return at
     end = text.find(text[at], at + 1, at + 400)

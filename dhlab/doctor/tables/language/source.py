@@ -10,7 +10,7 @@ from .letters import unified
 
 __all__ = ["Source", "source_of"]
 
-MOST_CHARACTERS, MOST_LINES = 60_000, 1_500
+MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
 BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
@@ -79,6 +79,16 @@ def source_of(text, values=None):
         raise ValueError(
             f"recognise_table: expected one table, found a text of {len(text)} characters in"
             f" {text.count(chr(10)) + 1} lines; paste the rows only"
+        )
+    if any(len(line) > LONGEST_LINE for line in text.split("\n")):
+        raise ValueError(
+            f"recognise_table: expected lines of at most {LONGEST_LINE} characters, found a longer"
+            " one; break it where its rows end"
+        )
+    if re.search(rf"\w{{{LONGEST_WORD}}}|[\[({{]{{{LONGEST_WORD}}}", text):
+        raise ValueError(
+            "recognise_table: expected numbers and names, found more than"
+            f" {LONGEST_WORD} characters without a gap; paste the rows only"
         )
     text = unified(_unwrapped(text))
     comments: list[tuple[int, str]] = []
