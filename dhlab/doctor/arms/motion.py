@@ -10,10 +10,10 @@ from ...measure import fit_circles
 from ...table import DHTable
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import ALPHA, THETA, A, D, with_parts, with_rows
-from .naming import name_change
 from .search.fitting import fit, misfit
 from .search.measured import Measured, limit
 from .sweeps import EXACT, accused, notes, scatter, sweep
+from .words.naming import name_change
 
 __all__ = ["diagnose_motion"]
 

@@ -12,12 +12,12 @@ from ...table import DHTable
 from ...transform import to_xyz_rpy
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
 from .given import measured, oddities
-from .ranking import ranked
 from .rebuilding import rebuilt
 from .search.budget import SECONDS, Budget
 from .search.fitting import misfit
 from .unexplained import all_but_one, of_the_library, right_part, still_right
 from .verdict import decide, explained
+from .words.ranking import ranked
 
 __all__ = ["diagnose"]
 

@@ -8,15 +8,15 @@ import numpy as np
 
 from ..diagnosis import EXPLAINED, Diagnosis
 from ..mistakes.remade import ALPHA, THETA, A, D, with_rows
-from .agreement import possible
-from .differences import wrapped
-from .naming import name_every_change
+from .judging.agreement import possible
+from .judging.weighing import as_measured, largest, level_left, number_costs, squares
 from .search.ends import place_ends
 from .search.fitting import fit, misfit
 from .search.measured import limit
 from .search.signs import entries_of
 from .search.singles import singles
-from .weighing import as_measured, largest, level_left, number_costs, squares
+from .words.differences import wrapped
+from .words.naming import name_every_change
 
 __all__ = ["rebuilt"]
 

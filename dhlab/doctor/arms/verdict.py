@@ -8,18 +8,18 @@ import numpy as np
 
 from ...printing import number
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
-from .agreement import FEW, agreement
-from .calibration import calibration, changes_by_size, explains_better, is_small
-from .choosing import choose, least_needed
-from .differences import difference_text
 from .given import distinct
-from .ranking import named, ranked, rivals_of, telling_pose, with_equivalents
+from .judging.agreement import FEW, agreement
+from .judging.calibration import calibration, changes_by_size, explains_better, is_small
+from .judging.choosing import choose, least_needed
+from .judging.undecided import undecided
+from .judging.weighing import as_it_is, largest
 from .search.fitting import misfit
 from .search.measured import limit
 from .search.pairs import pairs
 from .search.singles import singles
-from .undecided import undecided
-from .weighing import as_it_is, largest
+from .words.differences import difference_text
+from .words.ranking import named, ranked, rivals_of, telling_pose, with_equivalents
 
 __all__ = ["decide", "explained"]
 

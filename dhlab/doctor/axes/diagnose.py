@@ -10,8 +10,8 @@ from ...geometry.procedure.frames import assign_frames
 from ...geometry.procedure.inputs import axes_from
 from ...transform import require_pose
 from ..arms.given import distinct, measured
-from ..arms.ranking import differs, telling_pose
 from ..arms.search.measured import limit, rotation_vectors
+from ..arms.words.ranking import differs, telling_pose
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNDECIDED, UNEXPLAINED, Diagnosis
 from .chain import Chain
 from .search import everything, explanations, misfit

@@ -4,10 +4,10 @@ weighed against the table as it is, against explaining nothing, and against each
 
 from dataclasses import dataclass, replace
 
+from ..search.fitting import fit, misfit
+from ..search.measured import limit
+from ..words.ranking import snapped, taken_over
 from .agreement import only_scatter, possible
-from .ranking import snapped, taken_over
-from .search.fitting import fit, misfit
-from .search.measured import limit
 from .weighing import as_it_is, as_measured, weigh
 
 __all__ = ["Choice", "choose", "least_needed"]

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...printing import number
-from ..diagnosis import UNDECIDED, Diagnosis
+from ....printing import number
+from ...diagnosis import UNDECIDED, Diagnosis
+from ..given import distinct
+from ..words.ranking import differs, named, telling_pose
 from .agreement import FEW, possible
-from .given import distinct
-from .ranking import differs, named, telling_pose
 from .weighing import as_it_is, largest
 
 __all__ = ["undecided"]

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...printing import number
-from ...table import COLUMNS
-from ..mistakes.remade import ALPHA, THETA, A, D
+from ....printing import number
+from ....table import COLUMNS
+from ...mistakes.remade import ALPHA, THETA, A, D
+from ..search.ends import place_ends
+from ..search.fitting import Fit, fit, jacobian
+from ..search.measured import limit
+from ..search.signs import entries_of
 from .agreement import possible
-from .search.ends import place_ends
-from .search.fitting import Fit, fit, jacobian
-from .search.measured import limit
-from .search.signs import entries_of
 from .weighing import as_measured, squares
 
 __all__ = ["Calibration", "calibration", "changes_by_size", "is_small"]

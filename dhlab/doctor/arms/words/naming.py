@@ -4,16 +4,16 @@ wrong.
 
 import numpy as np
 
-from ...table import COLUMNS
-from ..finding import Finding
-from ..mistakes.changes import Scaled
-from ..mistakes.faults import faults
-from ..mistakes.registry import OTHER, preference, value_mistake
-from ..mistakes.remade import ALPHA, THETA, A, D
+from ....table import COLUMNS
+from ...finding import Finding
+from ...mistakes.changes import Scaled
+from ...mistakes.faults import faults
+from ...mistakes.registry import OTHER, preference, value_mistake
+from ...mistakes.remade import ALPHA, THETA, A, D
+from ..search.fitting import misfit
+from ..search.measured import Measured
 from .differences import difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
-from .search.fitting import misfit
-from .search.measured import Measured
 
 __all__ = ["name_change", "name_data_fault", "name_every_change"]
 

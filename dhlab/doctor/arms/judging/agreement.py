@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import chdtri, fdtri
 
-from .given import distinct
-from .search.fitting import jacobian
-from .search.signs import entries_of
+from ..given import distinct
+from ..search.fitting import jacobian
+from ..search.signs import entries_of
 from .weighing import level_left
 
 __all__ = ["Agreement", "FEW", "agreement", "only_scatter", "possible"]

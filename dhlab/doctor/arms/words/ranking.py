@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..mistakes.remade import A, D, with_parts, with_rows
+from ...mistakes.remade import A, D, with_parts, with_rows
+from ..search.fitting import Fit, fit, misfit
+from ..search.measured import Measured, limit
 from .differences import difference_text
 from .naming import name_change, name_data_fault
-from .search.fitting import Fit, fit, misfit
-from .search.measured import Measured, limit
 
 __all__ = [
     "differs",

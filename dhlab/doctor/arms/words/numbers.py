@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ...table import COLUMNS
-from ..mistakes.changes import EACH, RowChange, Scaled
-from ..mistakes.faults import which_rows
-from ..mistakes.registry import changes, preference, value_mistake
-from ..mistakes.remade import ALPHA, THETA
+from ....table import COLUMNS
+from ...mistakes.changes import EACH, RowChange, Scaled
+from ...mistakes.faults import which_rows
+from ...mistakes.registry import changes, preference, value_mistake
+from ...mistakes.remade import ALPHA, THETA
 from .differences import wrapped
 
 __all__ = ["name_number"]

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ...printing import number
-from ...table import COLUMNS
-from ..mistakes.remade import ALPHA, THETA
+from ....printing import number
+from ....table import COLUMNS
+from ...mistakes.remade import ALPHA, THETA
 
 __all__ = ["difference_text", "end_text", "moved_by", "number_text", "wrapped"]
 
