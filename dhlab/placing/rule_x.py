@@ -58,8 +58,8 @@ def _right_x(found):
     return (
         "common-normal",
         (
-            f"Along the common normal of {w} and {z}. The other sense would do as well: a would"
-            " change its sign."
+            f"Along the common normal of {w} and {z}. The other sense would do as well: a and α"
+            " would change sign, and the turns before and after it by 180°."
         ),
     )
 

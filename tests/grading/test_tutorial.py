@@ -212,6 +212,7 @@ def test_the_files_of_the_teaching_page_are_read(tmp_path):
 
     files = {name: text for _, _, name, text in BLOCK.findall(TEACHING)}
     for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     students, settings = (
         read_roster(tmp_path / "roster.csv"),
@@ -233,8 +234,9 @@ def test_the_limits_of_the_teaching_page_are_the_defaults():
 
     limits = Limits()
     assert (
-        f"{limits.cell_seconds:g} s for a cell, {limits.seconds:g} s for a notebook,"
-        f" {limits.memory_mb} MB of memory and {limits.files_mb} MB of files" in TEACHING
+        f"{limits.cell_seconds:g} s of processor for a cell, {limits.seconds:g} s for a notebook,"
+        f" {limits.memory_mb} MB of memory and {limits.files_mb} MB of files"
+        in " ".join(TEACHING.split())
     )
 
 

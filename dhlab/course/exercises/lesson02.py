@@ -193,7 +193,7 @@ EXERCISES = [
             ),
             "pointing-away": Option(
                 "x of the new plate must point away from the old z, so two signs are fixed",
-                "It may point either way, and a changes its sign with it.",
+                "It may point either way; a and α change their signs with it, and both θ by 180°.",
                 "minus-taken-for-error",
             ),
         },

@@ -5,6 +5,8 @@ from functools import cache
 import numpy as np
 
 from ...robots import load, robots
+from ...robots.index import summary
+from ...robots.likeness import like
 from .changes import ArmChange
 from .registry import mistake
 from .remade import with_rows
@@ -16,23 +18,26 @@ SAME = 1e-6  # m, rad
 
 @mistake("another-model")
 def another_model():
-    """The table of another arm of the library, where the right one is in it too; told only where no
-    other mistake explains the measurements, so it needs no way back.
+    """The table of another arm of the same maker, where the right one is in the library too; told
+    only where no other mistake explains the measurements, so it needs no way back.
     """
 
     def make(arm):
-        known = [model for _, model in models(arm)]
+        # which arm this is the index tells, without a file read for each
+        names = {found.name.partition(".")[0] for found in like(arm.table)}
+        makers = {summary(name)["maker"] for name in names}
+        known = [model for _, model in models(arm, frozenset(makers))]
         if any(_alike(arm, model) for model in known):
             yield from ((None, "", model) for model in known if not _alike(arm, model))
 
     yield ArmChange(make, only="arm")
 
 
-def models(arm):
+def models(arm, makers=None):
     """(name, the arm with the rows and senses of that model) for every model of the library with
-    the same kinds of joints.
+    the same kinds of joints, or of these makers alone. All of them take some seconds at first.
     """
-    for name, model in _of_joints(arm.table.joints):
+    for name, model in _loaded(makers, arm.table.joints):
         rows, convention = model.table.rows, model.table.convention
         yield name, with_rows(arm, rows, convention=convention, sign=model.sign)
 
@@ -44,6 +49,7 @@ def _alike(a, b):
 
 
 @cache
-def _of_joints(joints):
-    arms = [(name, load(name)) for name in robots()]
+def _loaded(makers, joints):
+    asked = [name for name in robots() if makers is None or summary(name)["maker"] in makers]
+    arms = [(name, load(name)) for name in asked]
     return tuple((name, arm) for name, arm in arms if arm.table.joints == joints)

@@ -72,7 +72,20 @@ def parsed(source: str, name: str) -> list[ast.stmt]:
     """The statements of a cell; SyntaxError where it is no Python."""
     source = _plain(source)
     linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
-    return ast.parse(source, name).body
+    return [one for node in ast.parse(source, name).body for one in _unpacked(node, name)]
+
+
+def _unpacked(node, name):
+    """The statements below a cell magic that runs them, such as ``%%time``; else the node."""
+    match node:
+        case ast.Expr(
+            ast.Call(
+                ast.Attribute(ast.Call(ast.Name("get_ipython")), "run_cell_magic"),
+                [ast.Constant(magic), _, ast.Constant(str(body))],
+            )
+        ) if magic in BODY_RUNS:
+            return ast.parse(body, name).body
+    return [node]
 
 
 def _plain(source):

@@ -146,6 +146,7 @@ def _stamped(entries, zone):
         if len(entry.parts) == 3
         and entry.parts[-1] == TIMESTAMP
         and entry.source == FILE_TIME
+        and not any(part.lower().endswith(".zip") for part in entry.parts[:-1])
         and not entry.fault
         and not from_platform(entry.parts[0])
     ]
