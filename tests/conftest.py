@@ -15,6 +15,10 @@ import pytest
 from hypothesis import currently_in_test_context, settings
 from hypothesis.database import DirectoryBasedExampleDatabase
 
+# numba joins in once batches have kept a process busy, and differs by rounding: when that is would
+# depend on which tests ran before
+os.environ.setdefault("DHLAB_NUMBA", "0")
+
 HERE = Path(__file__).parent
 FOUND = HERE.parent / ".fuzz"  # where ``make fuzz`` keeps what it finds
 SEED = os.environ.get("DHLAB_SEED")  # set by ``make fuzz`` alone

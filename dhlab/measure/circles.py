@@ -142,7 +142,7 @@ def fit_circles(
     >>> q = np.tile([0.3, 0.0, -0.7, 0.5, 0.9, 0.2], (9, 1))
     >>> q[:, 1] = np.linspace(-1, 1, 9)
     >>> circle, = fit_circles(q, arm.forward(q), arm).circles
-    >>> circle.axis.round(3), round(circle.radius, 6)
+    >>> circle.axis.round(3) + 0.0, round(circle.radius, 6)
     (array([ 0.296, -0.955,  0.   ]), 0.6271)
     """
     if arm is not None and not isinstance(arm, Arm):

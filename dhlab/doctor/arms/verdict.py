@@ -8,6 +8,7 @@ import numpy as np
 
 from ...printing import number
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
+from ..mistakes.models import which_model
 from .given import distinct
 from .judging.agreement import FEW, agreement
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small
@@ -131,6 +132,7 @@ def explained(arm, data, now, explanations, notes):
     if len(findings) == 1 and best.data_fault is None:
         findings[0], same = with_equivalents(findings[0], best, explanations[1:], data)
         notes += same
+    notes += which_model(findings[0].mistake, best.fit.arm)
     others = rivals_of(best, explanations[1:], data)
     words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
     pose = None

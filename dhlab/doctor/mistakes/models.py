@@ -11,26 +11,27 @@ from .changes import ArmChange
 from .registry import mistake
 from .remade import with_rows
 
-__all__ = ["models"]
+__all__ = ["models", "which_model"]
 
 SAME = 1e-6  # m, rad
+ID = "another-model"
 
 
-@mistake("another-model")
+@mistake(ID)
 def another_model():
-    """The table of another arm of the same maker, where the right one is in the library too; told
-    only where no other mistake explains the measurements, so it needs no way back.
+    """The table of another arm of the same maker, where the right one is in the library too: one of
+    its models for another, which takes itself back.
     """
 
     def make(arm):
         # which arm this is the index tells, without a file read for each
         names = {found.name.partition(".")[0] for found in like(arm.table)}
         makers = {summary(name)["maker"] for name in names}
-        known = [model for _, model in models(arm, frozenset(makers))]
-        if any(_alike(arm, model) for model in known):
-            yield from ((None, "", model) for model in known if not _alike(arm, model))
+        known = list(models(arm, frozenset(makers)))
+        if any(_alike(arm, model) for _, model in known):
+            yield from ((None, "", model) for _, model in known if not _alike(arm, model))
 
-    yield ArmChange(make, only="arm")
+    yield ArmChange(make, only="arm", twice=True)
 
 
 def models(arm, makers=None):
@@ -40,6 +41,15 @@ def models(arm, makers=None):
     for name, model in _loaded(makers, arm.table.joints):
         rows, convention = model.table.rows, model.table.convention
         yield name, with_rows(arm, rows, convention=convention, sign=model.sign)
+
+
+def which_model(mistake, arm):
+    """A sentence that names the model that fits, where this mistake was made; else none."""
+    found = like(arm.table)[:1] if mistake == ID else []
+    return tuple(
+        f"These are the numbers of {model.title} ({model.name.partition('.')[0]} in the library)."
+        for model in found
+    )
 
 
 def _alike(a, b):

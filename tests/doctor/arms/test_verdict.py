@@ -153,6 +153,9 @@ def test_another_model_and_a_bent_link_and_a_flange(turned):
     q = general(right, 8)
     model = diagnose(dh.load("ur3e"), q, right.forward(q))
     assert [f.mistake for f in model.findings] == ["another-model"]
+    series = diagnose(dh.load("ur10_cb"), q[:6], right.forward(q[:6]))
+    assert [f.mistake for f in series.findings] == ["another-model"]
+    assert any("Universal Robots UR10e (ur10e" in note for note in series.notes)
     bend = np.arctan2(24, 128) * (-1 if turned else 1)
     straight = dh.DHTable.standard(
         [[0, 0.077, 0, 90], [0, 0, 0.128, 0], [0, 0, 0.124, 0], [0, 0, 0.126, 0]], angle="deg"
