@@ -186,13 +186,13 @@ def chain_disagreement(arm, chain, seed=0, m=100):
 
 
 def whole_pose_and_jacobian(arm, q):
-    """End pose and geometric Jacobian of an arm, base, tool and signs included: the product of
-    elementary matrices and, by the product rule, its derivatives; ω from dR Rᵀ.
+    """End pose and geometric Jacobian of an arm, base, tool, signs and coupling included: the
+    product of elementary matrices and, by the product rule, its derivatives; ω from dR Rᵀ.
     """
     table, factors, generators, places = arm.table, [arm.base], [], []
-    for (theta, d, a, alpha), letter, value in zip(
-        table.rows, table.joints, arm.sign * np.asarray(q), strict=True
-    ):
+    mixed = np.eye(len(table)) if arm.coupling is None else arm.coupling
+    turned = mixed @ (arm.sign * np.asarray(q))
+    for (theta, d, a, alpha), letter, value in zip(table.rows, table.joints, turned, strict=True):
         theta, d = (theta, d + value) if letter == "P" else (theta + value, d)
         x_moves = shift([a, 0, 0]) @ turn([alpha, 0, 0])
         z_moves = turn([0, 0, theta]) @ shift([0, 0, d])
@@ -208,10 +208,10 @@ def whole_pose_and_jacobian(arm, q):
     factors.append(arm.tool)
     T, J = _multiplied(factors), np.empty((6, len(table)))
     for i, (G, k) in enumerate(zip(generators, places, strict=True)):
-        dT = arm.sign[i] * _multiplied([*factors[:k], G, *factors[k:]])
+        dT = _multiplied([*factors[:k], G, *factors[k:]])
         W = dT[:3, :3] @ T[:3, :3].T
         J[:, i] = [*dT[:3, 3], W[2, 1], W[0, 2], W[1, 0]]
-    return T, J
+    return T, J @ mixed @ np.diag(arm.sign)  # by the counts of the controller: the chain rule
 
 
 def _multiplied(factors):

@@ -4,6 +4,7 @@ from itertools import permutations, product
 
 import numpy as np
 from oracles import elementary_pose
+from scipy.optimize import least_squares
 
 import dhlab as dh
 from dhlab.course.kinds import as_arm
@@ -62,6 +63,26 @@ def in_units(answer, given, found):
             which = slice(None) if not row else int(row) - 1
             rows[which, COLUMN[column]] *= FACTORS[found[unit]]
     return same(with_rows(arm, rows), right, 2e-2) and not same(arm, right)
+
+
+def _straightened(answer, given, found):
+    """The two angles beside a link, turned against each other, and its length make the right arm;
+    as it stands it is not.
+    """
+    arm, right = arm_of(answer, given)
+    rows, i, j = degrees_of(arm), int(found["row"]) - 1, int(found["other"]) - 1
+    q = some_q(len(right))
+
+    def bent(x):
+        changed = rows.copy()
+        changed[i, 0], changed[i, 2], changed[j, 0] = rows[i, 0] + x[0], x[1], rows[j, 0] - x[0]
+        return with_rows(arm, changed)
+
+    fits = [
+        least_squares(lambda x: (ends(bent(x), q) - ends(right, q)).ravel(), [start, rows[i, 2]])
+        for start in (-20, 0, 20)
+    ]
+    return min(fit.cost for fit in fits) < 1e-9 and not same(arm, right)
 
 
 def is_arm(made):
@@ -387,6 +408,10 @@ DOCTOR = [
     (
         r"A length has the wrong (?P<kind>value) @ row (?P<row>\d), (?P<column>[da])(?:: .+)?",
         _of_the_doctor,
+    ),
+    (
+        r"A bent link is written as a straight one @ rows (?P<row>\d) and (?P<other>\d)",
+        _straightened,
     ),
 ]
 

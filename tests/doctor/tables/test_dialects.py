@@ -13,7 +13,24 @@ import dhlab as dh
 from dhlab.doctor.tables.cells import read_cell
 from dhlab.doctor.tables.recognise import recognise_table
 
-ARMS = few(dh.robots(), 16)
+ARMS = few(
+    [
+        "ar4",
+        "article-6r",
+        "iiwa14",
+        "irb120",
+        "kr6_r700",
+        "panda",
+        "piper",
+        "puma560",
+        "stanford",
+        "ur10_cb",
+        "ur3e",
+        "ur5e",
+        "xarm6",
+    ],
+    16,
+)  # no letters of theirs can be exchanged unseen
 ORDERS = [
     "theta d a alpha",
     "a alpha d theta",
