@@ -21,13 +21,16 @@ __all__ = [
     "draw_skew",
     "draw_sliding",
     "explain_lines",
+    "pose_of",
 ]
 
+Triple = Sequence[float]
 # the frames of 04.5 as a table; the lesson gives them as arrows and points
 READ = [[0, 0.3, 0, 90], [90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]
 
 
-def _pose(x, y, z, p):
+def pose_of(x: Triple, y: Triple, z: Triple, p: Triple) -> list[list[float]]:
+    """A tool's pose (4, 4), metres, from its three arrows and its origin, as plain numbers."""
     return [[float(v) for v in row] for row in zip(x, y, z, p)] + [[0.0, 0.0, 0.0, 1.0]]
 
 
@@ -47,7 +50,7 @@ def draw_skew(rng: np.random.Generator) -> dict[str, Any]:
     )
     return {
         "axes": [([0, 0, 0], [0, 0, 1]), ([a, side, h], [0, sense, 0])],
-        "end": _pose([1, 0, 0], [0, 0, -1], [0, 1, 0], [a + 0.3, 0, h]),
+        "end": pose_of([1, 0, 0], [0, 0, -1], [0, 1, 0], [a + 0.3, 0, h]),
     }
 
 
@@ -67,7 +70,7 @@ def draw_shoulder(rng: np.random.Generator) -> dict[str, Any]:
     ]
     return {
         "axes": axes,
-        "end": _pose([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(upper + fore, 6), 0, h]),
+        "end": pose_of([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(upper + fore, 6), 0, h]),
     }
 
 
@@ -91,7 +94,7 @@ def draw_colleagues(rng: np.random.Generator) -> dict[str, Any]:
     ]
     return {
         "axes": axes,
-        "end": _pose([1, 0, 0], [0, 0, -1], [0, 1, 0], [tip, 0.1, h]),
+        "end": pose_of([1, 0, 0], [0, 0, -1], [0, 1, 0], [tip, 0.1, h]),
         "frames": frames,
     }
 
@@ -114,7 +117,7 @@ def draw_sliding(rng: np.random.Generator) -> dict[str, Any]:
     ]
     return {
         "axes": axes,
-        "end": _pose([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(reach + tool, 6), side, h]),
+        "end": pose_of([0, 0, -1], [0, 1, 0], [1, 0, 0], [round(reach + tool, 6), side, h]),
     }
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..kinds import Known, Said
+from .answers04 import pose_of
 
 __all__ = [
     "PAIRS",
@@ -20,10 +21,6 @@ __all__ = [
 PAIRS = ["meet", "parallel", "parallel", "meet", "meet"]  # the axes of the article's arm
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 MINUS_Y, MINUS_Z = [0, -1, 0], [0, 0, -1]
-
-
-def _pose(x, y, z, p):
-    return [[float(v) for v in row] for row in zip(x, y, z, p)] + [[0.0, 0.0, 0.0, 1.0]]
 
 
 def _article(rng):
@@ -43,12 +40,12 @@ def _article(rng):
 
 def draw_half_arm(rng: np.random.Generator) -> dict[str, Any]:
     """The first three joints, and the forearm's end on the line of joint 4."""
-    return {"axes": _article(rng)[:3], "end": _pose(X, Z, MINUS_Y, [0.75, 0, 0.1])}
+    return {"axes": _article(rng)[:3], "end": pose_of(X, Z, MINUS_Y, [0.75, 0, 0.1])}
 
 
 def draw_whole_arm(rng: np.random.Generator) -> dict[str, Any]:
     """All six joints and the flange."""
-    return {"axes": _article(rng), "end": _pose(X, Z, MINUS_Y, [0.75, -0.2, 0.1])}
+    return {"axes": _article(rng), "end": pose_of(X, Z, MINUS_Y, [0.75, -0.2, 0.1])}
 
 
 def draw_spoilt_wrist(rng: np.random.Generator) -> dict[str, Any]:
@@ -82,7 +79,7 @@ def draw_roll_wrist(rng: np.random.Generator) -> dict[str, Any]:
         ([fore, 0.05, level], sense),
         ([round(fore + 0.03, 6), 0, level], X),
     ]
-    return {"axes": axes, "end": _pose(MINUS_Z, Y, X, [round(fore + 0.08, 6), 0, level])}
+    return {"axes": axes, "end": pose_of(MINUS_Z, Y, X, [round(fore + 0.08, 6), 0, level])}
 
 
 SAID = {
