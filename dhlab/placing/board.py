@@ -178,7 +178,7 @@ class Placement:
         before = self._comes_first(self._frame(i), "x")
         if before:
             return Judgement(f"x{i}", False, "order", f"Place {before} first: x{i} depends on it.")
-        judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], direction)
+        judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], direction, len(self))
         if exact is not None:
             self.x[i] = exact
             self._keep(judgement)
@@ -315,7 +315,9 @@ class Placement:
             if letter == "o":
                 judgement, exact = judge_origin(self._geometry(i), placed[i])
             else:
-                judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], placed[i])
+                judgement, exact = judge_x(
+                    self._geometry(i, self.o[i]), self.z[i], placed[i], len(self)
+                )
         if exact is None:
             del placed[i], self._said[f"{letter}{i}"]
         else:

@@ -12,9 +12,9 @@ __all__ = ["judge_x"]
 
 
 def judge_x(
-    found: Geometry, z: NDArray[np.float64], direction: ArrayLike
+    found: Geometry, z: NDArray[np.float64], direction: ArrayLike, n: int
 ) -> tuple[Judgement, NDArray[np.float64] | None]:
-    """Judge a direction for x_i; the origin is placed, and z_i is ``z``.
+    """Judge a direction for x_i of an arm with ``n`` joints; the origin is placed, z_i is ``z``.
 
     Returns
     -------
@@ -26,7 +26,7 @@ def judge_x(
     >>> from dhlab.placing.geometry import geometry
     >>> e = np.eye(3)
     >>> found = geometry(1, ("z1", "z0"), 1.0, e[1], (0 * e[0], e[1]), (0 * e[0], e[2]))
-    >>> print(judge_x(found, e[1], [0, 1, 1])[0])
+    >>> print(judge_x(found, e[1], [0, 1, 1], 2)[0])
     ✗ x1: This lies in the plane of z0 and z1. The two meet, so x1 stands on that plane, along
           z0 × z1 or against it.
     """
@@ -47,20 +47,25 @@ def judge_x(
             f"{why}, so any x at right angles to {found.names[0]} will do.",
         ), unit(across(v, z))
     if found.x is not None and tilt(v, found.x) <= ANGLE:
-        return Judgement(f"x{found.i}", True, *_right_x(found)), found.x * np.sign(v @ found.x)
+        return Judgement(f"x{found.i}", True, *_right_x(found, n)), found.x * np.sign(v @ found.x)
     return Judgement(f"x{found.i}", False, *_x_fault(found, z, v)), None
 
 
-def _right_x(found):
-    z, w = found.names
-    if found.case in ("meet", "loose"):
-        return "across-both", f"At right angles to {w} and {z}. The other sense would do as well."
-    return (
-        "common-normal",
-        (
-            f"Along the common normal of {w} and {z}. The other sense would do as well: a and α"
-            " would change sign, and the turns before and after it by 180°."
-        ),
+def _right_x(found, n):
+    (z, w), i = found.names, found.i
+    across = found.case in ("meet", "loose")
+    says = (
+        f"At right angles to {w} and {z}" if across else f"Along the common normal of {w} and {z}"
+    )
+    signs = (
+        f"α{i} would change sign (a{i} is 0)"
+        if found.case == "meet"
+        else f"a{i} and α{i} would change sign"
+    )
+    turns = " and ".join(f"θ{k}" for k in (i, i + 1) if 1 <= k <= n)
+    takes = "" if 1 <= i < n else f", and the {'tool' if i else 'base'} takes up the rest"
+    return "across-both" if across else "common-normal", (
+        f"{says}. The other sense would do as well: {signs}, {turns} by 180°{takes}."
     )
 
 

@@ -208,6 +208,23 @@ def test_every_placement_can_be_finished_from_the_offers(name, convention):
     assert refused > len(arm), "some offers are wrong"
 
 
+def test_a_board_is_shown_with_what_is_placed_on_it(arm):
+    board = dh.explore(arm, mode="place").placing.placement
+    for i, (x, _, z, o) in enumerate(frame[:3].T for frame in board.model.frames(np.zeros(6))):
+        assert board.set_z(i, -z, o) and board.set_origin(i, o)
+        if i < 6:
+            assert board.set_x(i, -x)
+    half = dh.explore(board, mode="place")
+    assert half.arm is None and half._answer["next"] == "x6" and half.step == 0
+    assert board.set_x(6, x)
+    whole = dh.explore(board, mode="place")
+    np.testing.assert_allclose(whole.arm.table.rows, board.arm.table.rows, atol=1e-9)
+    assert whole.step == len(whole._data["worked"]) == 3 * 7
+    np.testing.assert_allclose(whole._data["finished"]["rows"], board.arm.table.rows, atol=1e-9)
+    with pytest.raises(ValueError, match="brings its own end"):
+        dh.explore(board, mode="place", end=np.eye(4))
+
+
 def test_a_step_from_python_is_seen_in_the_view(arm):
     explorer = dh.explore(arm, mode="place")
     assert explorer.place("z0", [0, 0, 1]) and explorer._answer["placed"] == [

@@ -594,6 +594,22 @@ def test_placement_is_played_to_its_table(opened, modes):
     assert page.locator(".steps li:visible").count() == len(data["worked"]) == 3 * 7
 
 
+def test_an_arrow_turned_round_changes_the_numbers_that_python_changes(opened):
+    explorer = dh.explore(dh.load("stanford").to("craig"), mode="place")
+    page, arm = opened(explorer), explorer.placing.placement.model
+    page.get_by_role("button", name="To the end").click()
+    for letter, i in (("x", 1), ("z", 2), ("x", 3), ("z", 3), ("z", 6)):
+        page.get_by_role("button", name=f"Turn {letter}{i} round").click()
+        arm = arm.flip_x(i) if letter == "x" else arm.flip_z(i)
+        rows = text_table(page, "The finished table")
+        found = np.array([[numbers(cell)[-1] for cell in row[1:]] for row in rows])
+        wanted = arm.table.rows * [180 / np.pi, 1000, 1000, 180 / np.pi]
+        gap = found - wanted
+        gap[:, [0, 3]] = (gap[:, [0, 3]] + 180) % 360 - 180
+        np.testing.assert_allclose(gap, 0, atol=0.051)
+    page.get_by_text("joint 6 counts the other way").wait_for()
+
+
 @pytest.mark.parametrize("attribute", ["data-theme", "data-jp-theme-light"])
 def test_the_theme_of_the_page_is_taken_up(opened, modes, attribute):
     page = opened(modes["arm"])

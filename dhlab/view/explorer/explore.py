@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ...arm import Arm
 from ...geometry.conversion import as_arm, require_uncoupled
+from ...placing.board import Placement
 from ...table import DHTable
 from ...transform import require_pose, trans
 from ..pictures.compared import measured_and_predicted
@@ -23,7 +24,7 @@ __all__ = ["arm_bundle", "explore"]
 
 
 def explore(
-    arm: Arm | DHTable | ArrayLike | Sequence[Sequence[Any]] | None = None,
+    arm: Arm | DHTable | Placement | ArrayLike | Sequence[Sequence[Any]] | None = None,
     mode: str = "arm",
     **needs: Any,
 ) -> Explorer:
@@ -33,8 +34,9 @@ def explore(
     Parameters
     ----------
     arm : Arm or DHTable
-        In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them. In
-        mode "pose" the pose (4, 4) of a plate, or two of them, ``[T_01, T_12]``; or nothing.
+        In mode "place" also a list of joint axes, as :func:`dhlab.assign_frames` takes them, or a
+        :class:`dhlab.placing.Placement` with what is placed on it. In mode "pose" the pose (4, 4)
+        of a plate, or two of them, ``[T_01, T_12]``; or nothing.
     mode : "arm", "link", "conventions", "compare", "branches", "place" or "pose"
         The whole arm with its frames; the four numbers of one row and the moves they stand for;
         standard and Craig frames together; predicted against measured, or two arms; several
@@ -254,6 +256,10 @@ def _branches(arm, *, q=()):
 
 def _place(arm, *, end=None, convention=None):
     name = "Frames on bare axes"
+    if isinstance(arm, Placement):
+        if end is not None or convention is not None:
+            raise ValueError("explore: a board brings its own end and convention; leave them out")
+        return _placing(name, Placing.of(arm))
     if not isinstance(arm, (list, tuple)):
         arm = as_arm(arm, "explore")
         if end is not None:
@@ -268,14 +274,19 @@ def _place(arm, *, end=None, convention=None):
             "explore: expected end, the end pose (4, 4) at the zero pose, with a list of axes;"
             " found none"
         )
-    placing = Placing(arm, end, convention or "standard")
+    return _placing(name, Placing(arm, end, convention or "standard"))
+
+
+def _placing(name, placing):
+    data = placing.data()
     return _explorer(
         "place",
         None,
         name,
         lambda: stills.place(placing),
-        placing.data(),
+        data,
         convention=placing.placement.convention,
+        step=data["steps"][1] if placing.shown else 0,
         placing=placing,
     )
 

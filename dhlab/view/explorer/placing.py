@@ -43,7 +43,21 @@ class Placing:
 
     def __init__(self, axes: Iterable[Sequence[Any]], end: ArrayLike, convention: str) -> None:
         self.given, self.turn = (axes, end, convention), 0
+        self.shown: dict[int, NDArray[np.float64]] | None = None  # frames that came placed
         self.start_over()
+
+    @classmethod
+    def of(cls, board: Placement) -> "Placing":
+        """A board in the view, with what is placed on it."""
+        axes = [(axis.p, axis.z, axis.letter) for axis in board.axes[: len(board)]]
+        placing = cls(axes, board.end, board.convention)
+        kept = {"z": board.z, "o": board.o, "x": board.x}
+        for step in placing.placement.missing:
+            letter, i = step[0], int(step[1:])
+            if i in kept[letter]:
+                placing.make(step, kept[letter][i], board.o.get(i) if letter == "z" else None)
+        placing.shown = board.frames if board.finished else None
+        return placing
 
     def start_over(self, keep: Iterable[tuple[str, ArrayLike, ArrayLike | None]] = ()) -> None:
         """Put all frames away, but for the steps to keep."""
@@ -93,9 +107,9 @@ class Placing:
         }
 
     def _worked(self):
-        """The frames that ``assign_frames`` finds, made step by step."""
+        """The frames that came placed, or those that ``assign_frames`` finds, made step by step."""
         worked, steps = Placement(*self.given), []
-        frames = self.placement.model.frames(np.zeros(len(self.placement)))
+        frames = self.shown or self.placement.model.frames(np.zeros(len(self.placement)))
         while not worked.finished:
             step = worked.missing[0]
             letter, i = step[0], int(step[1:])

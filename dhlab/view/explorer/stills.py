@@ -71,9 +71,9 @@ def plates(poses: NDArray[np.float64]) -> Picture:
 
 
 def place(placing: Placing) -> Picture:
-    """The bare axes, the base and the end."""
+    """The bare axes, the base and the end, with the frames that came placed."""
     axes, end, _ = placing.given
-    return axes_picture(axes, end)
+    return axes_picture(axes, end, placing.shown)
 
 
 def two(first: Arm, second: Arm, q: NDArray[np.float64]) -> Picture:

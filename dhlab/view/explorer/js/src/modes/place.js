@@ -5,7 +5,8 @@ import { button, slider } from "../controls.js";
 import { h, write } from "../dom.js";
 import { below, number, place, vector } from "../format.js";
 import { IDENTITY, along, axis, cross, origin, unit } from "../matrix.js";
-import { DHTable, FramesTable } from "../tables.js";
+import { FramesTable } from "../tables.js";
+import { roundabout } from "./round.js";
 
 const ASKS = { z: (i) => `Along which line, and which way, does z${below(i)} run?`, o: (i) => `Where does the origin of {${i}} stand?`,
   x: (i) => `Which way does x${below(i)} point?` };
@@ -18,7 +19,7 @@ export function placeMode(host, redraw) {
   const { axes, end, reach } = host.data, n = axes.length - 1;
   const mode = { size: reach, build, said };
   const frameTable = new FramesTable(Array.from({ length: n + 1 }, (_, i) => `{${i}}`)), tableHere = h("div");
-  let placed = new Map(), words = "", shownArm = null;
+  let placed = new Map(), words = "", shownArm = null, round = null;
   const ways = (host.live ? judged : worked)(host, mode, redraw);
   mode.controls = ways.controls;
   mode.close = ways.close;
@@ -27,8 +28,8 @@ export function placeMode(host, redraw) {
   mode.frames = frameTable.element;
   mode.changed = () => {
     ({ placed, words } = ways.changed());
-    frameTable.set(Array.from({ length: n + 1 }, (_, i) => frameRow(placed, i)));
     showTable(ways.arm());
+    showFrames();
     redraw();
   };
   mode.changed();
@@ -41,11 +42,13 @@ export function placeMode(host, redraw) {
   function showTable(arm) {
     if (arm === shownArm) return;
     shownArm = arm;
-    tableHere.replaceChildren();
-    if (!arm) return;
-    const table = new DHTable(arm, "The finished table");
-    table.update(arm.sign.map(() => 0));
-    tableHere.append(table.element);
+    round = arm && roundabout(arm, redraw, () => (showFrames(), redraw()));
+    tableHere.replaceChildren(...(round ? [round.element] : []));
+  }
+
+  function showFrames() {
+    const seen = round ? round.settled(placed) : placed;
+    frameTable.set(Array.from({ length: n + 1 }, (_, i) => frameRow(seen, i)));
   }
 
   function build(scene) {
@@ -55,7 +58,8 @@ export function placeMode(host, redraw) {
     scene.label("end", origin(end), { color: "quiet", far: true });
     axes.slice(0, n).forEach((one, k) => drawAxis(scene, one, k + 1, reach));
     scene.onTop(() => {
-      for (let i = 0; i <= n; i++) drawFrame(scene, placed, i, reach);
+      const seen = round ? round.moving(placed, scene.time) : placed;
+      for (let i = 0; i <= n; i++) drawFrame(scene, seen, i, reach);
       ways.draw?.(scene);
     });
     scene.keep(origin(end), [0, 0, 0]);
