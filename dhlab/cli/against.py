@@ -14,7 +14,7 @@ from ..formats.axisfile import AxisSheet, holds_axes, sheet_from_item
 from ..formats.descriptions.urdf import ENDINGS
 from ..formats.files import read_text
 from ..formats.posefile import LARGEST
-from ..robots import robots
+from ..robots import known_as
 from .common import arm_of, thinned
 
 __all__ = ["is_arm", "sheet_in", "against_arm", "axes_of"]
@@ -27,11 +27,13 @@ POSES = 12
 def is_arm(text: str) -> bool:
     """Whether what stands in the place of the poses is an arm: a name, a table, a URDF."""
     ending = Path(text).suffix.lower()
-    if ending in (*YAML, *ENDINGS) or text.partition(".")[0] in robots():
+    if ending in (*YAML, *ENDINGS):
         return True
-    if ending != ".csv" or not Path(text).is_file():
-        return False
-    return read_text(text, "a poses file", LARGEST).lstrip().startswith("# convention")
+    if ending == ".csv":
+        if not Path(text).is_file():
+            return False
+        return read_text(text, "a poses file", LARGEST).lstrip().startswith("# convention")
+    return bool(known_as(text.partition(".")[0]))
 
 
 def sheet_in(text: str) -> AxisSheet | None:

@@ -128,6 +128,18 @@ def _orientations(pose):
     }
 
 
+def _other_three(rpy):
+    """The other roll, pitch, yaw of a rotation, which some programs print: half a turn more of
+    roll and yaw, the pitch taken from half a turn.
+    """
+    roll, pitch, yaw = rpy
+    return np.array([_half_turn(roll), np.copysign(np.pi, pitch) - pitch, _half_turn(yaw)])
+
+
+def _half_turn(angle):
+    return angle - np.copysign(np.pi, angle)
+
+
 def _pose_text(title, pose):
     xyz, rpy = to_xyz_rpy(pose)
     given = _orientations(pose)
@@ -143,6 +155,7 @@ def _pose_text(title, pose):
             title,
             f"  position (m)              {plain(xyz)}",
             f"  roll, pitch, yaw (deg)    {degrees(rpy)}   (about fixed x, y, z)",
+            f"  or, the same rotation     {degrees(_other_three(rpy))}",
             f"  KUKA A, B, C (deg)        {degrees(given['kuka_abc'])}   (about moving z, y, x)",
             f"  rotation vector (rad)     {plain(given['rotation_vector'])}   (as UR prints it)",
             f"  quaternion w, x, y, z     {plain(given['quaternion_wxyz'])}",

@@ -138,7 +138,8 @@ def _words(found, chosen):
     lines = [str(found)]
     if chosen is None:
         asked = [ANSWERS[name] for name in found.open if name in ANSWERS]
-        lines.append("Answer with " + "; ".join([*asked, "or take a reading with --take N"]) + ".")
+        ways = "; ".join([*asked, "or take a reading with --take N" if asked else "--take N"])
+        lines.append(f"Answer with {ways}.")
     else:
         lines += ["", str(chosen.arm)]
     return "\n".join(lines)

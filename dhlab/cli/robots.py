@@ -4,15 +4,18 @@ new one.
 
 import json
 from pathlib import Path
+from textwrap import fill
 from typing import Annotated
 
 import typer
 
 from ..printing import grid_text
-from ..robots import entry, load, robots, search
+from ..robots import entry, known_as, load, robots, search
 from .common import Json, described
 
 __all__ = ["list_robots"]
+
+WIDTH = 100  # characters of a line
 
 
 def list_robots(
@@ -57,7 +60,7 @@ def list_robots(
         )
     if name:
         arm = load(name)
-        print(json.dumps(described(arm), ensure_ascii=False) if as_json else arm)
+        print(json.dumps(described(arm), ensure_ascii=False) if as_json else _one(name, arm))
     elif like:
         _like(like, as_json)
     elif add is not None:
@@ -80,6 +83,21 @@ def list_robots(
         print(json.dumps({"file": str(path)}) if as_json else f"Written: {path}")
     else:
         _list(search(search_for) if search_for else robots(), as_json, search_for)
+
+
+def _one(name, arm):
+    """The arm's table, and what the library says of its zero pose, its end and its doubtful parts;
+    the latter of its best table, which they were written of.
+    """
+    key = known_as(name)
+    if not key:
+        return str(arm)
+    said = entry(key)
+    told = (("zero pose", said.zero), ("end", said.flange), ("careful", said.ambiguity))
+    notes = [
+        fill(f"{what}: {words}", WIDTH, subsequent_indent="  ") for what, words in told if words
+    ]
+    return "\n".join([str(arm), *notes])
 
 
 def _like(table, as_json):
@@ -110,7 +128,10 @@ def _list(keys, as_json, searched):
         print(json.dumps([_item(entry(key)) for key in keys], ensure_ascii=False))
         return
     if not keys:
-        print(f"No arm of the library is called {searched}; dhlab robots lists them all.")
+        print(
+            f"No arm of the library is called {searched}; dhlab robots lists them all. Where you"
+            " have its URDF, xacro or MJCF, dhlab from-urdf FILE gives its table."
+        )
         return
     from ..robots.index import summary
 

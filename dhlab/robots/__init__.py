@@ -12,7 +12,7 @@ from ..formats.tablefile import read_arm
 from .entries import FOLDER, CheckPose, Entry, entry
 from .examples import example
 
-__all__ = ["load", "robots", "search", "entry", "example", "Entry", "CheckPose"]
+__all__ = ["load", "robots", "search", "known_as", "entry", "example", "Entry", "CheckPose"]
 
 
 def robots() -> list[str]:
@@ -63,13 +63,37 @@ def _plain(words):
     return "".join(letter for letter in words.lower() if letter.isalnum())
 
 
+def known_as(name: str) -> str:
+    """The library's name of an arm that is called so, ``""`` where there is none or several;
+    capitals, spaces and signs do not matter, and what else an arm is called counts.
+
+    Examples
+    --------
+    >>> known_as("myCobot280"), known_as("j2n6s300"), known_as("ur10")
+    ('mycobot_280', 'jaco2', '')
+    """
+    keys = robots()
+    if name in keys:
+        return name
+    from .index import summary
+
+    wanted = _plain(name)
+    if not wanted:
+        return ""
+    same = [key for key in keys if _plain(key) == wanted] or [
+        key for key in keys if wanted in map(_plain, summary(key)["also"])
+    ]
+    return same[0] if len(same) == 1 else ""
+
+
 def load(name: str | Path) -> Arm:
     """A named arm of the library, or the arm in a table file or a URDF.
 
     Parameters
     ----------
     name : str or path
-        ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), or the path of a
+        ``"piper"`` (its best table), ``"piper.sdk_old"`` (an alternative), another name of the
+        arm (:func:`known_as`), or the path of a
         ``.yaml`` or ``.csv`` table file or of a ``.urdf``, ``.xacro`` or MJCF file (as
         :func:`read_urdf` takes it without further options).
 
@@ -97,9 +121,10 @@ def load(name: str | Path) -> Arm:
         return read_description(name)
     if isinstance(name, Path) or ending in (".yaml", ".yml", ".csv"):
         return read_arm(name)
-    key, _, table = str(name).partition(".")
-    if key not in robots():
-        near = get_close_matches(key, robots(), 1)
+    asked, _, table = str(name).partition(".")
+    key = known_as(asked)
+    if not key:
+        near = get_close_matches(asked, robots(), 1)
         todo = (
             f"did you mean {near[0]}?"
             if near

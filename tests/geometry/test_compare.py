@@ -100,3 +100,12 @@ def test_arms_that_cannot_be_compared_are_told_in_a_sentence():
     assert str(found) == "Table a has 6 joints, table b 7 joints."
     with pytest.raises(ValueError, match="^compare: expected an Arm or a DHTable, found str"):
         dh.compare("ur5e", "panda")
+
+
+def test_axes_parallel_in_one_arm_and_across_in_the_other_are_told():
+    rows = [[0, 0.1, 0, 0], [0, 0, 0.4, 90], [0, 0.1, 0.2, 0]]
+    a = dh.Arm(dh.DHTable.standard(rows, angle="deg"))
+    for alpha, length in ((90, 0), (90, 0.05), (-90, 0.05)):
+        rows[0][2:] = length, alpha
+        found = dh.compare(a, dh.Arm(dh.DHTable.standard(rows, angle="deg")))
+        assert not found and "alpha1" in str(found)

@@ -4,6 +4,7 @@ import numpy as np
 
 from ...arm import Arm
 from ...geometry.conversion import require_uncoupled
+from ...geometry.parallels import cancelling
 from ...printing import number
 from ...transform import pose_fault
 from .digits import written_noise
@@ -74,8 +75,12 @@ def _exact(reach):
 
 
 def _size(arm):
-    """About how far the arm reaches by its table, m."""
-    return float(np.abs(arm.table.rows[:, 1:3]).sum() + np.linalg.norm(arm.tool[:3, 3]))
+    """About how far the arm reaches by its table, m; huge d that cancel count for what is left."""
+    rows, left = arm.table.rows, 0.0
+    for run in cancelling(arm):
+        rows[[i - 1 for i in run.joints], 1] = 0.0
+        left += abs(run.total)
+    return float(np.abs(rows[:, 1:3]).sum() + left + np.linalg.norm(arm.tool[:3, 3]))
 
 
 def _reach(arm, p):

@@ -34,7 +34,7 @@ BOOKS = {"standard": "standard convention", "craig": "Craig (modified) conventio
 @dataclass(frozen=True)
 class Reading:
     """One way to read a table: the arm, the way in words, what had to be assumed, and which answer
-    to each question leads here.
+    to each question leads here; notes are worth a second look.
 
     Examples
     --------
@@ -48,6 +48,7 @@ class Reading:
     words: str
     assumptions: tuple = ()
     choices: tuple = ()
+    notes: tuple = ()
 
     def __str__(self):
         return self.words

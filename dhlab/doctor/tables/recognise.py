@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from ...geometry.equivalence import equivalent
+from ...geometry.parallels import cancelling
 from ...printing import number
 from .columns import LENGTHS, misplaced
 from .readings import QUESTIONS, Reading, readings
@@ -151,7 +152,8 @@ def recognise_table(
     table = take_apart(given, values, nominal, length)
     if isinstance(table, list):  # read as an arm: nothing is left to ask of columns
         told = [replace(one, arm=one.arm.to(convention)) for one in table] if convention else table
-        return _answer(_different(told), (), right)
+        kept = _different(told)
+        return _answer(kept, (*kept[0].notes, *_calibrated(kept[0].arm)), right)
     found = list(readings(table, order, convention, angle, length, right, tidy))
     if not found:
         raise ValueError(
@@ -238,7 +240,14 @@ def _question(name, readings):
         return f"{QUESTIONS[name]}: " + ", or ".join(" ".join(roles) for roles in values) + "?"
     if name == "length":
         return f"{QUESTIONS[name]}: {', or '.join(UNIT_WORDS[unit] for unit in values)}?"
+    if name == "form":
+        return f"{QUESTIONS[name]}: {', or '.join(_forms(readings))}?"
     return QUESTIONS[name]
+
+
+def _forms(readings):
+    """The readings' words before their units: what the text is taken for."""
+    return list(dict.fromkeys(reading.words.partition(";")[0] for reading in readings))
 
 
 def _telling(readings):
@@ -283,8 +292,16 @@ def _notes(table, readings):
             " source lost a minus"
         )
     sizes = np.abs(lengths)
-    if len(sizes) > 1 and sizes.max() > 100 * np.median(sizes) and sizes.max() > 3:
+    calibrated = _calibrated(readings[0].arm)
+    if calibrated:
+        notes += calibrated
+    elif len(sizes) > 1 and sizes.max() > 100 * np.median(sizes) and sizes.max() > 3:
         notes.append(
             "one length is more than 100 times the usual one here: millimetres among metres?"
         )
     return tuple(notes)
+
+
+def _calibrated(arm):
+    """What is to be said of nearly parallel axes, which look like a mistake and are none."""
+    return [f"{run}; dhlab convert FILE.yaml --tidy makes it readable" for run in cancelling(arm)]

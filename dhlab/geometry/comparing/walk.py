@@ -21,6 +21,7 @@ from ..procedure.normals import NEARLY
 
 __all__ = ["Link", "Walk", "Cases", "cases_of", "walk", "links_of"]
 
+ACROSS = 0.2  # cosine of the angle between axes; below it they stand across
 COAXIAL = 1e-3  # × reach; parallel axes nearer than this do not say which way x points
 CLEAR = 0.9  # a direction with a larger part along z does not say which way x points
 
@@ -62,9 +63,15 @@ class Walk:
 
 
 def cases_of(*arms: JointAxes) -> Cases:
-    """What to take for parallel in all of these arms; they have the same letters."""
+    """What to take for parallel in all of these arms; they have the same letters. A link that is
+    nearly parallel in one and stands across in another is told without beta.
+    """
     n = len(arms[0].letters)
-    parallel = tuple(any(tilt(A.z[k], A.z[k + 1]) < NEARLY for A in arms) for k in range(n - 1))
+    parallel = tuple(
+        any(tilt(A.z[k], A.z[k + 1]) < NEARLY for A in arms)
+        and all(abs(A.z[k] @ A.z[k + 1]) > ACROSS for A in arms)
+        for k in range(n - 1)
+    )
     coaxial = tuple(
         parallel[k] and any(_between(A, k, parallel) < COAXIAL * max(A.reach, 1e-3) for A in arms)
         for k in range(n - 1)
@@ -108,7 +115,7 @@ def walk(A: JointAxes, cases: Cases) -> Walk:
     x[0] = unit(across(np.eye(3)[cases.base], z[0]))
     for k in range(n - 1):
         _locate(A, p, k + 1, into[k], cases)
-        if not cases.parallel[k]:
+        if not cases.parallel[k] and tilt(z[k], z[k + 1]) >= NEARLY:
             N = common_normal(p[k], z[k], p[k + 1], z[k + 1])
             out[k], into[k + 1] = p[k] + N.out * z[k], p[k + 1] + N.into * z[k + 1]
             x[k + 1] = N.x
@@ -118,7 +125,8 @@ def walk(A: JointAxes, cases: Cases) -> Walk:
         reached = (out[k] - p[k + 1]) @ z[k] / (z[k + 1] @ z[k])
         into[k + 1] = p[k + 1] + reached * z[k + 1]
         gap = across(into[k + 1] - out[k], z[k])
-        x[k + 1] = unit(across(x[k] if cases.coaxial[k] else gap, z[k]))
+        one_line = cases.coaxial[k] or np.linalg.norm(gap) < COAXIAL * max(A.reach, 1e-3)
+        x[k + 1] = unit(across(x[k] if one_line else gap, z[k]))
     out[-1] = nearest_on(p[-1], z[-1], A.end[:3, 3]) if A.letters[-1] == "R" else into[-1]
     x[-1] = unit(across(A.end[:3, cases.end], z[-1]))
     return Walk(into, out, x)

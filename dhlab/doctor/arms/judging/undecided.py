@@ -29,7 +29,7 @@ def undecided(data, now, fitting, notes, budget):
     pose = telling_pose([now.arm, *(w.explanation.fit.arm for w in candidates)])
     return Diagnosis(
         UNDECIDED,
-        _headline(kinds, len(fits), data),
+        _headline(kinds, len(fits), _may_be_noise(before, data), data),
         before=before,
         notes=said,
         next_pose=pose,
@@ -37,7 +37,7 @@ def undecided(data, now, fitting, notes, budget):
     )
 
 
-def _headline(kinds, fits, data):
+def _headline(kinds, fits, may_be_right, data):
     what = ("pose" if data.R is not None else "position") + ("s" if kinds > 1 else "")
     if data.base_free or data.tool_free:
         what += " with a free " + " and ".join(
@@ -47,7 +47,9 @@ def _headline(kinds, fits, data):
         return "A little more misfit than the noise makes, and nothing that is sure to be wrong."
     if fits:
         return f"{kinds} {what} cannot tell: each of these fits."
-    return f"{kinds} {what} cannot tell what is wrong, or whether anything is."
+    if may_be_right:
+        return f"{kinds} {what} cannot tell what is wrong, or whether anything is."
+    return f"Something is wrong; {kinds} {what} cannot tell what."
 
 
 def _unlike(fitting, data):
@@ -72,14 +74,20 @@ def _as_one(w, data):
 
 def _as_it_stands(apart, data):
     """Whether the table itself would do."""
-    most = possible(data)
     if data.stated:
         yield f"The table as it is leaves {_size_text(apart)}, more than the stated noise makes."
-    elif apart[0] < 4e3 * most[0] and (np.isnan(apart[1]) or apart[1] < np.rad2deg(4 * most[1])):
+    elif _may_be_noise(apart, data):
         yield (
             f"The table as it is leaves {_size_text(apart)}: if it was measured that coarsely,"
             " nothing need be wrong. Say how exact it is (noise=, --noise)."
         )
+
+
+def _may_be_noise(apart, data):
+    """Whether the measurements may have been so coarse."""
+    most = possible(data)
+    small = np.isnan(apart[1]) or apart[1] < np.rad2deg(4 * most[1])
+    return bool(apart[0] < 4e3 * most[0] and small)
 
 
 def _size_text(apart):

@@ -40,7 +40,21 @@ def read(source, nominal=None):
     def make(scale):
         return arm_of([step for move in moves for step in _steps(move, scale, degrees)])
 
-    return told("a sequence of elementary transforms", make, lengths, source, why)
+    notes = _sideways(moves)
+    return told("a sequence of elementary transforms", make, lengths, source, why, notes=notes)
+
+
+def _sideways(moves):
+    """A DH row has no step along y: where one stands, what it becomes."""
+    steps = [value for turns, axis, value, letter, _ in moves if axis == "y" and not turns]
+    if not steps or any(letter for turns, axis, _, letter, _ in moves if axis == "y"):
+        return ()
+    step = steps[0].number
+    told = f"Ty({step:g}) Rz(-90) is Rz(-90) Tx({-step:g})"
+    return (
+        "a DH row has no step along y and needs none: turned by 90 degrees about z first, it is a"
+        f" step along x ({told}), which the row holds as a, with the turn in theta",
+    )
 
 
 def _move(match, source):

@@ -8,7 +8,7 @@ from ..scales import LONGEST_ARM, SMALL_ARM, TO_METRES, UNIT_WORDS
 __all__ = ["told"]
 
 
-def told(form, make, lengths, source, why="", units=None):
+def told(form, make, lengths, source, why="", units=None, notes=()):
     """The Readings of a chain, one for each unit that its lengths can have.
 
     Parameters
@@ -19,6 +19,8 @@ def told(form, make, lengths, source, why="", units=None):
         ``make(scale)`` gives the Arm with its lengths scaled to metres.
     lengths : list of float
     source : Source
+    notes : tuple of str
+        What is worth a second look.
     """
     sizes = np.abs([length for length in lengths if length])
     longest = sizes.max(initial=0.0)
@@ -40,6 +42,7 @@ def told(form, make, lengths, source, why="", units=None):
             f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}{_why(unit, said, source)}",
             (),
             tuple(zip(QUESTIONS, ((), "", "rad", unit, (), ""))),
+            tuple(notes),
         )
         for unit in units
     ]
