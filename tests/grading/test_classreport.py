@@ -95,12 +95,19 @@ def test_mistakes_lead_back_to_the_lesson_and_to_a_question(simulated, text):
     assert sheet_question("05") in page and len(sheet_question("05")) > 40
 
 
+def _for_all(letter, variant, everybodys):
+    """The letter that an option has without a variant, from the letter that a student saw."""
+    own = {shown: key for key, shown in exercises()["05.2"].letters(variant).items()}
+    return everybodys[own[letter]] if letter in own else letter
+
+
 def test_every_option_has_its_letter_its_text_and_how_many_chose_it(simulated, text):
     results, made, _ = simulated
     part = unescape(text).partition('id="e-05.2"')[2].partition("</section>")[0]
     written = {plan.student.student: plan.code.get("05.2") for plan in made}
+    everybodys = exercises()["05.2"].letters()
     answered = Counter(
-        written[graded.student].strip("'")
+        _for_all(written[graded.student].strip("'"), graded.variant, everybodys)
         for graded in results
         for mark in graded.marks
         if mark.exercise == "05.2" and mark.status in ("right", "wrong")

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -304,9 +305,14 @@ def autograder(tmp_path, answers, user="ada@example.org", key=None):
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
 def test_gradescope_in_its_own_folders(tmp_path):
     key = bytes(range(32))
-    own = exercises()["05.5"].given(variants(key, ["ada"])["ada"])
-    answer = exercises()["05.5"].answer(**own).tolist()
-    results, root = autograder(tmp_path, {**NOISY, "05.5": f"origin = {answer}"}, key=key)
+    number = variants(key, ["ada"])["ada"]
+    answer = exercises()["05.5"].answer(**exercises()["05.5"].given(number)).tolist()
+    own = {"05.5": f"origin = {answer}"}
+    for exercise in ("05.2", "05.3"):  # the letters of ada's own lesson
+        for_all, hers = exercises()[exercise].letters(), exercises()[exercise].letters(number)
+        seen = {for_all[option]: hers[option] for option in for_all}
+        own[exercise] = re.sub(r'"(\w)"', lambda m, seen=seen: f'"{seen[m[1]]}"', RIGHT[exercise])
+    results, root = autograder(tmp_path, NOISY | own, key=key)
     scores = {test["number"]: test["score"] for test in results["tests"]}
     assert {n: s for n, s in scores.items() if s} == {
         "05.1": 1,

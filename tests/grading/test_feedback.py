@@ -122,13 +122,13 @@ def test_the_words_of_the_course_are_there():
 @pytest.mark.parametrize(
     "exercise, chosen, said",
     [
-        ("05.2", ("none",), "a (none: every change of order is a mistake)"),
-        ("05.2", ("?",), "? (I don't know yet)"),
-        ("03.1", ("craig", "standard"), "c, s (Craig's; standard)"),
-        ("08.5", ("add-step",), "c (q = q + dq)"),
+        ("05.2", ("none",), "none: every change of order is a mistake"),
+        ("05.2", ("?",), "I don't know yet"),
+        ("03.1", ("craig", "standard"), "Craig's; standard"),
+        ("08.5", ("add-step",), "q = q + dq"),
     ],
 )
-def test_an_answer_is_shown_with_its_letter_and_its_text(exercise, chosen, said):
+def test_what_was_chosen_is_shown_in_words(exercise, chosen, said):
     html = feedback_page(graded(Mark(exercise, "wrong", 0, 1, chosen=chosen)))
     page = Page(html)
     assert "Your answer" in page.text and said in page.text

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -60,6 +60,7 @@ class PreTest(OneOf):
     """
 
     points: float = 0
+    same_order: ClassVar[bool] = True
     lesson: str
     hints: tuple = (
         'There is nothing to lose here: a guess is welcome, and so is "?".',
@@ -94,6 +95,7 @@ class Prediction(OneOf):
     """
 
     points: float = 0
+    same_order: ClassVar[bool] = True
     options: Mapping[str, str]  # type: ignore[assignment]  # a guess has no verdict to tell
     outcome: str
 

@@ -10,9 +10,11 @@ import numpy as np
 from ...doctor import catalogue
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
-__all__ = ["Exercise", "Known", "Mistakes", "Said", "no_draw", "untouched"]
+__all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "no_draw", "untouched"]
 
 UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
+# variants from here on, which only a released lesson has, show options in an order of their own
+SHUFFLED = 2**32
 
 
 @dataclass(frozen=True)
@@ -79,8 +81,10 @@ class Exercise:
         return f"**{self.id} {self.title}** · {self.worth}"
 
     def rng(self, variant: int) -> np.random.Generator:
-        """The generator of this exercise's numbers: the same for the same variant, everywhere."""
-        return np.random.default_rng([zlib.crc32(self.id.encode()), variant])
+        """The generator of this exercise's numbers: the same for the same variant, everywhere; how
+        options are ordered is not among them.
+        """
+        return np.random.default_rng([zlib.crc32(self.id.encode()), variant % SHUFFLED])
 
     def given(self, variant: int) -> Mapping[str, Any]:
         """The numbers of the task, by name; none for most kinds."""

@@ -1,11 +1,14 @@
 """What all exercises have whose options are chosen by letters."""
 
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from string import ascii_lowercase
 from typing import Any, ClassVar
 
-from .exercise import UNDECIDED, Exercise
+import numpy as np
+
+from .exercise import SHUFFLED, UNDECIDED, Exercise
 
 __all__ = ["UNDECIDED", "Lettered", "Option"]
 
@@ -29,21 +32,38 @@ class Lettered(Exercise):
 
     An option is known by an id of its own, such as "any-order"; its letter is given when it is
     shown. ``question`` is what is asked above the options, and ``alphabet`` holds the letters, in
-    the order in which they are given. Texts are Markdown of one line: code stands in backticks.
+    the order in which they are given; another than a, b, c … has a meaning, as s and c for the
+    conventions, and stays with its options. Texts are Markdown of one line: code stands in
+    backticks. ``same_order``: the options stand in the order of their definition for everybody.
     """
 
     question: str
     alphabet: str = ascii_lowercase
     undecided: str = "Good to say so. Read the paragraph above once more, then choose."
     entry: ClassVar[str] = "place"
+    same_order: ClassVar[bool] = False
 
     def texts(self) -> Mapping[str, str]:
         """The text of each option by its id, in the order of their definition."""
         raise NotImplementedError
 
     def letters(self, variant: int = 0) -> dict[str, str]:
-        """The letter of each option by its id, in the order in which the options are shown."""
-        return dict(zip(self.texts(), self.alphabet))
+        """The letter of each option by its id, in the order in which the options are shown.
+
+        Examples
+        --------
+        >>> from dhlab.course.exercises import exercises
+        >>> exercises()["02.2"].letters()["link-offset"]
+        'b'
+        >>> exercises()["02.2"].letters(2**32 + 2)["link-offset"]
+        'd'
+        """
+        ids = list(self.texts())
+        if variant >= SHUFFLED and self.alphabet == ascii_lowercase and not self.same_order:
+            # a generator of its own: the order says nothing of the task's numbers
+            rng = np.random.default_rng([zlib.crc32(f"{self.id} order".encode()), variant])
+            ids = [ids[k] for k in rng.permutation(len(ids))]
+        return dict(zip(ids, self.alphabet))
 
     def id_of(self, answer: Any, variant: int = 0) -> str | None:
         """The id of the option that an answer names by its letter or its id; "?" of "?"; None of

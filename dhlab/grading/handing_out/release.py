@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import nbformat
 
+from ...course.building.questions import question_of
+from ...course.exercises import exercises
 from ...course.progress import MARKER
 from ...course.workspace import handed_out
 from ...formats.files import read_text, write_text
@@ -106,7 +108,8 @@ def key_of(path: str | Path, out: str | Path) -> tuple[bytes, bool]:
 
 
 def with_variant(text: str, number: int) -> str:
-    """A lesson whose first code cell says whose numbers it draws.
+    """A lesson whose first code cell says whose numbers it draws, and whose options stand in the
+    order of that number.
 
     Parameters
     ----------
@@ -126,6 +129,10 @@ def with_variant(text: str, number: int) -> str:
         metadata={"deletable": False, "editable": False, "tags": ["variant"]},
     )
     cell["id"] = f"{notebook.metadata.dhlab.lesson}-variant"
+    for question in notebook.cells:
+        asked = question_of(question)
+        if asked:
+            question.source = exercises()[asked].shown(number)
     notebook.cells.insert(first, cell)
     notebook.metadata.dhlab["variant"] = number
     return nbformat.writes(notebook) + "\n"

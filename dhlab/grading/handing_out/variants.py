@@ -8,6 +8,7 @@ import unicodedata
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...course.kinds.exercise import SHUFFLED
 from ...formats.files import read_text, write_text
 
 __all__ = ["variant", "variants", "new_key", "write_key", "make_key", "read_key"]
@@ -32,7 +33,9 @@ def variant(key: bytes, student: str) -> int:
     Returns
     -------
     int
-        From 1 to 2³¹ - 1.
+        From 2³² + 1 to 2³² + 2³¹ - 1. Smaller ones, given by hand, change the task's numbers alone:
+        that the options change their places is for lessons that show them so, which
+        :func:`dhlab.grading.handing_out.release.release` writes.
 
     Examples
     --------
@@ -42,7 +45,7 @@ def variant(key: bytes, student: str) -> int:
     False
     """
     digest = hmac.digest(key, unicodedata.normalize("NFC", student).encode(), "sha256")
-    return int.from_bytes(digest[:8], "big") % HIGHEST + 1
+    return int.from_bytes(digest[:8], "big") % HIGHEST + 1 + SHUFFLED
 
 
 def variants(key: bytes | None, students: Iterable[str]) -> dict[str, int]:

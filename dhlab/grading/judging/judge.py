@@ -7,8 +7,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ...course.kinds import Function, Table
+from ...course.kinds.exercise import SHUFFLED
+from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
 from ..inside.wire import DECODED, decode, error_name
+from ..intake.notebooks import numbers_of
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, Mark
 
 if TYPE_CHECKING:
@@ -92,10 +95,19 @@ def mark(
         if line.get("function") == "written" and isinstance(exercise, Function):
             found = _program(exercise, *ask(exercise, line, handed), settings, worth)
         else:
-            found = _judged(exercise, line, variant, settings, worth)
+            found = _judged(exercise, line, _seen(exercise, handed, variant), settings, worth)
         if found.status != NOT_ATTEMPTED:
             return found, handed
     return _without_answer(exercise, answers, worth), None
+
+
+def _seen(exercise, handed, variant):
+    """The variant whose letters a notebook shows: a lesson that was not released to anybody, such
+    as one from the site, shows the order for all.
+    """
+    if isinstance(exercise, Lettered) and not any(n >= SHUFFLED for n in numbers_of(handed.raw)):
+        return variant % SHUFFLED
+    return variant
 
 
 def _judged(exercise, line, variant, settings, worth):

@@ -72,7 +72,7 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     student = student or Student(graded.student)
     said = words(student.language)
     held = graded.status == HELD  # then nothing is given out
-    cards = [] if held else [_card(mark, said, graded.variant) for mark in graded.marks]
+    cards = [] if held else [_card(mark, said) for mark in graded.marks]
     no_file = (
         sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN})
         if graded.status not in (MISSING, HELD)
@@ -127,13 +127,9 @@ def headline(mark: Mark) -> str:
     return stops[1] + error_name(stops[2]) if stops else mark.headline
 
 
-def _card(mark, said, variant):
+def _card(mark, said):
     known = exercises().get(mark.exercise)
-    answer = (
-        "{} ({})".format(*known.read_back(mark.chosen, variant))
-        if isinstance(known, Lettered) and mark.chosen
-        else ""
-    )
+    answer = known.read_back(mark.chosen)[1] if isinstance(known, Lettered) and mark.chosen else ""
     mistake = catalogue().get(mark.mistake)
     place = "" if mark.place.startswith(A_CALL) else mark.place
     lines = [

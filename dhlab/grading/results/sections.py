@@ -81,8 +81,8 @@ def question(exercise: Exercise | None, mistake: str) -> str:
     if isinstance(exercise, Choice):
         claims = [key for key, option in exercise.options.items() if option.mistake == mistake]
         if claims:
-            letter, text = exercise.read_back((claims[0],))
-            return f"Somebody says {letter}: “{text}”. What would convince them?"
+            _, text = exercise.read_back((claims[0],))  # letters differ from student to student
+            return f"Somebody says: “{text}”. What would convince them?"
     return f"“{catalogue()[mistake].see}” What was done here, and which one test shows it?"
 
 
