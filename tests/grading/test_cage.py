@@ -33,6 +33,7 @@ from dhlab.grading.inside.wire import Opaque, decode, encode
 from dhlab.grading.judging import judge
 from dhlab.grading.judging.asking import Asked
 from dhlab.grading.judging.questions import Course, call_request, handed_out_checks, request, seed
+from dhlab.grading.judging.work import Handed
 from dhlab.grading.settings import Limits, Settings
 
 COURSE = Course(("05", "06"), Settings(), {"ada": 7})
@@ -131,7 +132,10 @@ def test_whatever_comes_out_is_read_or_refused(sent):
 )
 def test_whatever_was_noted_gets_a_mark(line, key):
     answers = judge.Answers()
-    answers.add(cage.Run([{"check": key, **line}, {"cell": 1, "ids": [key]}], "done", 1), None)
+    answers.add(
+        cage.Run([{"check": key, **line}, {"cell": 1, "ids": [key]}], "done", 1),
+        Handed("a.ipynb", b"{}"),
+    )
     mark, _ = judge.mark(
         exercises()[key], answers, 7, Settings(), lambda *note: (Asked(stopped="crashed"), 7)
     )
