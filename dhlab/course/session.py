@@ -3,7 +3,9 @@
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from difflib import get_close_matches
+from functools import partial
 from html import escape
 from typing import Any
 
@@ -12,7 +14,7 @@ from .growth import Growth
 from .handing import as_rows, offer, watch
 from .kinds import Prediction
 from .progress import Log, Progress
-from .verdict import Verdict
+from .verdict import TOLD_ALL, WRONG, Verdict
 
 __all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant", "then_and_now"]
 
@@ -76,7 +78,11 @@ def check(exercise_id: str, answer: Any) -> Verdict:
     exercise, rows = _exercise(exercise_id), as_rows(answer)
     verdict = offer(exercise, rows, exercise.judge(rows, _variant), _variant)
     _log.add(verdict)
-    return verdict.at_try(_log.wrong_tries(exercise_id))
+    tries = _log.wrong_tries(exercise_id)
+    told = verdict.at_try(tries)
+    if told.status != WRONG or (told.sparing and tries < TOLD_ALL):
+        return told
+    return replace(told, drawn=partial(exercise.drawn, rows, _variant))
 
 
 def hint(exercise_id: str, level: int = 1) -> "Note":

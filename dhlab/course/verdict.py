@@ -1,11 +1,14 @@
 """``Verdict``: what the course says of an answer, as text and in a notebook."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from html import escape
+from typing import Any
 
-__all__ = ["Verdict", "RIGHT", "WRONG", "NOT_ATTEMPTED", "RECORDED"]
+__all__ = ["Verdict", "RIGHT", "WRONG", "NOT_ATTEMPTED", "RECORDED", "TOLD_ALL"]
 
 RIGHT, WRONG, NOT_ATTEMPTED, RECORDED = "right", "wrong", "not attempted", "recorded"
+TOLD_ALL = 3  # the wrong answer from which on a sparing verdict tells everything
 MARKS = {
     RIGHT: ("✓", "Right"),
     WRONG: ("✗", "Not yet"),
@@ -41,6 +44,8 @@ class Verdict:
     sparing : bool
         Whether the mistake is what the exercise asks for, so that it is told bit by bit
         (:meth:`at_try`).
+    drawn : function or None
+        Makes the picture of a wrong answer, or None; called when a notebook shows the verdict.
 
     Examples
     --------
@@ -62,6 +67,7 @@ class Verdict:
     known: bool | None = None
     chosen: tuple[str, ...] = ()
     sparing: bool = False
+    drawn: Callable[[], Any] | None = field(default=None, compare=False, repr=False)
 
     def at_try(self, count: int) -> "Verdict":
         """What is told at a learner's first, second or later wrong answer: the kind of mistake,
@@ -75,7 +81,7 @@ class Verdict:
           Where: row 2
           Next:  hint("05.7") gives a first hint; another try is told more.
         """
-        if not self.sparing or self.status != WRONG or count > 2:
+        if not self.sparing or self.status != WRONG or count >= TOLD_ALL:
             return self
         return replace(
             self,
@@ -114,5 +120,9 @@ class Verdict:
         return (
             f'<div role="status" style="border-left:4px solid {COLOURS[self.status]};padding:.3em'
             f' .8em;margin:.2em 0"><div><strong>{mark} {escape(self.exercise)}'
-            f" {word}</strong>{headline}</div>{rest}</div>"
+            f" {word}</strong>{headline}</div>{rest}{self._picture()}</div>"
         )
+
+    def _picture(self):
+        picture = self.drawn and self.drawn()
+        return picture._repr_mimebundle_()["text/html"] if picture else ""

@@ -123,6 +123,12 @@ class Exercise:
         """The Verdict on an answer that was attempted."""
         raise NotImplementedError
 
+    def drawn(self, answer: Any, variant: int = 0) -> Any:
+        """A Picture of a wrong answer with the first thing that does not fit marked, never of the
+        right one; None where there is nothing to draw.
+        """
+        return None
+
     def say(self, status: str, headline: str = "", **words: Any) -> Verdict:
         """A Verdict of this exercise."""
         return Verdict(

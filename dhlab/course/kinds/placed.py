@@ -12,6 +12,7 @@ from ...geometry.equivalence import equivalent
 from ...placing.board import Placement
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
+from .drawn import drawn_frames
 from .reading import as_numbers, is_array_of, unusable
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
@@ -146,6 +147,17 @@ class Frames(Exercise):
                 NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}."
             )
         return self.say(RIGHT, f"{self.praise}{_other_choices(task)}")
+
+    def drawn(self, answer: Any, variant: int = 0) -> Any:
+        given = self.given(variant)
+        rows = _rows(answer, len(given["axes"]) + 1)
+        if isinstance(rows, str):
+            return None
+        task = Placement(given["axes"], given["end"])
+        wrong = _first_wrong(task, rows)
+        if wrong is None:
+            return None
+        return drawn_frames(task, wrong, rows[int(wrong.step[1:])]["zox".index(wrong.step[0])])
 
     def _refused(self, task, judgement, allowed):
         step, rule = judgement.step, judgement.rule

@@ -14,6 +14,7 @@ from ...geometry.equivalence import equivalent
 from ...table import DHTable
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .arms import SAME, apart, in_table_units, size, where
+from .drawn import drawn_table
 from .exercise import Exercise, Said, no_draw, untouched
 from .functions import CASES
 from .reading import Unreadable, plain, unusable
@@ -85,6 +86,13 @@ class Table(Exercise):
         if max(off) <= self.tolerance:
             return self._right(arm, right, off)
         return self.slowly(self._explained(arm, right, q, variant))
+
+    def drawn(self, answer: Any, variant: int = 0) -> Any:
+        right = self.right_arm(variant)
+        arm = self.arm_of(answer, right)
+        if isinstance(arm, Verdict) or arm.table.joints != right.table.joints:
+            return None
+        return drawn_table(arm, right)
 
     def _right(self, arm, right, off):
         """The Verdict on a right table: how it is another one than ours, or how far off it is."""

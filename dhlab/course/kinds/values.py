@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..verdict import Verdict
+from .drawn import drawn_pose
 from .exercise import Exercise, Said, no_draw
 from .reading import Unreadable, plain
 from .units import LOOSELY, Group, in_other_units, of_places
@@ -88,6 +89,15 @@ class Value(Exercise):
         if np.array_equal(array, np.trunc(expected)) and array.dtype.kind == "i":
             return self.told("integer-arrays", CUT_OFF)
         return self.wrong(headline="these are not the numbers", place=self._place(off))
+
+    def drawn(self, answer: Any, variant: int = 0) -> Any:
+        expected = np.asarray(self.answer(**self.given(variant)), dtype=float)
+        try:
+            array = plain(answer)
+        except Unreadable:
+            return None
+        poses = expected.shape == array.shape == (4, 4) and self.units == "pose"
+        return drawn_pose(array, self.differs(array, expected)) if poses else None
 
     def _groups(self, expected):
         """The numbers by their units."""

@@ -24,7 +24,7 @@ from ..drawing.triads import add_triads
 from ..given import spread
 from ..picture import Picture
 
-__all__ = ["axes"]
+__all__ = ["add_lines", "axes", "pairs_of"]
 
 HEADINGS = ("axis", "kind", "a point (m)", "direction", "to the next axis")
 KINDS = {"R": "turns", "P": "slides", "tool": "end"}
@@ -85,11 +85,11 @@ def axes(
         for entry, axis in zip(axes, bare.axes)
     ]
     given.append((bare.end[:3, 3], bare.end[:3, 2], "tool"))
-    pairs = _pairs(given, bare.reach)
+    pairs = pairs_of(given, bare.reach)
     size = max(spread(np.array([p for p, *_ in given])), 0.5 * bare.reach)
     scene, camera = Scene(), orbit()
     height = floor_height(np.array([p for p, *_ in given]))
-    _add_lines(scene, given, pairs, size, height)
+    add_lines(scene, given, pairs, size, height)
     if normals:
         _add_normals(scene, pairs, size)
     placed = frames or {}
@@ -115,7 +115,7 @@ def axes(
     return picture
 
 
-def _pairs(given, reach):
+def pairs_of(given: Sequence[Any], reach: float) -> list[Geometry | None]:
     """How each line lies to the next: Geometry, or None beside a sliding joint, whose line may be
     anywhere.
     """
@@ -131,7 +131,12 @@ def _pairs(given, reach):
     return found
 
 
-def _add_lines(scene, given, pairs, size, height):
+def add_lines(
+    scene: Scene, given: Sequence[Any], pairs: Sequence[Geometry | None], size: float, height: float
+) -> None:
+    """Add joint axes to a scene: (point, direction, letter) for each, the tool's last, which is not
+    drawn.
+    """
     tool, along, _ = given[-1]
     # no arrow head on the tool's frame
     tips = [tool + reach * size * along for reach in (0, TRIAD / 2, TRIAD)]
