@@ -19,8 +19,8 @@ class Finding:
     joint : int or None
         1-based row or joint; None when it is everywhere.
     parameter : str or None
-        ``"theta"``, ``"d"``, ``"a"``, ``"alpha"``, ``"sign"``, ``"base"``, ``"tool"``, ``"q"``,
-        ``"poses"`` or None.
+        ``"theta"``, ``"d"``, ``"a"``, ``"alpha"``, ``"sign"``, ``"coupling"``, ``"base"``,
+        ``"tool"``, ``"q"``, ``"poses"`` or None.
     place : str
         Where, in words; empty when it is everywhere.
     detail : str
@@ -79,6 +79,7 @@ def _described(arm):
         "joints": table.joints,
         "rows": table.rows.tolist(),
         "sign": arm.sign.tolist(),
+        "coupling": None if arm.coupling is None else arm.coupling.tolist(),
         "base": arm.base.tolist(),
         "tool": arm.tool.tolist(),
     }

@@ -3,7 +3,6 @@
 import numpy as np
 
 from ...arm import Arm
-from ...geometry.conversion import require_uncoupled
 from ...geometry.parallels import cancelling
 from ...printing import number
 from ...transform import pose_fault
@@ -29,7 +28,6 @@ def measured(arm, q, poses, noise, base, tool):
     """
     if not isinstance(arm, Arm):
         raise ValueError(f"diagnose: expected an Arm or a DHTable, found {type(arm).__name__}")
-    require_uncoupled(arm, "diagnose")
     for name, value in (("base", base), ("tool", tool)):
         if value not in ("fixed", "free"):
             raise ValueError(f'diagnose: {name}: expected "fixed" or "free", found {value!r}')

@@ -28,6 +28,7 @@ DOUBT = 8.0  # nats by which mistakes must explain a small misfit better than a 
 RIVAL = 4.0  # nats dearer, and still as good where the poses are few
 FOR_PAIRS = 0.35  # share of the time that the search for two mistakes may take
 CHEAPEST_PAIR = 10.0  # nats; where two mistakes could not convince, they are not looked for
+MANY_NUMBERS = 2  # that nobody would have guessed: too many for few poses to prove
 CLEAR = 4.0  # nats by which a calibration must be better than the table as it is
 
 
@@ -45,12 +46,15 @@ def decide(arm, data, notes, budget):
     whole = calibration(arm, now, data) if small else None
     found = list(budget.within(singles(arm, data), "one mistake"))
     choice = choose(arm, found, data, now)
-    if not _settles(choice, whole) and least_needed(now.arm, data) > CHEAPEST_PAIR:
+    few = distinct(data.q) < FEW
+    numbers = choice.best is not None and choice.best.explanation.odd >= MANY_NUMBERS
+    if (not _settles(choice, whole) or (few and numbers)) and least_needed(
+        now.arm, data
+    ) > CHEAPEST_PAIR:
         found += budget.within(pairs(arm, data), "two mistakes", share=FOR_PAIRS)
         choice = choose(arm, found, data, now)
     if _settles(choice, whole):
         return _told(arm, data, now, choice, notes, budget)
-    few = distinct(data.q) < FEW
     if few and choice.best is not None:
         return undecided(data, now, choice.fitting, notes, budget)
     if whole and whole.cost + CLEAR < as_it_is(now.arm, data) and explains_better(whole, data):
@@ -72,7 +76,10 @@ def _told(arm, data, now, choice, notes, budget):
     as_good = [w for w in choice.fitting if w.cost <= best.cost + RIVAL]
     at = data if data.stated else replace(data, noise=best.level)
     explanations = [w.explanation for w in as_good]
-    if distinct(data.q) < FEW and rivals_of(explanations[0], explanations[1:], at):
+    few = distinct(data.q) < FEW
+    if few and explanations[0].odd >= MANY_NUMBERS:
+        return undecided(data, now, choice.fitting, notes, budget)
+    if few and rivals_of(explanations[0], explanations[1:], at):
         return undecided(data, now, choice.fitting, notes, budget)
     told = [w.explanation for w in choice.convincing]
     return explained(arm, at, now, told, (*notes, *_noise_left(best, data)))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .changes import SLIDING, ArmChange, JointChange, MeasuredChange, RowChange, Slip, scaled
+from .changes import SLIDING, ArmChange, JointChange, RowChange, Slip, scaled
 from .registry import OFFSET, SENSE, mistake
 from .remade import THETA, with_parts, with_rows
 
@@ -159,24 +159,48 @@ def _offsets_summed(rows, q):
     return np.concatenate([0 * rows[..., :1], rows[..., 1:]], axis=-1), sums
 
 
-@mistake("joints-coupled")
+@mistake("joints-coupled", value_of=("coupling",))
 def joints_coupled():
-    def undo(n):
-        """A neighbour's value left out, or counted once too often."""
-        for j in range(1, n):
-            for sign in (1, -1):
-                matrix = np.eye(n)
-                matrix[j, j - 1] = sign
-                place = f"q{j + 1} {'+' if sign > 0 else '-'} q{j} in place of q{j + 1}"
-                yield j + 1, place, lambda q, p, R, matrix=matrix: (q @ matrix.T, p, R)
-        for j in range(2, n):
-            for sign in (1, -1):  # two motors of a wrist drive one joint
-                matrix = np.eye(n)
-                matrix[j, j - 2] = sign
-                place = f"q{j + 1} {'+' if sign > 0 else '-'} q{j - 1} in place of q{j + 1}"
-                yield j + 1, place, lambda q, p, R, matrix=matrix: (q @ matrix.T, p, R)
+    yield ArmChange(_coupled_otherwise, "coupling", undo=_coupled_back, only="arm")
 
-    yield MeasuredChange(undo, "q")
+
+def _coupled_otherwise(arm):
+    """Each coupling left out, counted twice, with the wrong sign; and one where there is none."""
+    C = _coupling(arm)
+    for j, k in _pairs(arm):
+        for value in (0.0, 2 * C[j, k], -C[j, k]) if C[j, k] else (1.0, -1.0):
+            yield j + 1, "", _with_coupling(arm, j, k, value)
+
+
+def _coupled_back(arm):
+    """What takes these back; a coupling that is twice what it should be is halved."""
+    C = _coupling(arm)
+    for j, k in _pairs(arm):
+        for value in (0.0, -C[j, k], C[j, k] / 2, 2 * C[j, k]) if C[j, k] else (1.0, -1.0):
+            yield _with_coupling(arm, j, k, value), ()
+
+
+def _coupling(arm):
+    return np.eye(len(arm)) if arm.coupling is None else arm.coupling
+
+
+def _pairs(arm):
+    """(joint, what moves it too), from 0: the joint before, or the one before that as in a wrist
+    that two motors drive; and whatever the arm itself couples.
+    """
+    C, joints, n = _coupling(arm), arm.table.joints, len(arm)
+    for j in range(n):
+        for k in range(n):
+            usual = (k == j - 1 and j >= 1) or (k == j - 2 and j >= 2)
+            if j != k and joints[j] == joints[k] and (usual or C[j, k]):
+                yield j, k
+
+
+def _with_coupling(arm, j, k, value):
+    """The arm with one number of its coupling changed; None where nothing is coupled any more."""
+    C = _coupling(arm).copy()
+    C[j, k] = value
+    return with_parts(arm, coupling=None if np.array_equal(C, np.eye(len(arm))) else C)
 
 
 # ---- sliding joints

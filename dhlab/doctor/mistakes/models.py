@@ -40,7 +40,10 @@ def models(arm, makers=None):
     """
     for name, model in _loaded(makers, arm.table.joints):
         rows, convention = model.table.rows, model.table.convention
-        yield name, with_rows(arm, rows, convention=convention, sign=model.sign)
+        yield (
+            name,
+            with_rows(arm, rows, convention=convention, sign=model.sign, coupling=model.coupling),
+        )
 
 
 def which_model(mistake, arm):

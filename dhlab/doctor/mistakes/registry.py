@@ -59,8 +59,8 @@ def mistake(id, *, preference=OTHER, value_of=()):
         One of the kinds above.
     value_of : tuple of str
         What this mistake is the name of when it has any other wrong value: ``"theta"``, ``"d"``,
-        ``"a"``, ``"alpha"``, ``"sign"``, ``"tool"``, ``"base turn"``, ``"base shift"``; or of a
-        whole table: ``"rows are craig"``, ``"rows are standard"``.
+        ``"a"``, ``"alpha"``, ``"sign"``, ``"coupling"``, ``"tool"``, ``"base turn"``,
+        ``"base shift"``; or of a whole table: ``"rows are craig"``, ``"rows are standard"``.
     """
 
     def register(function):

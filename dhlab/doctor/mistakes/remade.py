@@ -29,7 +29,7 @@ def with_rows(arm, rows, **parts):
 
 
 def with_parts(arm, **parts):
-    """The arm with another base, tool or sign; unchecked, like :func:`with_rows`."""
+    """The arm with another base, tool, sign or coupling; unchecked, like :func:`with_rows`."""
     changed = object.__new__(Arm)
     changed.__dict__.update(arm.__dict__, **parts)
     changed.__dict__.pop("_kinematics", None)

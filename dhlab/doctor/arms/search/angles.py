@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...mistakes.remade import ALPHA, THETA, with_rows
+from ...mistakes.remade import ALPHA, THETA, with_parts, with_rows
 from .ends import carried, place_ends
 from .fitting import fit
 from .signs import entries_of
@@ -85,7 +85,8 @@ def all_offsets(arm, data):
     grid = np.column_stack([np.zeros(len(grid)), grid])
     if len(grid) > 1100:
         grid = grid[(grid > 0).sum(1) <= 4]
-    T = arm.forward(data.q[:3] + (arm.sign * ~arm.table.prismatic) * grid[:, None])
+    joints = with_parts(arm, sign=np.ones(n), coupling=None)  # each joint by itself, offsets too
+    T = joints.forward(arm.joint_values(data.q[:3]) + ~arm.table.prismatic * grid[:, None])
     free = tuple((i, THETA) for i in range(n) if arm.table.joints[i] == "R")
     for k in np.argsort(_grid_misfit(T, data))[:3]:
         rows = arm.table.rows

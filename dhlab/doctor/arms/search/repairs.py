@@ -40,6 +40,7 @@ def _key(arm):
         arm.table.joints,
         arm.table.rows.tobytes(),
         arm.sign.tobytes(),
+        None if arm.coupling is None else arm.coupling.tobytes(),
         arm.base.tobytes(),
         arm.tool.tobytes(),
     )

@@ -6,7 +6,7 @@ from ....printing import number
 from ....table import COLUMNS
 from ...mistakes.remade import ALPHA, THETA
 
-__all__ = ["difference_text", "end_text", "moved_by", "number_text", "wrapped"]
+__all__ = ["coupling_texts", "difference_text", "end_text", "moved_by", "number_text", "wrapped"]
 
 MOST_SHOWN = 8
 
@@ -25,12 +25,34 @@ def difference_text(wrong, right):
     parts += [
         f"joint {i + 1} counts the other way" for i in np.flatnonzero(wrong.sign != right.sign)
     ]
+    parts += coupling_texts(wrong, right)
     parts += [
         end_text(wrong, right, end)
         for end in ("base", "tool")
         if not np.allclose(getattr(wrong, end), getattr(right, end), atol=1e-9) and not parts
     ]
     return "; ".join(parts)
+
+
+def coupling_texts(wrong, right):
+    """For every joint that other joints move otherwise: what moves it, and what should."""
+    was, should = (np.eye(len(a)) if a.coupling is None else a.coupling for a in (wrong, right))
+    return [
+        f"joint {j + 1} turns by {_sum_text(was[j] * wrong.sign)}, should turn by"
+        f" {_sum_text(should[j] * right.sign)}"
+        for j in np.flatnonzero(np.abs(was - should).max(axis=1) > 1e-9)
+    ]
+
+
+def _sum_text(factors):
+    """``q3 + q2`` of a row of factors; the joint's own q first."""
+    terms = [(k, c) for k, c in enumerate(factors) if c]
+    terms.sort(key=lambda term: -term[0])
+    said = ""
+    for k, c in terms:
+        sign = ("-" if c < 0 else "") if not said else (" - " if c < 0 else " + ")
+        said += sign + ("" if abs(c) == 1 else f"{number(abs(c), 3)} ") + f"q{k + 1}"
+    return said
 
 
 def number_text(was, should, column):

@@ -12,7 +12,7 @@ from ...mistakes.registry import OTHER, preference, value_mistake
 from ...mistakes.remade import ALPHA, THETA, A, D
 from ..search.fitting import misfit
 from ..search.measured import Measured
-from .differences import difference_text, end_text, moved_by, number_text, wrapped
+from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
 
 __all__ = ["name_change", "name_data_fault", "name_every_change"]
@@ -148,6 +148,7 @@ def _same_numbers(a, b, slack):
         a.table.convention == b.table.convention
         and np.abs(apart).max() <= slack
         and np.array_equal(a.sign, b.sign)
+        and not coupling_texts(a, b)
     )
 
 
@@ -221,6 +222,8 @@ def _by_difference(wrong, right):
     if len(signs):
         joint = int(signs[0]) + 1
         return [(value_mistake("sign"), joint, "sign", f"joint {joint}", "")]
+    if coupled := coupling_texts(wrong, right):
+        return [(value_mistake("coupling"), None, "coupling", "", "; ".join(coupled))]
     end = "base" if not np.allclose(wrong.base, right.base) else "tool"
     return [_by_end(wrong, right, end)]
 

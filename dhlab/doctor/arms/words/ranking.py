@@ -10,7 +10,7 @@ import numpy as np
 from ...mistakes.remade import A, D, with_parts, with_rows
 from ..search.fitting import Fit, fit, misfit
 from ..search.measured import Measured, limit
-from .differences import difference_text
+from .differences import coupling_texts, difference_text
 from .naming import name_change, name_data_fault
 
 __all__ = [
@@ -53,6 +53,7 @@ def _touched(arm, repaired):
     return int(
         (np.abs(arm.table.rows - repaired.table.rows) > 1e-9).sum()
         + (arm.sign != repaired.sign).sum()
+        + len(coupling_texts(arm, repaired))
     )
 
 
