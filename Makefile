@@ -2,7 +2,7 @@
 # make check    lint, imports, types and the quick tests: for the one who is writing
 # make test     everything that is tested, as CI does
 # make fuzz     the quick tests on other numbers in every run
-# make site     the static pages, in docs/_build/html
+# make site     the static pages, in docs/_build/html; make site LIVE=1: lessons run in their page
 # make lessons  the notebooks from their sources; make lessons LESSON=05 does one
 # make bench    exactness and speed; make bench QUICK=yes draws less
 
@@ -43,7 +43,7 @@ test-deps:
 	@$(PYTHON) tests/system_packages.py
 
 site: .venv/test
-	$(BIN)/python docs/build.py
+	$(BIN)/python docs/build.py $(if $(LIVE),--live)
 
 lessons: .venv/test
 	$(BIN)/python -m dhlab.course.building.build $(LESSON)

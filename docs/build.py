@@ -3,6 +3,7 @@ reader's browser sent elsewhere.
 
     python docs/build.py          # docs/_build/html
     python docs/build.py OUT      # OUT/html
+    python docs/build.py --live   # lessons that run in their page as well, 37 MB more
 
 In OUT the folders html, source, doctrees and executed belong to the build.
 
@@ -205,7 +206,15 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("out", nargs="?", type=Path, default=DOCS / "_build")
-    sys.exit(build(parser.parse_args().out.resolve()))
+    parser.add_argument("--live", action="store_true", help="with Python for the pages")
+    given = parser.parse_args()
+    status = build(given.out.resolve())
+    if given.live:
+        sys.path.insert(0, str(DOCS / "live"))
+        from gather import into
+
+        into(given.out.resolve() / "html")
+    sys.exit(status)
 
 
 if __name__ == "__main__":

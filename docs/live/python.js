@@ -1,0 +1,21 @@
+// Python, from files that stand beside this one: the same in a page's worker and in Node.
+
+// host: { bytes(name) → Promise of a Uint8Array, now(name) → a Uint8Array at once, send(text) }
+export async function start(host, { loadPyodide, createPyodideModule, options = {} }) {
+  const python = await loadPyodide({ createPyodideModule, packages: [], ...options });
+  const [wheels, bridge, widgets] = await Promise.all(["wheels.json", "bridge.py", "anywidget.py"].map(host.bytes));
+  const text = (bytes) => new TextDecoder().decode(bytes);
+  python.registerJsModule("page", { wheel: host.now, wheels: text(wheels), send: host.send });
+  const site = python.runPython("import site; site.getsitepackages()[0]");
+  python.FS.mkdirTree(site);
+  python.FS.writeFile(`${site}/bridge.py`, bridge);
+  python.FS.writeFile(`${site}/anywidget.py`, widgets);
+  const made = python.pyimport("bridge");
+  return {
+    python,
+    run: (cell, source) => made.run(cell, source),
+    hear: (message) => made.hear(JSON.stringify(message)),
+    log: (lines) => (lines === undefined ? made.log() : made.log(lines)),
+    fresh: () => made.fresh(),
+  };
+}
