@@ -19,13 +19,14 @@ ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(
     r"^(`{3,})\{code-block\} (\w+)\n:caption: (\S+)\n\n(.*?)^\1$", re.DOTALL | re.MULTILINE
 )
+OPTION = re.compile(r'^- `"(\w)"` (.*)$', re.MULTILINE)
 ANSWERS = {
     "ada": (
         (
             'touches = (dh.load("article-6r").forward(np.deg2rad(task["q"])) @ [0, 0,'
             ' task["length"], 1])[:3]'
         ),
-        'changed = "b"',
+        'changed = "{the tool, and nothing of the table}"',  # the letter that it has in her lesson
     ),
     "bo": (
         'touches = dh.load("article-6r").forward(np.deg2rad(task["q"]))[:3, 3]',
@@ -80,6 +81,11 @@ def run(place, line):
     return done.stdout
 
 
+def _with_letter(answer, letters):
+    """An answer with the letter in the place of an option's text."""
+    return re.sub(r"\{(.*?)\}", lambda text: letters[text[1]], answer)
+
+
 @pytest.fixture(scope="module")
 def graded(clone, blocks):
     run(clone, blocks["release"])
@@ -87,8 +93,10 @@ def graded(clone, blocks):
         source = clone / "handed-out" / student / "10-suction-cup.ipynb"
         notebook = nbformat.read(source, as_version=4)
         cells = [cell for cell in notebook.cells if "exercise" in cell.metadata]
+        shown = "\n".join(cell.source for cell in notebook.cells)
+        letters = {text: letter for letter, text in OPTION.findall(shown)}
         for cell, answer in zip(cells, answers):
-            cell.source = f"{cell.source}\n{answer}"
+            cell.source = f"{cell.source}\n{_with_letter(answer, letters)}"
         (clone / "handed-in" / student).mkdir(parents=True)
         nbformat.write(notebook, clone / "handed-in" / student / source.name)
     run(clone, blocks["grade"])
