@@ -26,6 +26,7 @@ DIALECTS = {
 }
 ROLES = ("theta", "d", "a", "alpha")
 LONGEST_ARM = 3.0  # metres
+MOST_TURNS = 4.1 * np.pi  # radians; no table has a larger angle
 STEP = 15  # degrees; angles in tables are multiples of it
 LENGTHS = ("mm", "cm", "m", "in")
 PLACE = {
@@ -168,17 +169,19 @@ def _kind(column):
     right_angles = (
         np.abs(values / 90 - np.round(values / 90)).max() < 1e-9 and np.abs(values).max() <= 360
     )
+    small = np.abs(values).max() < MOST_TURNS  # 710 is 452 quarter turns, to the fourth digit
     quarters = np.abs(values - np.round(values / (np.pi / 2)) * np.pi / 2).max() < 2e-3
-    if quarters:
+    if small and quarters:
         return "angle"
     if right_angles:
         return "any" if np.abs(values).max() >= LONGEST_ARM else "length"
     fine = (
         np.abs(values - np.round(values / STEP) * STEP).max() < 1e-9 and np.abs(values).max() <= 360
     )
-    turns = np.abs(values - np.round(values / (np.pi / 12)) * np.pi / 12).max() < 2e-3
-    mixed = all(
-        min(abs(v - round(v / 90) * 90), abs(v - round(v / (np.pi / 2)) * np.pi / 2)) < 2e-3
+    turns = small and np.abs(values - np.round(values / (np.pi / 12)) * np.pi / 12).max() < 2e-3
+    mixed = np.abs(values).max() <= 360 and all(
+        abs(v - round(v / 90) * 90) < 2e-3
+        or (abs(v) < MOST_TURNS and abs(v - round(v / (np.pi / 2)) * np.pi / 2) < 2e-3)
         for v in values
     )
     return "any" if fine or turns else "angle" if mixed else "length"

@@ -13,10 +13,14 @@ from ..cells import Cell, plain, read_cell
 from ..language.roles import ROLES, role_of, unit_in
 from ..pasted import Pasted
 
-__all__ = ["from_grid"]
+__all__ = ["from_grid", "header", "units_of"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
 TURNED = {"yes": -1, "true": -1, "1": -1, "y": -1, "x": -1, "no": 1, "false": 1, "0": 1, "n": 1}
+ROOM = re.compile(
+    r"[-+]?[xyz][-+]?|\(?\s*-?\d[\d.]*(\s*[,; ]\s*-?\d[\d.]*){2}\s*\)?"
+    r"|up|down|left|right|forward|backward|vertical|horizontal"
+)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 KINDS = {
     "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
@@ -24,8 +28,8 @@ KINDS = {
     "fixed": "fixed", "f": "fixed", "static": "fixed",
 }  # fmt: skip
 SIGNS = {
-    **dict.fromkeys(("+", "+1", "1", "+z", "ccw", "positive", "normal"), 1),
-    **dict.fromkeys(("-", "-1", "-z", "cw", "negative", "reversed", "inverted"), -1),
+    **dict.fromkeys(("+", "+1", "1", "+z", "z+", "z", "ccw", "positive", "normal"), 1),
+    **dict.fromkeys(("-", "-1", "-z", "z-", "cw", "negative", "reversed", "inverted"), -1),
 }
 
 
@@ -49,6 +53,23 @@ def header(cells):
     )
 
 
+def units_of(cells):
+    """The units, "" where a cell has none, when a line holds units and nothing else, as a
+    spreadsheet has it below its heading; None of other lines.
+
+    Examples
+    --------
+    >>> units_of(["", "[deg]", "mm", "(mm)", "°", "-"])
+    ['', 'deg', 'mm', 'mm', 'deg', '']
+    """
+    words = [plain(str(cell)).strip("[]()/ ") for cell in cells]
+    found = ["" if word in ("", "-", "1") else unit_in(f"x [{word}]") for word in words]
+    said = sum(map(bool, found))
+    if said < 2 or any(word not in ("", "-", "1") and not unit for word, unit in zip(words, found)):
+        return None
+    return found
+
+
 def _bare(cell):
     return re.sub(r"[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])]", "", plain(str(cell))).strip("$* ")
 
@@ -65,13 +86,19 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     roles, why, units : optional
         The order of the columns where something else than a heading says it.
     """
-    said, because, rows, heads, names = None, "", [], units or {}, []
+    said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
     for where, cells in grid:
         head = header(cells) if not rows else None
         if head:
             roles, heads, said = head
+            roles, notes = _with_directions(roles, grid)
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
             why, because = "as the header says", _because(said)
+            continue
+        below = units_of(cells) if roles and not rows else None
+        if below:
+            named = zip(reversed(roles), reversed(below))  # empty first cells may be lost
+            heads = {**{role: unit for role, unit in named if unit and role}, **heads}
             continue
         if not rows and _is_title(cells):
             continue
@@ -86,12 +113,31 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     kept = roles and tuple(role for role in roles if role in KEPT)
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
-        labels, kinds, signs, form=form,
+        labels, kinds, signs, form=form, notes=notes,
     )  # fmt: skip
     table = _even(table)
     if said == "i" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
     return table
+
+
+def _with_directions(roles, grid):
+    """The roles and notes where a column of directions stands: whether they are senses of joints,
+    or where the axes point in the room, which the angles of the table say already.
+    """
+    named = next((role for role in roles if role in ("direction", "sign")), "")
+    if not named:
+        return roles, ()
+    k = roles.index(named) - len(roles)  # from the end: labels may hold spaces
+    words = [plain(str(cells[k])) for _, cells in grid if len(cells) >= len(roles)]
+    room = [word for word in words if ROOM.fullmatch(word)]
+    if any("z" not in word for word in room):
+        note = "where the axes point in the room was left out: the angles of the rows say it"
+        return tuple("room" if role == named else role for role in roles), (note,)
+    if any(SIGNS.get(word) == -1 for word in words):
+        note = "the column of directions is taken for the sense in which each joint counts"
+        return roles, (note,)
+    return roles, ()
 
 
 def _require_no_fifth(names, cells, where):

@@ -6,7 +6,7 @@ from collections import Counter
 from ..cells import read_cell
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
-from .grid import from_grid, header
+from .grid import from_grid, header, units_of
 
 __all__ = ["read"]
 
@@ -149,7 +149,9 @@ def _one_cell_a_line(grid, lines):
         if len(cells) < 4 or not header(cells):
             continue
         rest = [(number, line) for number, line in lines if number > int(grid[k][0].split()[1])]
-        if len(rest) < 2 * len(cells) or any(len(_cells(line, True)) > 1 for _, line in rest):
+        if len(rest) < 2 * len(cells) or any(
+            "|" in line or len(_cells(line, True)) > 1 for _, line in rest
+        ):
             return None
         rows = [rest[at : at + len(cells)] for at in range(0, len(rest), len(cells))]
         if len(rows[-1]) < len(cells):
@@ -171,7 +173,10 @@ def _table_only(grid):
     rows = [
         k
         for k, (_, cells) in enumerate(grid)
-        if k not in heads and (not heads or k > heads[0]) and _is_row(cells, width)
+        if k not in heads
+        and (not heads or k > heads[0])
+        and _is_row(cells, width)
+        and not units_of(cells)
     ]
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
         raise ValueError(
@@ -180,7 +185,7 @@ def _table_only(grid):
         )
     if not rows:
         return [grid[k] for k in heads]
-    kept = []
+    kept = [grid[k] for k in range(heads[0] + 1, rows[0]) if units_of(grid[k][1])] if heads else []
     for k in range(rows[0], rows[-1] + 1):
         if k in rows:
             kept.append(grid[k])

@@ -6,6 +6,7 @@ import re
 
 from ..cells import cell_of
 from ..language.roles import role_of
+from ..language.source import DEFINED
 from ..pasted import Row, from_rows
 
 __all__ = ["read"]
@@ -21,10 +22,13 @@ NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 def read(source, nominal=None):
     """The Pasted table of numbered names; None when d, a and alpha are not all there."""
     found: dict = {}
+    unread: dict = {}
     for name, index, text in _named(source.code):
         role = role_of(name)[0]
-        value = source.value(text.strip().rstrip(".)"))
-        if role in NAMES and value is not None:
+        value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
+        if role in NAMES and value is None:
+            unread.setdefault((role, int(index)), text.strip())
+        elif role in NAMES:
             found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
     if "a" not in found and "r" in found:
         found["a"] = found.pop("r")
@@ -43,6 +47,7 @@ def read(source, nominal=None):
         if "alpha" not in cells and "d" not in cells and "a" not in cells:
             continue
         rows.append((cells, _kind(cells, found)))
+    _require_read(unread, found)
     gaps = {
         role: [k for k, (cells, _) in enumerate(rows, first) if role not in cells]
         for role in ("d", "alpha", "a")
@@ -61,6 +66,16 @@ def read(source, nominal=None):
     )
 
 
+def _require_read(unread, found):
+    """A number that is given and cannot be read must not be taken for 0."""
+    for (role, k), text in unread.items():
+        if k not in found.get(role, {}):
+            raise ValueError(
+                f"recognise_table: {role}{k}: expected a number, found {text[:40]!r}; write the"
+                " number, or what its letters are"
+            )
+
+
 def _named(code):
     """(name, index, text) of every assignment with a number in its name."""
     for match in FIELD.finditer(code):
@@ -69,6 +84,9 @@ def _named(code):
         yield match[1], match[2], match[3]
     for match in PAIR.finditer(code):
         yield match[1], match[2], match[3]
+    for name, text in DEFINED.findall(code):
+        if found := re.fullmatch(r"([A-Za-z_]+?)_?(\d+)", name):
+            yield found[1], found[2], text.split("//")[0].strip()
 
 
 def _shift(found):

@@ -81,7 +81,9 @@ def _dictionaries(source):
 def _numbers(source):
     found = groups(source.code)
     grid = max(
-        (*map(_matrix, found), _one_a_call(found), *_streams(source.code)), key=_size, default=None
+        (*map(_matrix, found), _one_a_call(found), _one_a_name(found), *_streams(source.code)),
+        key=_size,
+        default=None,
     )
     if not grid or len(grid) < 1 or _size(grid) < 4:
         return None
@@ -198,6 +200,19 @@ def _one_a_call(found):
         if group.outer is not None and group.outer.name and group.mark != "(" and len(cells) == 4:
             rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
     return max(rows.values(), key=len, default=[])
+
+
+def _one_a_name(found):
+    """The rows in arrays that are numbered: ``float link1[] = {0, L1, 0, 90};``."""
+    rows = {}
+    for group in found:
+        name = re.fullmatch(r"(?:dh_?)?(link|joint|row|dh|param|l|j)_?(\d+)", group.target.lower())
+        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        if name and group.mark != "(" and len(cells) == 4:
+            rows.setdefault(name[1], {})[int(name[2])] = (f"line {group.line}", cells)
+    whole = [one for one in rows.values() if sorted(one) == list(range(min(one), max(one) + 1))]
+    numbered = max(whole, key=len, default={})
+    return [numbered[k] for k in sorted(numbered)] if len(numbered) > 1 else []
 
 
 def _streams(code):

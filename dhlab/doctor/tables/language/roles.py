@@ -1,6 +1,7 @@
 """Which parameter a heading or a name means."""
 
 import re
+import unicodedata
 
 from .letters import unified
 
@@ -16,6 +17,15 @@ UNIT = re.compile(
     re.IGNORECASE,
 )
 UNIT_OF = {"degrees": "deg", "degree": "deg", "°": "deg", "radians": "rad", "radian": "rad"}
+FOREIGN = (  # German, French, Spanish, Italian; Chinese and Japanese; without accents
+    (r"verdreh|verwind|torsion|torsione|扭|连杆转角|連桿轉角|ねじれ", "alpha"),
+    (r"gelenkwinkel|drehwinkel|angle articulaire|angle de (l'|la )|angulo (de|articular)"
+     r"|angolo (di|del)|关节(转)?角|關節(轉)?角|関節角", "theta"),
+    (r"versatz|decalage|desplazamiento|偏距|偏置|偏移|オフセット|リンク間", "d"),
+    (r"lange\b|laenge\b|longueur|longitud|lunghezza|杆(件)?长|桿(件)?長|リンク長|リンクの長",
+     "a"),
+    (r"achsrichtung|drehrichtung|方向", "direction"),
+)  # fmt: skip
 PHRASES = (  # the first that fits
     (r"\balphas?\b|\balfas?\b|\balp\b|\btwist", "alpha"),
     (
@@ -42,12 +52,20 @@ PHRASES = (  # the first that fits
 )
 LETTERS = {"d": "d", "a": "a", "r": "r", "q": "theta", "al": "alpha", "t": "theta"}
 LABELS = (
-    "i j k n no # link joint row name frame axis linki frames links joints transformation".split()
+    "i j k n no # link joint row name frame axis linki frames links joints transformation"
+    " gelenk achse glied nr articulation liaison axe articulacion eje giunto 关节 轴 连杆 关节号"
+    " 序号 關節 軸 関節 リンク".split()
 )
 FILLER = re.compile(
     r"\b(dh|mdh|sdh|params?|parameters?|vals?|values?|list|arr|array|vec|vector|robot|self|this|std"
     r"|nominal|i|j|n|in|arm|my|the|column|link|const|double|float|constants?|config|table)\b"
 )
+
+
+def _without_accents(text):
+    """``länge`` as ``lange``: letters without the marks on them."""
+    apart = unicodedata.normalize("NFKD", text)
+    return "".join(c for c in apart if not unicodedata.combining(c)).strip()
 
 
 def unit_in(text):
@@ -86,6 +104,15 @@ def role_of(text):
     words = re.sub(r"[\[\](){}_,;:./|*'\"]+", " ", bare)
     words = re.sub(r"(?<=[a-z])0?[ijk]\b|(?<=\bd)h\b", "", words) if len(words) < 8 else words
     words = " ".join(FILLER.sub(" ", words).split())
+    if words in LABELS:
+        return "label", False
+    foreign = _without_accents(bare)
+    if foreign in LABELS:
+        return "label", False
+    if not re.search(r"\b(theta|alpha|[adr])\b", words):  # a letter beside it says it better
+        for pattern, role in FOREIGN:
+            if re.search(pattern, foreign):
+                return role, previous
     for pattern, role in PHRASES:
         if re.search(pattern, words) or re.search(pattern, bare):
             return role, previous

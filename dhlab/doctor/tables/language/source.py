@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
 
-__all__ = ["Source", "source_of"]
+__all__ = ["DEFINED", "Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
 BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
