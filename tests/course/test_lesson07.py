@@ -130,10 +130,10 @@ def test_the_tasks_can_be_solved_by_hand_and_by_the_doctor(variant):
     ((i, k),) = np.argwhere(task["rows"] != np.array(ARTICLE))
     assert (
         np.abs(np.linalg.norm(residuals, axis=1) - abs(task["rows"][i, k] - ARTICLE[i][k])).max()
-        < 2e-3
+        < 0.016  # four of the tape's 4 mm
     )
     suspect = dh.Arm(dh.DHTable.standard(task["rows"], angle="deg"))
-    finding = dh.diagnose(suspect, task["q"], task["points"], noise=3e-4).findings[0]
+    finding = dh.diagnose(suspect, task["q"], task["points"], noise=4e-3).findings[0]
     assert (finding.joint, finding.parameter) == (i + 1, ("theta", "d", "a", "alpha")[k])
     puma = EX["07.8"].given(variant)
     ((i, k),) = np.argwhere(puma["rows"] != np.array(PUMA))
@@ -152,7 +152,8 @@ def test_measured_data_are_of_the_right_arm_but_for_the_noise(variant):
         wanted = np.array([pose(rows, q) for q in task["q"]])
         measured = task.get("poses", task.get("points"))
         p = measured[:, :3, 3] if measured.ndim == 3 else measured
-        assert 1e-5 < np.linalg.norm(p - wanted[:, :3, 3], axis=1).max() < 3e-3
+        most = 0.02 if key == "07.3" else 3e-3  # a tape, and optics
+        assert 1e-5 < np.linalg.norm(p - wanted[:, :3, 3], axis=1).max() < most
         if measured.ndim == 3:
             assert np.allclose(
                 measured[:, :3, :3] @ np.swapaxes(measured[:, :3, :3], 1, 2), np.eye(3)

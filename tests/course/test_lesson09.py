@@ -14,12 +14,15 @@ from draws import few, variants
 from scipy.spatial.transform import Rotation
 
 import dhlab as dh
+from dhlab.course import report
 from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.answers09 import AR4, PIPER
 from dhlab.doctor.tables.rows import wrong_tables
+from dhlab.formats.axisfile import AxisSheet
 from dhlab.robots.examples import FOLDER, example
 from dhlab.transform import from_xyz_rpy
+from dhlab.view.explorer.placing import axes_of
 from tests.oracles import CHAINS, chain_disagreement, chain_joints, chain_pose, elementary_pose
 
 FILES = {"ur5e": "ur5e", "ar4": "ar4_mk3", "piper": "piper_2025"}
@@ -394,3 +397,72 @@ def test_ur5es_sheet_is_the_makers_arm():
     scope = {"dh": dh, "end": from_xyz_rpy([-0.8172, -0.2329, 0.0628], [np.pi / 2, 0, 0])}
     exec(cell, scope)
     assert dh.equivalent(dh.assign_frames(scope["axes"], end=scope["end"]), dh.load("ur5e"))
+
+
+# --- any arm comes in by any door ---
+
+
+def five_axes():
+    """An arm of five axes as a sheet knows it: no limits."""
+    return axes_of(dh.load("xarm5"))
+
+
+def a_sheet(folder):
+    axes, end = five_axes()
+    AxisSheet(tuple(axes), end=end).save(folder / "mine.yaml")
+    return "dh.load('mine.yaml')", None
+
+
+def axes_by_hand(folder):
+    return "dh.assign_frames(five_axes()[0], end=five_axes()[1])", None
+
+
+def a_urdf(folder):
+    (folder / "mine.urdf").write_text(example("ar4.urdf").read_text())
+    return "dh.load('mine.urdf')", None
+
+
+def a_table(folder):
+    dh.Arm(dh.load("wx200").table).save(folder / "mine.csv")
+    return "dh.load('mine.csv')", None
+
+
+def a_file_of_poses(folder):
+    """A sheet filled in with a tape, 4 mm."""
+    arm = dh.load("so101")
+    plan, rng = dh.doctor.protocol(arm), np.random.default_rng(2)
+    points = 1000 * arm.forward(plan.q)[:, :3, 3] + rng.normal(0, 4, (len(plan.q), 3))
+    head, names, *lines = plan.to_csv().splitlines()
+    filled = [
+        line.removesuffix(",,,") + "".join(f",{x:.0f}" for x in p) for line, p in zip(lines, points)
+    ]
+    (folder / "mine.csv").write_text("\n".join([head, names, *filled]))
+    return (
+        "dh.load('so101')",
+        "my_q, my_poses = dh.read_poses('mine.csv', len(my_arm), length='mm', angle='deg')",
+    )
+
+
+@pytest.mark.parametrize(
+    "door",
+    [a_sheet, axes_by_hand, a_urdf, a_table, a_file_of_poses],
+    ids=lambda door: door.__name__,
+)
+def test_the_page_takes_an_arm_by_every_door(door, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    arm, poses = door(tmp_path)
+    text = reading.sources(["09"])[0].read_text(encoding="utf-8")
+    cell = re.search(r"^my_arm = .*?^page$", text, re.M | re.S)[0]
+    cell = re.sub(r"(?<=^my_arm = ).*", lambda found: arm, cell, flags=re.M)
+    cell = re.sub(
+        r"^my_poses = .*",
+        lambda found: poses or "my_poses = my_arm.forward(my_q)",
+        cell,
+        flags=re.M,
+    )
+    if poses:
+        cell = cell.replace("noise=(0.0005, 0.002)", "noise=0.004")
+    scope = {"dh": dh, "np": np, "example": example, "report": report, "five_axes": five_axes}
+    exec(cell, scope)
+    assert "agrees" in str(scope["page"])
+    assert len(scope["my_arm"]) == scope["my_q"].shape[1] and len(scope["my_q"]) >= 8

@@ -31,11 +31,8 @@ __all__ = [
     "wrong_offsets",
 ]
 
-COARSE, FINE, TURN = (
-    5e-4,
-    3e-4,
-    2e-3,
-)  # noise: half a millimetre, a third of one, a tenth of a degree
+# noise, m and rad: of a tape, of a camera, of good optics, of an orientation
+TAPE, COARSE, FINE, TURN = 4e-3, 5e-4, 3e-4, 2e-3
 PUMA: list[list[float]] = [
     [0, 0.67183, 0, 90],
     [0, 0, 0.4318, 0],
@@ -116,8 +113,8 @@ def draw_length(rng: np.random.Generator) -> dict[str, Any]:
     rows = np.array(ARTICLE, dtype=float)
     i, k = [(0, 1), (2, 2), (5, 1)][rng.integers(3)]
     rows[i, k] = round(rows[i, k] + rng.choice([-1, 1]) * rng.integers(3, 7) / 100, 2)
-    q = _general(rng, 8, article())
-    return {"rows": rows, "q": q, "points": _points(rng, article(), q, FINE)}
+    q = _general(rng, 12, article())
+    return {"rows": rows, "q": q, "points": _points(rng, article(), q, TAPE)}
 
 
 def story(rng: np.random.Generator) -> dict[str, Any]:

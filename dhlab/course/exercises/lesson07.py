@@ -99,8 +99,8 @@ EXERCISES = [
             ),
             (
                 "Multiply the residuals with an arrow and add over the three coordinates. The"
-                " guilty arrow gives one and the same number at every pose, and what it gives is"
-                " missing in the table."
+                " guilty arrow gives nearly one number at every pose, within the tape's noise, and"
+                " its mean is missing in the table."
             ),
         ),
     ),

@@ -10,6 +10,7 @@ from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
 from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
+from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
     between,
     draw_flange,
@@ -120,6 +121,25 @@ EXERCISES = [
             (
                 "dh.assign_frames takes pairs (point, direction) in metres, and end as a pose:"
                 " transform.from_xyz_rpy makes one, in radians."
+            ),
+        ),
+    ),
+    Value(
+        id="09.10",
+        title="A reading at the stop",
+        points=2,
+        draw=draw_bench,
+        answer=reading,
+        mistakes=misread_bench,
+        units=("", "deg"),
+        entries=("sign", "offset"),
+        turns=(1,),
+        praise="Two numbers from one reading, and no doctor. The cell below asks the tape.",
+        hints=(
+            "At the stop you know both: what the encoder reads, and what q2 is.",
+            (
+                "The encoder counts down where q2 grows: that is the sign. The offset is what makes"
+                " the reading at the stop give the stop's angle."
             ),
         ),
     ),

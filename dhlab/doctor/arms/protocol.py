@@ -96,7 +96,8 @@ def _values(pair, letter):
     """
     step, default = (SLIDE, (0.1, 0.4)) if letter == "P" else (STEP, (-REACH, REACH))
     low, high = pair or default
-    low, high = (low, high) if letter == "P" else (max(low, -REACH), min(high, REACH))
+    if letter == "R" and low < REACH and high > -REACH:  # else all of it is further than that
+        low, high = max(low, -REACH), min(high, REACH)
     values = step * np.arange(np.ceil(low / step + 0.999), np.floor(high / step - 0.999) + 1)
     away = (
         np.abs(values) > step / 2

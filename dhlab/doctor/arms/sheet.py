@@ -116,6 +116,8 @@ def _steps(plan):
         "2. At each pose measure the tool point from that origin, in mm: x and y on the table,"
         " under a plumb line, z above it. 3 to 5 mm is good enough."
     )
+    if plan.arm.limits is None:
+        yield "   No limits are known here: hold every angle against the arm before driving."
     yield "   A pose that cannot be reached is left out; six will do."
     yield (
         "3. Write the numbers into the CSV sheet (--sheet FILE.csv writes it; delete the lines not"

@@ -912,6 +912,47 @@ BETWEEN = [
     (r"these are θ and d of the earlier joint's row", is_value(_craig_row(0, 0, 1))),
 ]
 
+
+def _turn(g):
+    return g["at_stop"] / 4096 * 360
+
+
+def _whole(angle):
+    """Whether an angle in degrees is some whole turns."""
+    return abs((angle + 180) % 360 - 180) < 0.5
+
+
+BENCH = [
+    (
+        r"right at the stop, and from there the wrong way",
+        lambda a, g, f: a[0] == 1 and _whole(a[0] * _turn(g) + a[1] - g["stop"]),
+    ),
+    (
+        r"the sign is right; in the offset the stop's angle has the other sign",
+        lambda a, g, f: a[0] == -1 and _whole(a[1] - _turn(g) + g["stop"]),
+    ),
+    (
+        r"the sign is right; in the offset the reading has the other sign",
+        lambda a, g, f: a[0] == -1 and _whole(a[1] + _turn(g) - g["stop"]),
+    ),
+    (
+        r"the offset is right; the sign is not",
+        lambda a, g, f: a[0] == 1 and _whole(-_turn(g) + a[1] - g["stop"]),
+    ),
+    (
+        r"the sign is right; the offset leaves the stop's angle out",
+        lambda a, g, f: a[0] == -1 and _whole(a[1] - _turn(g)),
+    ),
+    (
+        r"the sign is right; the offset leaves the reading at the stop out",
+        lambda a, g, f: a[0] == -1 and _whole(a[1] - g["stop"]),
+    ),
+    (
+        r"the sign is right; in the offset the reading is still in counts",
+        lambda a, g, f: a[0] == -1 and _whole(a[1] - g["stop"] - g["at_stop"]),
+    ),
+]
+
 CLAIMS = {
     "00.1": PRODUCT,
     "01.1": ARROW,
@@ -931,6 +972,7 @@ CLAIMS = {
     "08.1": COLUMN,
     "08.9": HAND,
     "08.13": REACHED,
+    "09.10": BENCH,
     "09.5": HANDS_ARROW,
     "09.6": BETWEEN,
 }
