@@ -68,9 +68,22 @@ def _from_text(text, values, nominal, length):
     source.asked_length = length or ""
     for read in READERS:
         found = read(source, nominal)
+        if read is rows.read and found is not None:
+            found = _larger(found, source)
         if found is not None:
             return _with_words(found, source) if isinstance(found, Pasted) else found
     raise AssertionError  # the last reader answers or raises
+
+
+def _larger(found, source):
+    """A table with a heading and more rows, where a program stands beside it: what answers of
+    assistants end with is often only the beginning of it.
+    """
+    try:
+        other = lines.read(source)
+    except ValueError:
+        return found
+    return other if other.roles is not None and len(other.rows) > len(found.rows) else found
 
 
 def _with_words(table, source):

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..cells import Cell, plain, read_cell
+from ..columns import LENGTHS
 from ..language.roles import ROLES, role_of, unit_in
 from ..pasted import Pasted
 
@@ -21,6 +22,7 @@ ROOM = re.compile(
     r"[-+]?[xyz][-+]?|\(?\s*-?\d[\d.]*(\s*[,; ]\s*-?\d[\d.]*){2}\s*\)?"
     r"|up|down|left|right|forward|backward|vertical|horizontal"
 )
+NO_UNIT = ("", "-", "1", *"unit units einheit einheiten unite unité unidad 单位 單位".split())
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 KINDS = {
     "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
@@ -39,6 +41,11 @@ def header(cells):
         return None
     found = [(*role_of(cell), unit_in(plain(str(cell)))) for cell in cells]
     roles = tuple(role for role, _, _ in found)
+    if "d" not in roles:  # an offset in millimetres is the length along z
+        roles = tuple(
+            "d" if role == "offset" and unit in LENGTHS else role
+            for role, (_, _, unit) in zip(roles, found)
+        )
     if len({"theta", "d", "a", "alpha", "r", "offset"} & set(roles)) < 3:
         return None
     if sum(_try(cell) is not None and _try(cell).is_constant for cell in cells) > 1:
@@ -48,7 +55,7 @@ def header(cells):
     indexed = all(mark for mark, role in zip(same, roles) if role in (*ROLES, "r"))
     return (
         roles,
-        {role: unit for role, _, unit in found if unit and role},
+        {role: unit for role, (_, _, unit) in zip(roles, found) if unit and role},
         "craig" if previous else "i" if indexed and not previous else None,
     )
 
@@ -63,9 +70,9 @@ def units_of(cells):
     ['', 'deg', 'mm', 'mm', 'deg', '']
     """
     words = [plain(str(cell)).strip("[]()/ ") for cell in cells]
-    found = ["" if word in ("", "-", "1") else unit_in(f"x [{word}]") for word in words]
+    found = ["" if word in NO_UNIT else unit_in(f"x [{word}]") for word in words]
     said = sum(map(bool, found))
-    if said < 2 or any(word not in ("", "-", "1") and not unit for word, unit in zip(words, found)):
+    if said < 2 or any(word not in NO_UNIT and not unit for word, unit in zip(words, found)):
         return None
     return found
 

@@ -22,9 +22,13 @@ NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 def read(source, nominal=None):
     """The Pasted table of named numbers; None when no two rows have them."""
     rows, row, block = [], {}, -1
-    for number, line in enumerate(source.code.split("\n")):
-        pairs = _pairs(line, source)
-        if (row and BLOCK.match(line)) or (set(row) & set(pairs) - {"index"}):
+    lines = [(line, _pairs(line, source)) for line in source.code.split("\n")]
+    listed = [len(pairs) for line, pairs in lines if pairs and re.match(r"\s*-\s", line)]
+    one_a_line = listed and len(listed) == sum(bool(pairs) for _, pairs in lines)
+    for number, (line, pairs) in enumerate(lines):
+        if (row and BLOCK.match(line) and not (one_a_line and pairs)) or (
+            set(row) & set(pairs) - {"index"}
+        ):
             rows, row = [*rows, row] if row else rows, {}
         if pairs:
             row = {**row, **pairs}

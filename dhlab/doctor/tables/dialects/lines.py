@@ -13,6 +13,7 @@ __all__ = ["read"]
 RULE = re.compile(r"[-|:+=\s().;_*#~]*")  # a line that only separates
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
+MOST_WORDS = 4  # of a row's label
 
 
 def read(source, nominal=None):
@@ -198,6 +199,8 @@ def _table_only(grid):
 
 
 def _is_row(cells, width):
+    if cells and len(str(cells[0]).split()) > MOST_WORDS:
+        return False  # a sentence with numbers in it
     good = sum(map(_good, cells))
     if width:
         return (len(cells) in (width, width + 1) and good >= 2) or good >= max(3, len(cells) - 1)

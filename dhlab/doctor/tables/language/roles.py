@@ -24,6 +24,7 @@ FOREIGN = (  # German, French, Spanish, Italian; Chinese and Japanese; without a
     (r"versatz|decalage|desplazamiento|偏距|偏置|偏移|オフセット|リンク間", "d"),
     (r"lange\b|laenge\b|longueur|longitud|lunghezza|杆(件)?长|桿(件)?長|リンク長|リンクの長",
      "a"),
+    (r"^winkel\b|转角|轉角|^angle$|^angulo$", "theta"),
     (r"achsrichtung|drehrichtung|方向", "direction"),
 )  # fmt: skip
 PHRASES = (  # the first that fits

@@ -14,7 +14,7 @@ MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 12
 BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
-    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))\s*"
+    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
     r"([^=;\n,|{}\[\]:'\"]{1,120})"
 )
 WORDS_FOR = {
@@ -202,7 +202,7 @@ def _comment_at(line):
 def _assigned(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
-    for name, value in ASSIGNED.findall(text):
+    for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         for said in (value, *_shorter(value)):
             said = said.strip().rstrip(".)")
             if said.count("(") > said.count(")"):
