@@ -1,7 +1,5 @@
 """Why there is no solution, and what comes nearest."""
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -44,7 +42,6 @@ def explained(
     -------
     Reason, Nearest
     """
-    freely = replace(question, limits=False)
     if question.limits and len(outside):
         return _limits(question, outside, complete), _Reach(question, outside).nearest()
     if question.holds:
@@ -53,7 +50,7 @@ def explained(
             q = found[0]
             return _redundancy(question, q), _nearest(question, q)
     reach = _Reach(question, np.empty((0, len(question.arm))) if seen is None else seen[None])
-    return reach.reason(elbow_arm(question.arm) if question == freely else None), reach.nearest()
+    return reach.reason(None if question.limits else elbow_arm(question.arm)), reach.nearest()
 
 
 class _Reach:

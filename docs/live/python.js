@@ -1,5 +1,11 @@
 // Python, from files that stand beside this one: the same in a page's worker and in Node.
 
+// What Pyodide would fetch of itself: nothing.
+export const NOTHING_ELSE = JSON.stringify({
+  info: { abi_version: "2026_0", arch: "wasm32", platform: "emscripten_5_0_3", python: "3.14.0", version: "314.0.3" },
+  packages: {},
+});
+
 // host: { bytes(name) → Promise of a Uint8Array, now(name) → a Uint8Array at once, send(text) }
 export async function start(host, { loadPyodide, createPyodideModule, options = {} }) {
   const python = await loadPyodide({ createPyodideModule, packages: [], ...options });

@@ -1,7 +1,7 @@
 // Runs Python beside the page, so that the page never waits. Messages in: start, run, widget. All
 // that Python says goes out as it is said.
 
-import { start } from "./python.js";
+import { NOTHING_ELSE, start } from "./python.js";
 
 const here = new URL(".", import.meta.url).href;
 const at = (name) => new URL(name, here).href;
@@ -49,8 +49,7 @@ async function begin({ log, buffer }) {
   const wanted = [import(at("pyodide.mjs")), module()];
   const early = prefetch();
   const [{ loadPyodide }, createPyodideModule] = await Promise.all(wanted);
-  const lockFileContents = JSON.stringify({ info: { abi_version: "2026_0", arch: "wasm32", platform: "emscripten_5_0_3", python: "3.14.0", version: "314.0.3" }, packages: {} });
-  const made = await start(host, { loadPyodide, createPyodideModule, options: { indexURL: here, lockFileContents } });
+  const made = await start(host, { loadPyodide, createPyodideModule, options: { indexURL: here, lockFileContents: NOTHING_ELSE } });
   await early;
   if (buffer) made.python.setInterruptBuffer(buffer);
   if (log) made.log(log);

@@ -5,6 +5,7 @@ seconds of the clock elsewhere.
 import signal
 import sys
 import threading
+import time
 
 __all__ = ["OutOfTime", "limited"]
 
@@ -27,7 +28,8 @@ def limited(seconds, f, *given):
 
     Where the system has a timer that counts the processor's time, that is used (it acts in the main
     thread only); elsewhere the function runs in a thread that is given up after three times as many
-    seconds of the clock; and where there are no threads, as in a browser, without a limit.
+    seconds of the clock; and where there are no threads, as in a browser, the clock is looked at
+    while it runs.
 
     Parameters
     ----------
@@ -100,7 +102,7 @@ def _in_a_thread(seconds, f, *given):
     try:
         worker.start()
     except RuntimeError:  # no threads here
-        return f(*given)
+        return _watched(seconds, f, *given)
     worker.join(seconds)
     if not came:
         _end(worker)
@@ -109,6 +111,24 @@ def _in_a_thread(seconds, f, *given):
     if error is not None:
         raise error
     return answer
+
+
+def _watched(seconds, f, *given):
+    """The function, with a look at the clock at every call, and at every line that stands in no
+    file: a learner's, from a cell or a text.
+    """
+    traced, end = sys.gettrace(), time.perf_counter() + seconds
+
+    def look(frame, event, argument):
+        if event in ("call", "line") and time.perf_counter() > end:
+            raise OutOfTime
+        return look if frame.f_code.co_filename.startswith("<") else None
+
+    sys.settrace(look)
+    try:
+        return f(*given)
+    finally:
+        sys.settrace(traced)
 
 
 def _end(worker):

@@ -1,5 +1,6 @@
 """Programs in any dress, in special calls, without end, and where Python itself stops."""
 
+import sys
 import threading
 
 import numpy as np
@@ -156,6 +157,23 @@ def test_where_no_timer_is_to_be_had_a_thread_is_given_up(monkeypatch):
         limited(0.02, slow)
     with pytest.raises(ZeroDivisionError):
         limited(5, lambda: 1 / 0)
+
+
+def test_where_there_are_no_threads_a_cell_is_given_up(monkeypatch):
+    def none(self):
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(deadline, "_has_timer", lambda: False)
+    monkeypatch.setattr(threading.Thread, "start", none)
+    names = {}
+    exec(compile("def slow():\n    while True:\n        pass", "<cell 1>", "exec"), names)
+    traced = sys.gettrace()
+    with pytest.raises(OutOfTime):
+        limited(0.02, names["slow"])
+    assert limited(5, lambda x: x + 1, 1) == 2
+    with pytest.raises(ZeroDivisionError):
+        limited(5, lambda: 1 / 0)
+    assert sys.gettrace() is traced
 
 
 def interrupted(*row):

@@ -1,0 +1,121 @@
+"""A lesson that runs in its page: by hand, in Chromium, from the files that the site serves."""
+
+import json
+import shutil
+import sys
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import nbformat
+import pytest
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "live"))
+import gather  # noqa: E402
+
+LESSON = "05-link-matrix"
+RAN = '[data-live="ran"]'
+
+
+@pytest.fixture(scope="module")
+def address(site, tmp_path_factory):
+    """Where the site with its Python is served."""
+    folder = tmp_path_factory.mktemp("live") / "html"
+    shutil.copytree(site, folder)
+    gather.into(folder)
+    handler = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(handler, directory=folder)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@pytest.fixture
+def lesson(address, new_page):
+    """The page, begun; what it asked for elsewhere and what went wrong in it must be nothing."""
+    page = new_page(accept_downloads=True)
+    wrong = []
+    page.on("request", lambda r: r.url.startswith((address, "blob:")) or wrong.append(r.url))
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    page.goto(f"{address}/lessons/{LESSON}.html")
+    yield page
+    assert wrong == []
+
+
+def code(folder):
+    """The code of a notebook of the lesson: {id of the cell: text}."""
+    notebook = nbformat.read(ROOT / folder / f"{LESSON}.ipynb", as_version=4)
+    return {one.id: one.source for one in notebook.cells if one.cell_type == "code"}
+
+
+def cell(page, name):
+    """The place of one code cell of the lesson, by its id."""
+    return page.locator("div.cell:has(.live-cell)").nth(list(code("lessons")).index(name))
+
+
+def run(place):
+    place.locator("textarea").press("Shift+Enter")
+    place.and_(place.page.locator('[data-live="ran"], [data-live="failed"]')).wait_for()
+
+
+def cells_of(exercise):
+    """The ids of the cell for an answer, and of its check."""
+    sources = code("lessons")
+    ids = list(sources)
+    at = next(i for i, one in enumerate(ids) if f'check("{exercise}"' in sources[one])
+    return ids[at - 1], ids[at]
+
+
+def test_a_lesson_runs_in_its_page_and_leaves_as_a_notebook(lesson, tmp_path):
+    answer, check = cells_of("05.2")
+    lesson.click("text=Run this lesson")
+    run(cell(lesson, "05-001"))
+    run(cell(lesson, answer))
+    run(cell(lesson, check))
+    cards = cell(lesson, check).locator(".cards label")
+    cell(lesson, check).get_by_text("Not attempted yet").wait_for()
+    cards.first.click()  # by hand; then the answer's own cell takes it over
+    cell(lesson, check).get_by_text("is not in the notebook yet").wait_for()
+    run(cell(lesson, answer))
+    assert "..." not in cell(lesson, answer).locator("textarea").input_value()
+
+    solution = code("solutions")[answer]
+    cell(lesson, answer).locator("textarea").fill(solution)
+    run(cell(lesson, answer))
+    run(cell(lesson, check))
+    cell(lesson, check).get_by_text("Right").wait_for()
+
+    cell(lesson, answer).locator("textarea").fill("while True: pass")
+    cell(lesson, answer).locator("textarea").press("Control+Enter")
+    lesson.click("text=Stop")  # the page answers while a cell does not end
+    lesson.get_by_text("Python begins anew").wait_for()
+    cell(lesson, answer).locator("textarea").fill(solution)
+
+    lesson.click("text=My work")
+    with lesson.expect_download() as saved:
+        lesson.click("text=Save as a notebook")
+    saved.value.save_as(tmp_path / "mine.ipynb")
+    mine = nbformat.read(tmp_path / "mine.ipynb", as_version=4)
+    nbformat.validate(mine)
+    given = nbformat.read(ROOT / "lessons" / f"{LESSON}.ipynb", as_version=4)
+    assert [one.id for one in mine.cells] == [one.id for one in given.cells]
+    changed = [a.id for a, b in zip(mine.cells, given.cells) if a.source != b.source]
+    assert changed == [answer]
+    assert mine.metadata == given.metadata
+
+    lesson.reload()  # the work has stayed
+    lesson.click("text=Run this lesson")
+    assert cell(lesson, answer).locator("textarea").input_value() == solution
+
+
+def test_work_on_an_older_lesson_stays_beside_the_new_one(lesson):
+    answer, _ = cells_of("05.2")
+    old = {"handedOut": {answer: "an older text"}, "mine": {answer: "mine"}}
+    lesson.evaluate(
+        "work => localStorage.setItem('dhlab:work:05-link-matrix', work)", json.dumps(old)
+    )
+    lesson.click("text=Run this lesson")
+    lesson.get_by_text("This cell has changed since you wrote in it").wait_for()
+    assert cell(lesson, answer).locator("textarea").input_value() == code("lessons")[answer]
