@@ -108,6 +108,9 @@ def doctor(
             help="With --protocol: write the sheet to fill in; an existing file is kept.",
         ),
     ] = "",
+    convention: Annotated[
+        str, typer.Option(help="Of a program.py: standard or craig, whose link matrix it computes.")
+    ] = "",
     as_json: Annotated[
         bool, typer.Option("--json", help="Print JSON for a program to read.")
     ] = False,
@@ -116,8 +119,13 @@ def doctor(
     --protocol, what to measure.
     """
     if arm.endswith(".py"):
-        diagnose_program(arm, poses, as_json)
+        diagnose_program(arm, poses, convention, as_json)
         return
+    if convention:
+        raise ValueError(
+            f"doctor: expected --convention with a program.py only, found it with {arm}; a table"
+            " says its own, leave it out"
+        )
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
     level = _noise(noise)
     if units:

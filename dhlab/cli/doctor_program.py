@@ -20,16 +20,18 @@ NAMES = {
 }
 
 
-def diagnose_program(path: str, arm: str, as_json: bool) -> None:
+def diagnose_program(path: str, arm: str, convention: str, as_json: bool) -> None:
     """Print what is wrong with each program of a file; ``arm`` is the name or the file of the one
-    that it is written for, or empty.
+    that it is written for, or empty; ``convention`` the one that it is to compute.
     """
     from ..doctor import diagnose_function
 
     module = _loaded(path)
     model = arm_of(arm) if arm else None
     found = {
-        name: diagnose_function(getattr(module, name), kind, arm=model)
+        name: diagnose_function(
+            getattr(module, name), kind, arm=model, convention=convention or "standard"
+        )
         for kind, names in NAMES.items()
         for name in names
         if callable(getattr(module, name, None))

@@ -78,7 +78,7 @@ def explained(here, symptoms=False):
     tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
     bare = here.task.bare
     given = here.given if here.task.arm is None else list(bare(here.array))
-    findings = explain_all(given, bare(here.right), here.cases, here.kind, tolerance)
+    findings = explain_all(given, bare(here.right), here.cases, here.task.versions, tolerance)
     return findings if symptoms or not findings or not only_seen(findings[0].mistake) else ()
 
 

@@ -13,7 +13,7 @@ from ..mistakes.registry import changes
 from .asarms import as_another_arm
 from .slipsearch import search
 from .wrong.branches import WRONG_BRANCHES
-from .wrong.craig import WRONG_CRAIG
+from .wrong.craig import WRONG_CRAIG, WRONG_CRAIG_PRODUCTS
 from .wrong.errors import WRONG_ERRORS
 from .wrong.jacobians import WRONG_JACOBIANS
 from .wrong.links import WRONG_LINKS
@@ -29,6 +29,7 @@ WRONG_VERSIONS = {
     "rot_x": WRONG_ROT_X,
     "compose": WRONG_COMPOSE,
     "craig_transform": WRONG_CRAIG,
+    "craig_kinematics": WRONG_CRAIG_PRODUCTS,
 }
 NUMBERS = {
     "jacobian": WRONG_JACOBIANS,

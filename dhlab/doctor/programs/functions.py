@@ -22,7 +22,7 @@ from .compared import (
     special,
 )
 from .source.lines import lines_to_change
-from .task import KINDS, Task
+from .task import KINDS, RIGHT, Task
 
 __all__ = ["diagnose_function"]
 
@@ -30,7 +30,7 @@ SECONDS = 1.3  # of the processor, to look for the lines that must change
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
-def diagnose_function(f, kind, *, arm=None):
+def diagnose_function(f, kind, *, arm=None, convention="standard"):
     """What is wrong with a program for forward kinematics, found by calling it.
 
     The function is called in this process, on seeded general numbers and on special ones (zeros,
@@ -43,13 +43,16 @@ def diagnose_function(f, kind, *, arm=None):
     Parameters
     ----------
     f : callable
-        ``dh_transform(theta, d, a, alpha)`` or ``forward_kinematics(rows, q)``: radians and metres,
-        standard convention; ``rows`` (n, 4) holds theta offset, d, a, alpha, ``q`` (n,) the joint
+        ``dh_transform(theta, d, a, alpha)`` or ``forward_kinematics(rows, q)``: radians and metres;
+        ``rows`` (n, 4) holds theta offset, d, a, alpha, ``q`` (n,) the joint
         values; the answer is a pose (4, 4).
     kind : "dh_transform" or "forward_kinematics"
     arm : Arm, optional
         The one arm that ``forward_kinematics`` is written for; then it may also take q alone, or
         (rows, q, base, tool), and the arm's base and tool belong to the pose.
+    convention : "standard" or "craig"
+        Whose link matrix the program is to compute; in Craig's a row holds a and alpha of the link
+        before. A program of the other convention is told so.
 
     Returns
     -------
@@ -60,9 +63,9 @@ def diagnose_function(f, kind, *, arm=None):
     Raises
     ------
     ValueError
-        ``f`` is no function, the kind is unknown, or the arm is not one of turning joints with
-        standard rows. What ``f`` itself raises is caught and put
-        into words.
+        ``f`` is no function, the kind or the convention is unknown, or the arm is not one of
+        turning joints with rows of that convention. What ``f`` itself raises is caught and put into
+        words.
 
     Examples
     --------
@@ -73,6 +76,8 @@ def diagnose_function(f, kind, *, arm=None):
     One mistake explains what this program answers: alpha has the wrong sign.
     >>> bool(diagnose_function(standard, "dh_transform"))
     True
+    >>> print(diagnose_function(standard, "dh_transform", convention="craig").findings[0].mistake)
+    craig-rows-in-standard-matrix
     """
     if kind not in KINDS:
         raise ValueError(
@@ -84,7 +89,12 @@ def diagnose_function(f, kind, *, arm=None):
             f"diagnose_function: expected a function, found {type(f).__name__}; hand in its name"
             " without brackets"
         )
-    task = Task(kind, arm, _names(f, arm))
+    if convention not in RIGHT:
+        raise ValueError(
+            'diagnose_function: expected the convention "standard" or "craig", found'
+            f" {convention!r}; say whose link matrix f computes"
+        )
+    task = Task(kind, arm, _names(f, arm), convention)
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
     try:

@@ -6,12 +6,15 @@ import numpy as np
 
 from ...transform import inverse
 from .cases import SPECIAL, general_chain, general_row
+from .wrong.craig import craig, product_craig
 from .wrong.links import standard
 from .wrong.products import product
 
-__all__ = ["KINDS", "Task"]
+__all__ = ["KINDS", "RIGHT", "Task"]
 
 KINDS = {"dh_transform": standard, "forward_kinematics": product}
+RIGHT = {"standard": KINDS, "craig": {"dh_transform": craig, "forward_kinematics": product_craig}}
+IN_CRAIG = {"dh_transform": "craig_transform", "forward_kinematics": "craig_kinematics"}
 SEED = 4
 CALLS = 16
 # rows of the chains, so that no program can be right for one length alone
@@ -42,25 +45,32 @@ class Task:
     names : sequence of str
         The arguments that the program takes: of a chain rows and q, q alone, or rows, q, base and
         tool.
+    convention : "standard" or "craig"
+        Whose link matrix is right.
 
     Raises
     ------
     ValueError
         A program takes other arguments, or the arm has sliding joints, joints that count
-        backwards, or Craig's rows.
+        backwards, or rows of the other convention.
     """
 
-    def __init__(self, kind, arm=None, names=("rows", "q")):
-        self.kind, self.arm, self.lists = kind, arm, False
+    def __init__(self, kind, arm=None, names=("rows", "q"), convention="standard"):
+        self.kind, self.arm, self.lists, self.convention = kind, arm, False, convention
         self.names = ROW if kind == "dh_transform" else names
         if kind == "dh_transform":
             self.arm = None
         if self.arm is not None:
-            _check(self.arm)
+            _check(self.arm, convention)
 
     @property
     def is_chain(self):
         return self.kind == "forward_kinematics"
+
+    @property
+    def versions(self):
+        """Which wrong versions explain it: a key of ``WRONG_VERSIONS``."""
+        return IN_CRAIG[self.kind] if self.convention == "craig" else self.kind
 
     @property
     def calls(self):
@@ -80,7 +90,7 @@ class Task:
 
     def right(self, case):
         """The right answer to a call."""
-        T = KINDS[self.kind](*case)
+        T = RIGHT[self.convention][self.kind](*case)
         return T if self.arm is None else self.arm.base @ T @ self.arm.tool
 
     def bare(self, T):
@@ -97,13 +107,14 @@ class Task:
         return (rows, q)[-len(self.names) :]
 
 
-def _check(arm):
-    table = arm.table
-    if table.convention != "standard" or "P" in table.joints or not np.all(arm.sign == 1):
+def _check(arm, convention):
+    table, plain = arm.table, arm.coupling is None and np.all(arm.sign == 1)
+    if table.convention != convention or "P" in table.joints or not plain:
         raise ValueError(
-            "diagnose_function: expected an arm in the standard convention whose joints all turn"
-            f" and count forwards, found {table.convention}, {table.joints}; the program is given"
-            " its rows and q, and nothing else"
+            f"diagnose_function: expected an arm in the {convention} convention whose joints all"
+            f" turn, one by one, and count forwards, found {table.convention}, {table.joints}; the"
+            " program is given its rows and q, and nothing else. Name the convention that the"
+            ' program is for, such as convention="craig" (--convention craig)'
         )
 
 

@@ -11,7 +11,7 @@ from ..steps import run_chain, slips
 from .links import standard, typical_entries
 from .versions import Versions
 
-__all__ = ["product", "WRONG_PRODUCTS"]
+__all__ = ["SAMPLE", "product", "WRONG_PRODUCTS"]
 
 SAMPLE = (
     np.array(
