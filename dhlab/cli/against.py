@@ -15,7 +15,7 @@ from ..formats.descriptions.urdf import ENDINGS
 from ..formats.files import read_text
 from ..formats.posefile import LARGEST
 from ..robots import known_as
-from .common import arm_of, thinned
+from .common import arm_of
 
 __all__ = ["is_arm", "sheet_in", "against_arm", "axes_of"]
 
@@ -44,7 +44,9 @@ def sheet_in(text: str) -> AxisSheet | None:
     return sheet_from_item(item) if holds_axes(item) else None
 
 
-def against_arm(name: str, other: str, free_base: bool, free_tool: bool, as_json: bool) -> None:
+def against_arm(
+    name: str, other: str, free_base: bool, free_tool: bool, budget: float, as_json: bool
+) -> None:
     """What is wrong with a table when another arm is right; printed, with the two side by side."""
     from ..doctor import diagnose
     from ..geometry.comparing.compare import compare
@@ -66,6 +68,7 @@ def against_arm(name: str, other: str, free_base: bool, free_tool: bool, as_json
         noise=ROUNDED,
         base="free" if free_base else "fixed",
         tool="free" if free_tool else "fixed",
+        budget=budget,
     )
     words = answer.headline.replace("these measurements", "the measurements")
     answer = replace(
@@ -86,6 +89,7 @@ def axes_of(
     units: tuple[str, str],
     noise: tuple[float, ...] | None,
     repair: str,
+    budget: float,
     as_json: bool,
 ) -> None:
     """What is wrong with a sheet of axes, printed; and the repaired sheet, where asked for."""
@@ -94,8 +98,9 @@ def axes_of(
 
     letters = "".join(letter for *_, letter in sheet.axes)
     q, measured = read_poses(poses, len(letters), *units, joints=letters)
-    q, measured = thinned(q, measured)
-    answer = diagnose_axes(sheet.axes, sheet.end, q, measured, noise=noise, name=sheet.name)
+    answer = diagnose_axes(
+        sheet.axes, sheet.end, q, measured, noise=noise, name=sheet.name, budget=budget
+    )
     print(json.dumps(answer.to_dict(), ensure_ascii=False) if as_json else answer)
     if not repair:
         return

@@ -8,9 +8,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
-from numpy.typing import NDArray
 
 from ..arm import Arm
 from ..robots import load
@@ -28,15 +26,12 @@ __all__ = [
     "NewTable",
     "Roster",
     "arm_of",
-    "thinned",
     "described",
     "give",
     "class_of",
     "settings_of",
     "units_of",
 ]
-
-MOST_POSES = 2000
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for a program to read.")]
 ArmName = Annotated[
@@ -69,21 +64,6 @@ def arm_of(name: str | Path) -> Arm:
     for warning in noted:
         print(f"Note: {warning.message}", file=sys.stderr)
     return model
-
-
-def thinned(
-    q: NDArray[np.float64], measured: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """At most two thousand of the poses, evenly from all of them, and a note that says so: a log of
-    a hundred thousand tells no more, and takes a hundred times as long.
-    """
-    step = -(-len(q) // MOST_POSES)
-    if step > 1:
-        print(
-            f"Note: of {len(q)} poses one in {step} was used, {len(q[::step])} in all.",
-            file=sys.stderr,
-        )
-    return q[::step], measured[::step]
 
 
 def described(arm: Arm) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from ..formats.plainyaml import placed
 from ..formats.posefile import LARGEST as LARGEST_POSES
 from ..units import ANGLE, LENGTH
 from .against import against_arm, axes_of, is_arm, sheet_in
-from .common import arm_of, thinned, units_of
+from .common import arm_of, units_of
 from .doctor_program import diagnose_program
 
 __all__ = ["doctor"]
@@ -136,7 +136,7 @@ def doctor(
                 f"doctor: expected no --noise, --units or --repair with {poses}, found one of"
                 " them; it is an arm, whose poses are computed: leave them out"
             )
-        against_arm(arm, poses, free_base, free_tool, as_json)
+        against_arm(arm, poses, free_base, free_tool, budget, as_json)
         return
     axes = None if protocol or motion else sheet_in(arm)
     if axes is not None:
@@ -145,7 +145,7 @@ def doctor(
                 f"doctor: expected poses in the base frame and at the end of {arm}, an axis sheet,"
                 " found --free-base or --free-tool; leave them out, the end pose is looked at too"
             )
-        axes_of(axes, poses, _units(units, poses), level, repair, as_json)
+        axes_of(axes, poses, _units(units, poses), level, repair, budget, as_json)
         return
     model = arm_of(arm)
     lengths, angles = (None, None) if protocol else _units(units, poses)
@@ -153,7 +153,7 @@ def doctor(
         _give_protocol(model, sheet, as_json)
         return
     answer = (
-        _motion(model, poses, lengths, angles, level)
+        _motion(model, poses, lengths, angles, level, budget)
         if motion
         else _poses(model, poses, lengths, angles, level, free_base, free_tool, budget)
     )
@@ -250,7 +250,6 @@ def _poses(model, path, lengths, angles, noise, free_base, free_tool, budget):
     from ..formats.posefile import read_poses
 
     q, measured = read_poses(path, len(model), lengths, angles, joints=model.table.joints)
-    q, measured = thinned(q, measured)
     return diagnose(
         model,
         q,
@@ -262,12 +261,12 @@ def _poses(model, path, lengths, angles, noise, free_base, free_tool, budget):
     )
 
 
-def _motion(model, path, lengths, angles, noise):
+def _motion(model, path, lengths, angles, noise, budget):
     from ..doctor.arms.motion import diagnose_motion
     from ..formats.posefile import read_poses
 
     q, measured = read_poses(path, len(model), lengths, angles, joints=model.table.joints)
-    return diagnose_motion(model, q, measured, noise=noise and noise[0])
+    return diagnose_motion(model, q, measured, noise=noise and noise[0], budget=budget)
 
 
 def _give_protocol(model, sheet, as_json):

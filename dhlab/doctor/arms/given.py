@@ -1,5 +1,7 @@
 """What was handed in to :func:`dhlab.diagnose`, checked and made measurements."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...arm import Arm
@@ -9,12 +11,13 @@ from ...transform import pose_fault
 from .digits import written_noise
 from .search.measured import Measured
 
-__all__ = ["EXACT", "distinct", "measured", "oddities"]
+__all__ = ["EXACT", "distinct", "measured", "oddities", "one_in", "thinned"]
 
 EXACT = 1e-6  # what counts as no noise, of the arm's reach and in radians: digits lost in printing
 GUESSED = (1e-3, 2e-3)  # what the search reckons with where no noise is stated (of the reach, rad)
 COARSEST = 0.2  # of the arm's reach, and radians: nobody measures worse
 TURNS = 2 * 2 * np.pi  # a joint value beyond two full turns was hardly meant in radians
+MOST_POSES = 500  # of a longer log
 TIMES = 20  # a table so many times larger or smaller than what was measured has another unit
 
 
@@ -66,6 +69,30 @@ def measured(arm, q, poses, noise, base, tool):
         floor=tuple(floor),
         reach=reach,
     )
+
+
+def one_in(count):
+    """Of so many poses, one in how many is used."""
+    return max(-(-count // MOST_POSES), 1)
+
+
+def thinned(data):
+    """(the Measured with at most five hundred of the poses, evenly from all of them; a note that
+    says so): a log of a hundred thousand tells no more, and takes a hundred times as long.
+
+    Examples
+    --------
+    >>> rows = np.zeros((5000, 3))
+    >>> few, (note,) = thinned(Measured(rows, rows, None, (1e-3, 1e-3)))
+    >>> len(few.q), note
+    (500, 'Of 5000 poses one in 10 was used, 500 in all.')
+    """
+    step = one_in(len(data.q))
+    if step == 1:
+        return data, ()
+    R = None if data.R is None else data.R[::step]
+    few = replace(data, q=data.q[::step], p=data.p[::step], R=R)
+    return few, (f"Of {len(data.q)} poses one in {step} was used, {len(few.q)} in all.",)
 
 
 def _exact(reach):

@@ -10,6 +10,8 @@ from ...measure import fit_circles
 from ...table import DHTable
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import ALPHA, THETA, A, D, with_parts, with_rows
+from .given import one_in
+from .search.budget import SECONDS, budget_of
 from .search.fitting import fit, misfit
 from .search.measured import Measured, limit
 from .sweeps import EXACT, accused, notes, scatter, sweep
@@ -18,7 +20,7 @@ from .words.naming import name_change
 __all__ = ["diagnose_motion"]
 
 
-def diagnose_motion(arm, q, points, *, noise=None):
+def diagnose_motion(arm, q, points, *, noise=None, budget=SECONDS):
     """What is wrong with an arm's table, from sweeps in which one joint moved at a time.
 
     Parameters
@@ -33,6 +35,9 @@ def diagnose_motion(arm, q, points, *, noise=None):
     noise : float, optional
         Standard deviation of a coordinate, m; estimated from the scatter about the circles when
         left out.
+    budget : float
+        Seconds of processor time; when they are over, the best answer so far is given. Of more than
+        500 points a joint as many are used, evenly from all.
 
     Returns
     -------
@@ -72,15 +77,22 @@ def diagnose_motion(arm, q, points, *, noise=None):
             f"diagnose_motion: expected an Arm or a DHTable, found {type(arm).__name__}"
         )
     require_uncoupled(arm, "diagnose_motion")
-    report = fit_circles(q, points, arm, noise=noise)
+    clock = budget_of(budget, "diagnose_motion")
     q, points = np.asarray(q, dtype=float), np.asarray(points, dtype=float)
+    step = one_in(len(points) // len(arm)) if points.ndim > 1 and len(q) == len(points) else 1
+    few = (f"Of {len(q)} points one in {step} was used.",) if step > 1 else ()
+    q, points = q[::step], points[::step]
+    report = fit_circles(q, points, arm, noise=noise)
     p = points[:, :3, 3] if points.ndim == 3 else points
     data = Measured(q, p, None, (noise or scatter(report), 1.0))
     sweeps = [sweep(arm, data, circle) for circle in report.circles]
-    return _decide(arm, data, sweeps, tuple(notes(arm, sweeps, report)))
+    try:
+        return _decide(arm, data, sweeps, (*few, *notes(arm, sweeps, report)), clock)
+    finally:
+        clock.close()
 
 
-def _decide(arm, data, sweeps, notes):
+def _decide(arm, data, sweeps, notes, clock):
     known = {"before": _size(arm, data), "compared": (arm, data.q, data.p)}
     if misfit(arm, data).chi2 <= limit(data.count):
         return Diagnosis(AGREES, "Every circle is where the table has it.", notes=notes, **known)
@@ -91,11 +103,11 @@ def _decide(arm, data, sweeps, notes):
         )
         return Diagnosis(CALIBRATED, headline, notes=notes, **known)
     first, last, why = accused(arm, sweeps)
-    repairs = _explaining(arm, data, first, last, ends=True)
-    repairs = repairs or _explaining(arm, data, 1, len(arm), ends=False)
+    repairs = _explaining(arm, data, first, last, True, clock)
+    repairs = repairs or _explaining(arm, data, 1, len(arm), False, clock)
     if not repairs:
         headline = "The circles are not those of the table, and no single change explains them."
-        return Diagnosis(UNEXPLAINED, headline, notes=(why, *notes), **known)
+        return Diagnosis(UNEXPLAINED, headline, notes=(*clock.notes, why, *notes), **known)
     findings = [name_change(arm, right, data, entries, ends) for right, entries, ends in repairs]
     where = [f.place or f.detail for f in findings]
     return Diagnosis(
@@ -115,7 +127,7 @@ def _the_same(where):
         yield f"A change of {'; or of '.join(alike)} would do the same on these sweeps."
 
 
-def _explaining(arm, data, first, last, ends):
+def _explaining(arm, data, first, last, ends, clock):
     """(repaired arm, entries, ends) for every change in the accused rows that leaves no more misfit
     than the noise; the smallest misfit first.
     """
@@ -123,7 +135,7 @@ def _explaining(arm, data, first, last, ends):
     for i in range(first - 1, min(last + 1, len(arm))):
         sense = np.where(np.arange(len(arm)) == i, -1, 1)
         found.append((misfit(with_parts(arm, sign=arm.sign * sense), data), (), ()))
-    for entry in _entries(arm, first - 1, last - 1):
+    for entry in clock.within(_entries(arm, first - 1, last - 1), "one number at a time"):
         fits = [fit(start, data, (entry,), steps=20) for start in _starts(arm, entry)]
         found.append((min(fits, key=lambda f: f.chi2), (entry,), ()))
     if ends and first == 1:

@@ -11,9 +11,9 @@ from ...printing import number
 from ...table import DHTable
 from ...transform import to_xyz_rpy
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
-from .given import measured, oddities
+from .given import measured, oddities, one_in, thinned
 from .rebuilding import rebuilt
-from .search.budget import SECONDS, Budget
+from .search.budget import SECONDS, budget_of
 from .search.fitting import misfit
 from .unexplained import all_but_one, of_the_library, right_part, still_right
 from .verdict import decide, explained
@@ -40,7 +40,8 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed", budget=SE
         Free: the measurements were taken in another base frame (to another tool frame), which is
         found as well.
     budget : float
-        Seconds of processor time; when they are over, the best answer so far is given.
+        Seconds of processor time; when they are over, the best answer so far is given. Of more than
+        500 poses as many are used, evenly from all.
 
     Returns
     -------
@@ -76,41 +77,20 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed", budget=SE
     ('explained', 'alpha-sign', 4)
     """
     arm = Arm(arm) if isinstance(arm, DHTable) else arm
-    data = measured(arm, q, poses, noise, base, tool)
-    clock = Budget(_seconds(budget))
+    clock = budget_of(budget, "diagnose")
+    data, said = thinned(measured(arm, q, poses, noise, base, tool))
     try:
-        answer = decide(arm, data, tuple(oddities(arm, data)), clock)
+        answer = decide(arm, data, (*said, *oddities(arm, data)), clock)
         if answer.verdict == UNEXPLAINED:
             answer = _looked_at_again(arm, data, answer, clock)
     finally:
         clock.close()
     if answer.verdict not in (AGREES, EXPLAINED):
-        answer = replace(answer, notes=_cut_short(clock) + answer.notes)
-    placed = misfit(arm, data).arm
+        answer = replace(answer, notes=clock.notes + answer.notes)
+    placed, given = misfit(arm, data).arm, np.asarray(poses, dtype=float)
     if answer.verdict == AGREES and (data.base_free or data.tool_free):
         answer = replace(answer, fitted=placed, notes=answer.notes + _found_ends(placed, data))
-    return replace(answer, compared=(placed, data.q, np.asarray(poses, dtype=float)))
-
-
-def _seconds(budget):
-    number_like = isinstance(budget, (int, float, np.integer, np.floating))
-    if isinstance(budget, bool) or not number_like or not 0 < budget < np.inf:
-        raise ValueError(
-            f"diagnose: budget: expected seconds of processor time above 0, found {budget!r}"
-        )
-    return float(budget)
-
-
-def _cut_short(clock):
-    """What was not tried to the end."""
-    if clock.cut_short:
-        tried = ", ".join(dict.fromkeys(clock.cut_short))
-        said = (
-            f"Not everything was tried in {number(clock.seconds, 1)} s ({tried}):"
-            " this is the best so far; more time (budget=, --budget) may find more."
-        )
-        return (said,)
-    return ()
+    return replace(answer, compared=(placed, data.q, given[:: one_in(len(given))]))
 
 
 def _looked_at_again(arm, data, answer, clock):
@@ -160,7 +140,7 @@ def _of_many(arm, data, answer, clock):
     again = rebuilt(arm, data, clock)
     if again is None:
         return replace(answer, notes=said + still_right(arm, at))
-    return replace(again, notes=said + tuple(right_part(misfit(arm, at), at)))
+    return replace(again, notes=clock.notes + said + tuple(right_part(misfit(arm, at), at)))
 
 
 def _ordinal(k):

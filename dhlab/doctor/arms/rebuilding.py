@@ -21,6 +21,7 @@ from .words.naming import name_every_change
 __all__ = ["rebuilt"]
 
 SHARE = 0.85  # of the time, after which nothing more is begun
+LAST = 0.95  # of the time, until which numbers of the table are put back
 SPARE = 6  # numbers that must be left over when all of the table are fitted
 WIDE, DEEP = 3, 5  # arms kept after each mistake that is taken back, and how many are
 NEARER = 0.7  # of the misfit must be left at most by one more change
@@ -40,7 +41,7 @@ def rebuilt(arm, data, budget):
     for start in _starts(arm, data, budget):
         whole = fit(place_ends(start, data), data, entries_of(start), steps=30)
         if _fits(whole, data):
-            return _told(arm, whole, data)
+            return _told(arm, whole, data, budget)
     return None
 
 
@@ -80,11 +81,11 @@ def _fits(whole, data):
     return all(s <= most for s, most in zip(level, possible(data)))
 
 
-def _told(arm, whole, data):
+def _told(arm, whole, data, budget):
     """The Diagnosis, once every number that may stay as it is in the table has been put back."""
     at = data if data.stated else replace(data, noise=level_left(whole.arm, data, whole.fitted))
     wrong = with_rows(whole.arm, arm.table.rows)  # the same senses and letters as the rebuilt arm
-    found, free = _put_back(wrong, whole.arm, at)
+    found, free = _put_back(wrong, whole.arm, at, budget)
     length, angle = number_costs(at.noise, data)
     cost = sum(length if c in (D, A) else angle for _, c in free) + found.chi2 / 2
     if not data.stated:
@@ -95,6 +96,8 @@ def _told(arm, whole, data):
     if cost + OVER_NOTHING > as_measured(data):
         return None
     findings = name_every_change(arm, found.arm, free)
+    if not findings:
+        return None
     return Diagnosis(
         EXPLAINED,
         f"{len(findings)} things are wrong; the arm was rebuilt from the measurements.",
@@ -104,7 +107,7 @@ def _told(arm, whole, data):
     )
 
 
-def _put_back(wrong, right, data):
+def _put_back(wrong, right, data, budget):
     """(Fit, the entries (row, column) that must differ): the numbers of the table put back one by
     one, the least certain first, as long as the rest can be fitted about as well.
     """
@@ -114,7 +117,7 @@ def _put_back(wrong, right, data):
     off = np.array([_apart(rows[e], wrong.table.rows[e], e[1]) for e in free])
     sure = np.abs(off) / np.maximum(found.sigma[: len(off)], 1e-12)
     order = np.argsort([s / (1 if wrong.table.rows[e] else 2) for s, e in zip(sure, free)])
-    for entry in [free[k] for k in order]:
+    for entry in budget.within([free[k] for k in order], "which numbers may stay", LAST):
         rest = [e for e in free if e != entry]
         rows = found.arm.table.rows
         rows[entry] += _apart(wrong.table.rows[entry], rows[entry], entry[1])

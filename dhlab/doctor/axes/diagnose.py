@@ -9,7 +9,8 @@ from ...formats.axisfile import AxisSheet
 from ...geometry.procedure.frames import assign_frames
 from ...geometry.procedure.inputs import axes_from
 from ...transform import require_pose
-from ..arms.given import distinct, measured
+from ..arms.given import distinct, measured, one_in, thinned
+from ..arms.search.budget import SECONDS, budget_of
 from ..arms.search.measured import limit, rotation_vectors
 from ..arms.words.ranking import differs, telling_pose
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNDECIDED, UNEXPLAINED, Diagnosis
@@ -55,7 +56,7 @@ class AxisDiagnosis(Diagnosis):
     sheet: AxisSheet | None = field(default=None, repr=False, compare=False)
 
 
-def diagnose_axes(axes, end, q, poses, *, noise=None, name=""):
+def diagnose_axes(axes, end, q, poses, *, noise=None, name="", budget=SECONDS):
     """Which joint axis of a sheet is not where, or not as, it was written; from measured poses.
 
     Parameters
@@ -73,6 +74,9 @@ def diagnose_axes(axes, end, q, poses, *, noise=None, name=""):
         for positions; estimated when left out.
     name : str
         Of the arm.
+    budget : float
+        Seconds of processor time; when they are over, the best answer so far is given. Of more than
+        500 poses as many are used, evenly from all.
 
     Returns
     -------
@@ -111,11 +115,16 @@ def diagnose_axes(axes, end, q, poses, *, noise=None, name=""):
         np.zeros(len(lines)),
     )
     arm = _arm(sheet, name)
-    data = measured(arm, q, poses, noise, "fixed", "fixed")
-    answer = (
-        _decided(sheet, data, (), name) if noise is not None else _without_level(sheet, data, name)
-    )
-    return replace(answer, compared=(arm, data.q, np.asarray(poses, dtype=float)))
+    clock = budget_of(budget, "diagnose_axes")
+    data, few = thinned(measured(arm, q, poses, noise, "fixed", "fixed"))
+    try:
+        answer = (_without_level if noise is None else _decided)(sheet, data, few, name, clock)
+    finally:
+        clock.close()
+    if answer.verdict not in (AGREES, EXPLAINED):
+        answer = replace(answer, notes=clock.notes + answer.notes)
+    given = np.asarray(poses, dtype=float)
+    return replace(answer, compared=(arm, data.q, given[:: one_in(len(given))]))
 
 
 def _arm(chain, name):
@@ -124,18 +133,18 @@ def _arm(chain, name):
         return assign_frames(chain.axes(), end=chain.end_at_zero(), name=name)
 
 
-def _decided(sheet, data, notes, name):
+def _decided(sheet, data, notes, name, clock):
     """The verdict at a known level of noise."""
     before = _size(sheet, data)
     now = misfit(sheet, data)
-    found = explanations(sheet, data)
+    found = explanations(sheet, data, clock)
     if now <= limit(data.count) and now - found[0].score(data) < DOUBT:
         words = "The axes agree with the measurements."
         return AxisDiagnosis(AGREES, words, before=before, notes=notes + _weak(data))
     fitting = [e for e in found if e.explains(data)]
     if fitting:
         return _explained(sheet, data, fitting, before, notes, name)
-    return _all_fitted(sheet, data, found, before, notes, name)
+    return _all_fitted(sheet, data, found, before, notes, name, clock)
 
 
 def _explained(sheet, data, fitting, before, notes, name):
@@ -179,9 +188,9 @@ def _undecided(data, fits, arms, before, notes):
     )
 
 
-def _all_fitted(sheet, data, found, before, notes, name):
+def _all_fitted(sheet, data, found, before, notes, name, clock):
     """No single mistake: what all axes look like when all are fitted, where that explains."""
-    chain, chi2, free, moved = everything([*(e.chain for e in found[:2]), sheet], data)
+    chain, chi2, free, moved = everything([*(e.chain for e in found[:2]), sheet], data, clock)
     if data.count - free < SPARE or chi2 > limit(data.count - free):
         needed = -(-(free + SPARE) * len(data.q) // data.count)
         few = f"{needed} general poses would tell every axis."
@@ -219,14 +228,14 @@ def _sheet(chain, name):
     return AxisSheet(tuple(chain.axes()), chain.end_at_zero(), name=name)
 
 
-def _without_level(sheet, data, name):
+def _without_level(sheet, data, notes, name, clock):
     """The verdict where the noise is not known: exact data first, then at the noise that is left
     when every axis is fitted.
     """
-    answer = _decided_exactly(sheet, data, name)
+    answer = _decided_exactly(sheet, data, notes, name, clock)
     if answer is not None:
         return answer
-    level, enough = _estimated(sheet, data)
+    level, enough = _estimated(sheet, data, clock)
     said = (
         f"The noise was estimated from the data: {level[0] * 1e3:.2g} mm"
         + ("" if data.R is None else f", {np.rad2deg(level[1]):.2g}°")
@@ -237,12 +246,12 @@ def _without_level(sheet, data, name):
             f"With {len(data.q)} poses the noise cannot be told from a mistake; it was taken for"
             f" {level[0] * 1e3:.2g} mm. Say what it is, or measure more.",
         )
-    return _decided(sheet, replace(data, noise=level), said, name)
+    return _decided(sheet, replace(data, noise=level), (*notes, *said), name, clock)
 
 
-def _decided_exactly(sheet, data, name):
+def _decided_exactly(sheet, data, notes, name, clock):
     exact = replace(data, noise=data.floor)
-    said = ("The measurements are exact to their digits.",)
+    said = (*notes, "The measurements are exact to their digits.")
     if misfit(sheet, exact) <= limit(data.count):
         return AxisDiagnosis(
             AGREES,
@@ -250,17 +259,17 @@ def _decided_exactly(sheet, data, name):
             before=_size(sheet, data),
             notes=said + _weak(data),
         )
-    fitting = [e for e in explanations(sheet, exact) if e.explains(exact)]
+    fitting = [e for e in explanations(sheet, exact, clock) if e.explains(exact)]
     return _explained(sheet, exact, fitting, _size(sheet, exact), said, name) if fitting else None
 
 
-def _estimated(sheet, data):
+def _estimated(sheet, data, clock):
     loose = replace(data, noise=COARSE)
     free = sum(4 if letter == "R" else 2 for letter in sheet.letters) + 6
     if data.count - free < SPARE:
         return COARSE, False
-    found = explanations(sheet, loose)
-    chain = everything([*(e.chain for e in found[:2]), sheet], loose)[0]
+    found = explanations(sheet, loose, clock)
+    chain = everything([*(e.chain for e in found[:2]), sheet], loose, clock)[0]
     r = loose.residual(chain.forward(data.q))
     share = np.sqrt(data.count / (data.count - free))
     position = COARSE[0] * np.sqrt((r[:, :3] ** 2).mean()) * share

@@ -53,18 +53,17 @@ def misfit(chain, data):
     return float((data.residual(chain.forward(data.q)) ** 2).sum())
 
 
-def explanations(chain, data):
+def explanations(chain, data, clock):
     """Every single mistake, fitted; the best first. Where a change without a free number explains
-    the data, those with more than one are not asked for.
+    the data, those with more than one are not asked for; nor any when the clock's time is over.
     """
     around = Around.of(chain, data.q)
     changes = [c for i in range(len(chain.letters)) for c in changes_of_axis(chain, i)]
     changes += changes_of_end(chain)
     found = [_fitted(chain, c, data, around) for c in changes if not c.free]
     enough = any(e.explains(data) for e in found)
-    found += [
-        _fitted(chain, c, data, around) for c in changes if c.free == 1 or (c.free and not enough)
-    ]
+    asked = [c for c in changes if c.free == 1 or (c.free and not enough)]
+    found += [_fitted(chain, c, data, around) for c in clock.within(asked, "one axis at a time")]
     return sorted(found, key=lambda e: e.score(data))
 
 
@@ -97,13 +96,16 @@ def _poses(changed, change, data, around):
     )
 
 
-def everything(starts, data):
+def everything(starts, data, clock):
     """The chain with every axis and the end fitted, from the first of ``starts`` that leads to what
     noise alone would leave, else from the best: the chain, its χ², how many numbers were fitted,
     and which joints (0-based) moved by more than the noise.
     """
     best = None
     for start in starts:
+        if best is not None and clock.over:
+            clock.cut_short.append("all axes together")
+            break
         found = _all_fitted(start, data)
         if best is None or found[1] < best[1]:
             best = found

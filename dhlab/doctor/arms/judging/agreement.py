@@ -2,7 +2,7 @@
 the direction of any one number of the table.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.special import chdtri, fdtri
@@ -57,6 +57,8 @@ def agreement(now, data):
         return Agreement(True, data.floor)
     level = level_left(now.arm, data, now.fitted)
     plausible = all(s <= most for s, most in zip(level, possible(data)))
+    if data.R is not None and level[1] <= data.floor[1] and level[0] > 2 * data.floor[0]:
+        data, spare = replace(data, R=None), spare // 2  # rotations without noise tell no scatter
     agrees = plausible and not few and not _doubted(now, data, level, spare, 3 * CHANCE)
     return Agreement(agrees, level)
 

@@ -3,12 +3,37 @@
 import sys
 import time
 
-__all__ = ["SECONDS", "Budget"]
+import numpy as np
+
+from ....printing import number
+
+__all__ = ["SECONDS", "Budget", "budget_of"]
 
 SECONDS = 10.0  # of processor time, unless told
 SEARCH = 0.65  # share of it for the search; the rest is for putting what was found into words
 SILENT = 2.0  # a search that takes no longer says nothing on its way
 EVERY = 0.5  # seconds between two words
+
+
+def budget_of(seconds, where):
+    """The Budget of a caller's ``budget=``.
+
+    Raises
+    ------
+    ValueError
+        It is no time.
+
+    Examples
+    --------
+    >>> budget_of(2, "diagnose").seconds
+    2.0
+    """
+    number_like = isinstance(seconds, (int, float, np.integer, np.floating))
+    if isinstance(seconds, bool) or not number_like or not 0 < seconds < np.inf:
+        raise ValueError(
+            f"{where}: budget: expected seconds of processor time above 0, found {seconds!r}"
+        )
+    return Budget(float(seconds))
 
 
 class Budget:
@@ -57,6 +82,18 @@ class Budget:
                 self._said = spent + EVERY
                 self._shown(f"{spent:.0f} s of {self.seconds:.0f}: {doing}, {count} tried")
             yield item
+
+    @property
+    def notes(self):
+        """What was not tried to the end, in one sentence; nothing where all was."""
+        if not self.cut_short:
+            return ()
+        tried = ", ".join(dict.fromkeys(self.cut_short))
+        said = (
+            f"Not everything was tried in {number(self.seconds, 1)} s ({tried}): this is the best"
+            " so far; more time (budget=, --budget) may find more."
+        )
+        return (said,)
 
     def close(self):
         """Take the last words off the screen."""
