@@ -13,7 +13,7 @@ from .given import distinct
 from .judging.agreement import FEW, agreement
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small
 from .judging.choosing import choose, least_needed
-from .judging.undecided import undecided
+from .judging.undecided import may_be_noise, undecided
 from .judging.weighing import as_it_is, largest
 from .search.fitting import misfit
 from .search.measured import limit
@@ -77,12 +77,22 @@ def _told(arm, data, now, choice, notes, budget):
     at = data if data.stated else replace(data, noise=best.level)
     explanations = [w.explanation for w in as_good]
     few = distinct(data.q) < FEW
-    if few and explanations[0].odd >= MANY_NUMBERS:
+    if few and (explanations[0].odd >= MANY_NUMBERS or _may_be_right(now, best, data)):
         return undecided(data, now, choice.fitting, notes, budget)
     if few and rivals_of(explanations[0], explanations[1:], at):
         return undecided(data, now, choice.fitting, notes, budget)
     told = [w.explanation for w in choice.convincing]
     return explained(arm, at, now, told, (*notes, *_noise_left(best, data)))
+
+
+def _may_be_right(now, best, data):
+    """Whether the table as it is may be right, and chance have made what few poses show: it leaves
+    no more than measurements can, and its repair leaves more than their digits.
+    """
+    if data.stated:
+        return now.chi2 <= limit(data.count - now.fitted)
+    rough = any(s > 2 * least for s, least in zip(best.level, data.floor))
+    return rough and may_be_noise(largest(now.arm, data), data)
 
 
 def _noise_left(best, data):

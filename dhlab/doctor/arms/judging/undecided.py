@@ -11,7 +11,7 @@ from ..words.ranking import differs, named, telling_pose
 from .agreement import FEW, possible
 from .weighing import as_it_is, largest
 
-__all__ = ["undecided"]
+__all__ = ["may_be_noise", "undecided"]
 
 MOST = 5  # candidates that are listed
 
@@ -29,7 +29,7 @@ def undecided(data, now, fitting, notes, budget):
     pose = telling_pose([now.arm, *(w.explanation.fit.arm for w in candidates)])
     return Diagnosis(
         UNDECIDED,
-        _headline(kinds, len(fits), _may_be_noise(before, data), data),
+        _headline(kinds, len(fits), may_be_noise(before, data), data),
         before=before,
         notes=said,
         next_pose=pose,
@@ -76,14 +76,14 @@ def _as_it_stands(apart, data):
     """Whether the table itself would do."""
     if data.stated:
         yield f"The table as it is leaves {_size_text(apart)}, more than the stated noise makes."
-    elif _may_be_noise(apart, data):
+    elif may_be_noise(apart, data):
         yield (
             f"The table as it is leaves {_size_text(apart)}: if it was measured that coarsely,"
             " nothing need be wrong. Say how exact it is (noise=, --noise)."
         )
 
 
-def _may_be_noise(apart, data):
+def may_be_noise(apart, data):
     """Whether the measurements may have been so coarse."""
     most = possible(data)
     small = np.isnan(apart[1]) or apart[1] < np.rad2deg(4 * most[1])
