@@ -15,6 +15,7 @@ from ..arms.search.measured import limit, rotation_vectors
 from ..arms.words.ranking import differs, telling_pose
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNDECIDED, UNEXPLAINED, Diagnosis
 from .chain import Chain
+from .pairs import pairs
 from .search import everything, explanations, misfit
 from .words import axis_differences, finding_of
 
@@ -144,7 +145,34 @@ def _decided(sheet, data, notes, name, clock):
     fitting = [e for e in found if e.explains(data)]
     if fitting:
         return _explained(sheet, data, fitting, before, notes, name)
+    two = pairs(sheet, data, found, clock)
+    if two and not _as_good(two, data):
+        return _two_explained(sheet, data, two[0], before, notes, name)
     return _all_fitted(sheet, data, found, before, notes, name, clock)
+
+
+def _as_good(two, data):
+    """Whether other axes explain the data as well as the best two do."""
+    return len(two) > 1 and two[1].score(data) - two[0].score(data) < RIVAL
+
+
+def _two_explained(sheet, data, pair, before, notes, name):
+    repaired = _arm(pair.chain, name)
+    findings = sorted(
+        (finding_of(part, sheet, repaired) for part in pair.parts),
+        key=lambda finding: finding.joint or len(sheet.letters) + 1,
+    )
+    places = " and ".join(finding.place for finding in findings)
+    return AxisDiagnosis(
+        EXPLAINED,
+        f"Two mistakes in the axes together explain the measurements: {places}.",
+        tuple(findings),
+        before,
+        _size(pair.chain, data),
+        notes + _weak(data),
+        fitted=repaired,
+        sheet=_sheet(pair.chain, name),
+    )
 
 
 def _explained(sheet, data, fitting, before, notes, name):

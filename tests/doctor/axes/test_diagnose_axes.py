@@ -88,9 +88,10 @@ def test_two_wrong_axes_are_both_told():
     wrong[1] = ([0.05, 0, 0.42], [0, 1, 0])
     wrong[4] = ([0.5, 0, 0.8], [-1, 0, 0])
     answer = dh.diagnose_axes(wrong, END, Q, measured(SHEET), noise=(1e-4, 1e-4))
-    assert answer.verdict == "unexplained" and not answer.findings
-    assert "axis 5 has the other sense" in str(answer)
-    assert "axis 2 lies 20 mm away along -z" in " ".join(str(answer).split())
+    assert answer.verdict == "explained" and "axis 2 and axis 5" in answer.headline
+    assert [(f.joint, f.parameter) for f in answer.findings] == [(2, "point"), (5, "sense")]
+    assert "along -z" in answer.findings[0].detail
+    assert np.allclose(answer.sheet.axes[1][0][2], SHEET[1][0][2], atol=1e-3)
 
 
 def test_what_is_no_sheet_is_said_in_a_sentence():
