@@ -8,6 +8,7 @@ import numpy as np
 
 from ...arm import Arm
 from ...printing import number
+from ...robots.index import summary
 from ...table import DHTable
 from ...transform import to_xyz_rpy
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
@@ -134,7 +135,8 @@ def _of_many(arm, data, answer, clock):
     said = answer.notes
     if model is not None:
         name, explanation, mistaken = model
-        said = (*said, f"The measurements fit {name} of the library as it stands.")
+        title = summary(name)["name"]
+        said = (*said, f"The measurements fit the {title} as it stands ({name} of the library).")
         if mistaken:
             return explained(arm, at, misfit(arm, at), [explanation], said)
     again = rebuilt(arm, data, clock)

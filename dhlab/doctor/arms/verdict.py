@@ -149,10 +149,13 @@ def explained(arm, data, now, explanations, notes):
     if len(findings) == 1 and best.data_fault is None:
         findings[0], same = with_equivalents(findings[0], best, explanations[1:], data)
         notes += same
-    notes += which_model(findings[0].mistake, best.fit.arm)
     others = rivals_of(best, explanations[1:], data)
     words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
-    pose = None
+    headline, pose = f"{words} the measurements.", None
+    model = which_model(findings[0].mistake, arm, best.fit.arm)
+    if model is not None:
+        headline, note = model
+        notes += (note,)
     if others:
         pose = telling_pose([best.fit.arm, *(e.fit.arm for e in others)])
         notes += (
@@ -162,7 +165,7 @@ def explained(arm, data, now, explanations, notes):
         )
     return Diagnosis(
         EXPLAINED,
-        f"{words} the measurements.",
+        headline,
         tuple(findings),
         largest(now.arm, data),
         largest(best.fit.arm, best.changed or data),

@@ -46,13 +46,29 @@ def models(arm, makers=None):
         )
 
 
-def which_model(mistake, arm):
-    """A sentence that names the model that fits, where this mistake was made; else none."""
-    found = like(arm.table)[:1] if mistake == ID else []
-    return tuple(
-        f"These are the numbers of {model.title} ({model.name.partition('.')[0]} in the library)."
-        for model in found
+def which_model(mistake, wrong, right):
+    """(headline, note) that name the model that fits and the one whose table it was, where this
+    mistake was made; else None.
+
+    Examples
+    --------
+    >>> which_model(ID, load("ur10_cb"), load("ur10e"))[0]
+    'This arm is the Universal Robots UR10e; the table is that of another model.'
+    """
+    fitting = like(right.table)[:1] if mistake == ID else []
+    if not fitting:
+        return None
+    told = _called(fitting[0])
+    mine = like(wrong.table)[:1]
+    whose = f" The numbers of your table are those of the {_called(mine[0])}." if mine else ""
+    return (
+        f"This arm is the {fitting[0].title}; the table is that of another model.",
+        f"The measurements fit the {told}.{whose}",
     )
+
+
+def _called(model):
+    return f"{model.title} ({model.name.partition('.')[0]} in the library)"
 
 
 def _alike(a, b):
