@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..printing import grid_text
+from .route import SITTINGS, file_of
 from .verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
 
 if TYPE_CHECKING:
@@ -33,10 +34,13 @@ def course_folder() -> Path | None:
 
 
 class Log:
-    """What has been checked: in this session, and on disk when there is a course folder."""
+    """What has been checked: in this session, and on disk when there is a course folder, that of
+    the notebook unless another is given.
+    """
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path | None = None) -> None:
         self.session: list[dict[str, Any]] = []
+        self.folder = folder
 
     def add(self, verdict: Verdict) -> None:
         """Note a verdict; a folder that cannot be written to costs the learner nothing but the
@@ -68,7 +72,7 @@ class Log:
 
     def entries(self) -> list[dict[str, Any]]:
         """Every entry, oldest first: the file's, then this session's that are not in it."""
-        folder = course_folder()
+        folder = self.folder or course_folder()
         return [*(_read(folder / MARKER / "progress.jsonl") if folder else []), *self.session]
 
     def best(self) -> dict[str, tuple[str, float]]:
@@ -109,11 +113,15 @@ def _read(path):
 
 
 class Progress:
-    """Every exercise and how it stands; shown as a table."""
+    """Every exercise and how it stands; shown as a table, with the way to the sitting after it."""
 
     def __init__(
-        self, exercises: "Mapping[str, Exercise]", best: Mapping[str, tuple[str, float]]
+        self,
+        exercises: "Mapping[str, Exercise]",
+        best: Mapping[str, tuple[str, float]],
+        following: str = "",
     ) -> None:
+        self._following = following
         self._rows: dict[str, dict[str, Any]] = {
             key: {
                 "title": exercise.title,
@@ -166,5 +174,13 @@ class Progress:
         )
         return (
             f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead>"
-            f"<tbody>{rows}</tbody></table>"
+            f"<tbody>{rows}</tbody></table>{self._link()}"
         )
+
+    def _link(self):
+        """The way to the next sitting."""
+        name = self._following
+        if not name:
+            return ""
+        title = SITTINGS[name][1]
+        return f'<p><a href="{file_of(name)}">Next: {name} {escape(title)} →</a></p>'

@@ -14,9 +14,21 @@ from .growth import Growth
 from .handing import as_rows, offer, watch
 from .kinds import Prediction
 from .progress import Log, Progress
+from .route import ASKED_BY, SITTINGS, Map, begin_at, counted
 from .verdict import TOLD_ALL, WRONG, Verdict
 
-__all__ = ["check", "given", "hint", "predict", "progress", "reveal", "set_variant", "then_and_now"]
+__all__ = [
+    "check",
+    "course_map",
+    "given",
+    "hint",
+    "predict",
+    "progress",
+    "reveal",
+    "route",
+    "set_variant",
+    "then_and_now",
+]
 
 _log = Log()
 _guesses: dict[str, Any] = {}
@@ -162,7 +174,50 @@ def progress(lesson: str = "") -> Progress:
         raise ValueError(
             f'progress: expected the number of a lesson, such as "05", found {lesson!r}'
         )
-    return Progress(scored, _log.best())
+    names = list(SITTINGS)
+    after = names[names.index(lesson) + 1 :][:1] if lesson else []
+    return Progress(scored, _log.best(), after[0] if after else "")
+
+
+def course_map(lesson: str = "") -> Map:
+    """The whole course with how much of each sitting is done; a click opens one.
+
+    Parameters
+    ----------
+    lesson : str
+        The sitting that is open, such as ``"05"`` or ``"08b"``.
+
+    Examples
+    --------
+    >>> course_map("05").to_dict()["05"][1]
+    9
+    """
+    if lesson and lesson not in SITTINGS:
+        raise ValueError(
+            f"course_map: expected one of the lessons {', '.join(SITTINGS)}, found {lesson!r}"
+        )
+    return Map(counted(_log.best()), lesson)
+
+
+def route() -> Map:
+    """Where to begin, by what was answered rightly in the pre-test, and the map of the course.
+
+    Examples
+    --------
+    >>> str(route()).splitlines()[1][:21]
+    'Begin with lesson 01.'
+    """
+    known = _log.known_at_first()
+    first, later = begin_at(known)
+    asked = sum(key in known for key in ASKED_BY)
+    words = f"Begin with lesson {first}."
+    if not asked:
+        words += " The five questions are not answered yet."
+    elif first > "01":
+        words += " What was asked about the lessons before it, you answered rightly."
+    if asked and later:
+        words += f" Still open beyond it: the questions of {' and '.join(later)}."
+    return Map(counted(_log.best()), "00", words)
 
 
 def then_and_now() -> Growth:

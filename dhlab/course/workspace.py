@@ -12,9 +12,17 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ..formats.files import read_text, write_text
-from .progress import MARKER
+from .progress import MARKER, Log
+from .route import counted, file_of, stopped_in
 
-__all__ = ["handed_out", "prepare", "write_settings", "lab_command", "open_lab"]
+__all__ = [
+    "handed_out",
+    "prepare",
+    "write_settings",
+    "lab_command",
+    "open_lab",
+    "where_one_stopped",
+]
 
 OWN_NUMBERS = re.compile(
     r'"variant"\s*:\s*[1-9]'
@@ -138,13 +146,31 @@ def write_settings(folder: str | Path) -> None:
     write_text(settings / "overrides.json", json.dumps(SETTINGS) + "\n", overwrite=True)
 
 
+def where_one_stopped(folder: str | Path) -> str:
+    """The notebook of a folder in which something was checked last, or the one after it where all
+    of it is done; lesson 00 at first. "" where the folder has no such file.
+
+    Examples
+    --------
+    >>> where_one_stopped("no-such-folder")
+    ''
+    """
+    log = Log(Path(folder))
+    name = file_of(stopped_in(log.entries(), counted(log.best())))
+    return name if (Path(folder) / name).is_file() else ""
+
+
 def lab_command(folder: str | Path, *, port: int | None = None, browser: bool = True) -> list[str]:
-    """The command that starts JupyterLab on a prepared folder."""
+    """The command that starts JupyterLab on a prepared folder, with the lesson open where one
+    stopped.
+    """
+    name = where_one_stopped(folder)
     command = [
         sys.executable,
         "-m",
         "jupyterlab",
         f"--ServerApp.root_dir={folder}",
+        *([f"--LabApp.default_url=/lab/tree/{name}"] if name else []),
         f"--LabApp.app_settings_dir={Path(folder) / MARKER / 'lab'}",
     ]
     command += [f"--ServerApp.port={port}"] if port else []

@@ -58,12 +58,23 @@ def _clear(circle, name):
 
 
 def _said(circle, name):
-    value, sigma = circle.differs[name]
-    return f"{_in_unit(value, UNITS[name])} ± {_in_unit(sigma, UNITS[name])} {UNITS[name]}"
+    return f"{_with_sigma(circle.differs[name], UNITS[name])} {UNITS[name]}"
 
 
-def _in_unit(value, unit):
-    return number(value * (1000 if unit == "mm" else 180 / np.pi), 3)
+def _in_unit(value, unit, sigma=0.0):
+    """A value in its unit, no further than two digits of its ± go."""
+    scale = 1000 if unit == "mm" else 180 / np.pi
+    return _fixed(value * scale, _places(sigma * scale)) if sigma else number(value * scale, 3)
+
+
+def _with_sigma(pair, unit):
+    value, sigma = pair
+    return f"{_in_unit(value, unit, sigma)} ± {_in_unit(sigma, unit, sigma)}"
+
+
+def _places(sigma):
+    """Decimals that show two digits of a standard deviation, three at most."""
+    return int(np.clip(1 - np.floor(np.log10(sigma)), 0, 3))
 
 
 def _fixed(value, digits):
@@ -76,8 +87,8 @@ def _verdict(circle):
     """
     if not circle.differs:
         return (
-            f"a circle of {number(1000 * circle.radius, 2)} mm ±"
-            f" {number(1000 * circle.sigma['radius'], 3)} mm (no model to compare with)."
+            f"a circle of {_with_sigma((circle.radius, circle.sigma['radius']), 'mm')} mm (no model"
+            " to compare with)."
         )
     i, sentences = circle.joint, []
     if circle.differs["axis"][0] > np.pi / 2:
@@ -150,13 +161,13 @@ def _rows(report):
             str(c.joint),
             str(c.points),
             " ".join(_fixed(v, 4) for v in c.axis),
-            _in_unit(c.sigma["axis"], "deg"),
-            " ".join(_fixed(1000 * v, 2) for v in c.centre),
-            _in_unit(c.sigma["centre"], "mm"),
-            _in_unit(c.radius, "mm"),
-            _in_unit(c.sigma["radius"], "mm"),
-            _in_unit(c.phase, "deg"),
-            _in_unit(c.sigma["phase"], "deg"),
+            _in_unit(c.sigma["axis"], "deg", c.sigma["axis"]),
+            " ".join(_in_unit(v, "mm", c.sigma["centre"]) for v in c.centre),
+            _in_unit(c.sigma["centre"], "mm", c.sigma["centre"]),
+            _in_unit(c.radius, "mm", c.sigma["radius"]),
+            _in_unit(c.sigma["radius"], "mm", c.sigma["radius"]),
+            _in_unit(c.phase, "deg", c.sigma["phase"]),
+            _in_unit(c.sigma["phase"], "deg", c.sigma["phase"]),
             _in_unit(c.off_circle, "mm"),
         ]
 
@@ -165,12 +176,7 @@ def _compared(report):
     for c in report.circles:
         if c.differs:
             yield [str(c.joint)] + [
-                (
-                    f"{_in_unit(c.differs[k][0], UNITS[k])} ± {_in_unit(c.differs[k][1], UNITS[k])}"
-                    if k in c.differs
-                    else ""
-                )
-                for k in UNITS
+                _with_sigma(c.differs[k], UNITS[k]) if k in c.differs else "" for k in UNITS
             ]
 
 

@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from dhlab.course import session, workspace
+from dhlab.course.exercises import exercises, sittings
+from dhlab.course.kinds import PreTest
 from dhlab.course.progress import Log
-from dhlab.course.verdict import RIGHT, WRONG, Verdict
+from dhlab.course.route import ASKED_BY, SITTINGS, counted, file_of
+from dhlab.course.verdict import RECORDED, RIGHT, WRONG, Verdict
 
 ROOT = Path(__file__).parents[2]
 
@@ -111,3 +114,64 @@ def test_a_handed_out_folder_gets_no_lessons_of_other_numbers(tmp_path):
         tmp_path / "glossary.md"
     ).exists()
     assert (tmp_path / "05-link-matrix.ipynb").read_text(encoding="utf-8") == own
+
+
+# --- where one is in the course, and where to begin ---
+
+
+def checked(*ids, known=None):
+    return [
+        Verdict(key, RIGHT if known is None else RECORDED, points=1, of=1, known=known)
+        for key in ids
+    ]
+
+
+def test_the_files_of_the_map_are_the_lessons_and_their_links_lead_on():
+    assert [file_of(name) for name in SITTINGS] == sorted(
+        path.name for path in (ROOT / "lessons").glob("*.ipynb")
+    )
+    assert list(SITTINGS) == list(sittings())
+    assert {
+        key: one.lesson for key, one in exercises().items() if isinstance(one, PreTest)
+    } == ASKED_BY
+    assert 'href="04b-a-whole-arm.ipynb"' in session.progress("04")._repr_html_()
+    assert "href" not in session.progress("09")._repr_html_()
+
+
+@pytest.mark.parametrize(
+    "right, wrong, lesson",
+    [
+        ((), (), "01"),
+        ((), ("00.2", "00.3", "00.4", "00.5", "00.6"), "01"),  # sure of oneself, and wrong
+        (("00.3", "00.4", "00.5", "00.6"), ("00.2",), "01"),
+        (("00.2", "00.4"), ("00.3",), "02"),
+        (("00.2", "00.3"), (), "03"),
+        (("00.2", "00.3", "00.4"), ("00.5",), "04"),
+        (("00.2", "00.3", "00.4", "00.5", "00.6"), (), "04"),
+    ],
+)
+def test_the_pre_test_sends_by_what_was_right(monkeypatch, right, wrong, lesson):
+    log = Log()
+    monkeypatch.setattr(session, "_log", log)
+    for verdict in (*checked(*right, known=True), *checked(*wrong, known=False)):
+        log.add(verdict)
+    told = session.route()
+    assert f"Begin with lesson {lesson}." in str(told)
+    assert f'<a href="{file_of(lesson)}">lesson {lesson}</a>' in told._repr_html_()
+
+
+def test_the_lab_opens_where_one_stopped(tmp_path, monkeypatch):
+    workspace.prepare(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert "--LabApp.default_url=/lab/tree/00-start-here.ipynb" in workspace.lab_command(tmp_path)
+    log = Log()
+    for verdict in checked("04.1", "04.3"):
+        log.add(verdict)
+    assert workspace.where_one_stopped(tmp_path) == "04-placing-frames.ipynb"
+    assert counted(Log(tmp_path).best())["04"] == (2, 6)
+    for verdict in checked("04.1", "04.2", "04.4", "04.7", "04.10"):
+        log.add(verdict)
+    assert workspace.where_one_stopped(tmp_path) == "04b-a-whole-arm.ipynb"
+    assert "04 ✓" in str(session.course_map("04b"))
+    (tmp_path / "04b-a-whole-arm.ipynb").unlink()
+    assert not any("default_url" in part for part in workspace.lab_command(tmp_path))

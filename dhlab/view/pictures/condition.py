@@ -121,11 +121,13 @@ def _figure(arm, along, numbers, joint, title):
     axes = figure.add_axes((0.1, 0.2, 0.86, 0.66))
     lost = numbers > SINGULAR
     top = 2 * numbers[~lost].max(initial=10 * numbers.min())
-    axes.semilogy(along, np.where(lost, np.nan, numbers), color=CURVE, linewidth=2.0, gid="curve")
+    # where there is no number the curve rises past the upper edge, so that no peak is seen
+    endless = np.where(lost, 100 * top, numbers)
+    axes.semilogy(along, endless, color=CURVE, linewidth=2.0, gid="curve")
     for value in along[lost]:
         axes.axvline(value, color=LOST, linewidth=1.2, linestyle=(0, (4, 2)), gid="singular")
         axes.annotate(
-            "singular",
+            "singular: no end ↑",
             (value, top),
             (5, -12),
             textcoords="offset points",

@@ -6,12 +6,14 @@ from typing import Any
 
 __all__ = [
     "check",
+    "course_map",
     "given",
     "hint",
     "predict",
     "progress",
     "report",
     "reveal",
+    "route",
     "set_variant",
     "then_and_now",
 ]
@@ -70,4 +72,5 @@ def _noted(*args, **kwargs):
     return NOTED
 
 
-hint = predict = progress = report = reveal = set_variant = then_and_now = _noted
+course_map = hint = predict = progress = report = _noted
+reveal = route = set_variant = then_and_now = _noted
