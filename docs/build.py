@@ -39,7 +39,7 @@ NOTE = """:::{admonition} Read it here, do it in Jupyter
 This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted
 yet*. To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
 :::"""
-PARTS = ("", "reference/", "benchmarks/")  # where pages, and what pages include, stand
+PARTS = ("", "reference/", "benchmarks/", "bench/")  # where pages, and what pages include, stand
 # what furo leaves to be named, so that somebody who listens to the page can tell its parts
 LANDMARKS = [
     (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),

@@ -27,6 +27,7 @@ ROOMS = reference.rooms()
 LESSONS = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
 PAGES = [
     "index",
+    "bench/index",
     "doctor",
     "explorer",
     "generate",

@@ -28,7 +28,7 @@ PACKAGE = HERE.parents[1] / "dhlab"
 CACHE = Path(os.environ.get("DHLAB_LIVE_CACHE") or Path.home() / ".cache" / "dhlab" / "live")
 CORE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 SQUEEZED = ("pyodide.asm.mjs", "pyodide.asm.wasm")  # not every host compresses what it serves
-OWN = ("*.js", "*.css", "bridge.py", "anywidget.py")
+OWN = ("*.js", "*.css", "bridge.py", "anywidget.py", "bench.py")
 # of a wheel, what nobody in a page imports or reads
 LEFT_OUT = re.compile(
     r"(^|/)(tests|include|sample_data)/|\.(pyi|pxd|h|c|pyx|a|txt\.gz)$|/mpl-data/images/"
@@ -107,7 +107,7 @@ def _fetch_pure(wheels):
 
 HEAD = (
     '<link rel="stylesheet" href="../live/live.css">'
-    '<script type="module" src="../live/lesson.js"></script>'
+    '<script type="module" src="../live/{}"></script>'
 )
 PIP = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:"]
 
@@ -161,14 +161,20 @@ def _zip(out, files):
 
 
 def into(html):
-    """The site's lessons made to run: the files into its folder ``live``, and a line into each
-    lesson's page.
+    """The site's lessons and its bench made to run: the files into its folder ``live``, and a line
+    into the pages.
     """
     sizes = gather(html / "live")
-    for path in sorted((html / "lessons").glob("*.html")):
-        if (html / "live" / "lessons" / f"{path.stem}.ipynb").exists():
-            text = path.read_text(encoding="utf-8").replace("</head>", f"{HEAD}</head>", 1)
-            path.write_text(text, encoding="utf-8", newline="\n")
+    pages = {html / "bench" / "index.html": "bench.js"}
+    for path in (html / "live" / "lessons").glob("*.ipynb"):
+        pages[html / "lessons" / f"{path.stem}.html"] = "lesson.js"
+    for path, script in pages.items():
+        text = path.read_text(encoding="utf-8")
+        path.write_text(
+            text.replace("</head>", f"{HEAD.format(script)}</head>", 1),
+            encoding="utf-8",
+            newline="\n",
+        )
     return sizes
 
 

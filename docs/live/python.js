@@ -9,13 +9,13 @@ export const NOTHING_ELSE = JSON.stringify({
 // host: { bytes(name) → Promise of a Uint8Array, now(name) → a Uint8Array at once, send(text) }
 export async function start(host, { loadPyodide, createPyodideModule, options = {} }) {
   const python = await loadPyodide({ createPyodideModule, packages: [], ...options });
-  const [wheels, bridge, widgets] = await Promise.all(["wheels.json", "bridge.py", "anywidget.py"].map(host.bytes));
+  const modules = ["bridge.py", "anywidget.py", "bench.py"];
+  const [wheels, ...sources] = await Promise.all(["wheels.json", ...modules].map(host.bytes));
   const text = (bytes) => new TextDecoder().decode(bytes);
   python.registerJsModule("page", { wheel: host.now, wheels: text(wheels), send: host.send });
   const site = python.runPython("import site; site.getsitepackages()[0]");
   python.FS.mkdirTree(site);
-  python.FS.writeFile(`${site}/bridge.py`, bridge);
-  python.FS.writeFile(`${site}/anywidget.py`, widgets);
+  modules.forEach((name, k) => python.FS.writeFile(`${site}/${name}`, sources[k]));
   const made = python.pyimport("bridge");
   return {
     python,

@@ -14,8 +14,6 @@ from ...geometry.conversion import as_arm, require_uncoupled
 from ...placing.board import Placement
 from ...table import DHTable
 from ...transform import require_pose, trans
-from ..pictures.compared import measured_and_predicted
-from . import stills
 from .content import arm_data, pose_data
 from .placing import Placing, axes_of
 from .widget import Explorer
@@ -136,7 +134,7 @@ def _arm(arm, *, q=None, jacobian=False):
         "arm",
         arm,
         _name(arm),
-        lambda: stills.arm(arm, q),
+        lambda: _stills().arm(arm, q),
         {"arm": arm_data(arm), **({"jacobian": True} if jacobian else {})},
         q=q,
         convention=arm.table.convention,
@@ -158,7 +156,7 @@ def _link(arm, *, q=None, joint=1):
         "link",
         arm,
         f"{_name(arm)}: row {joint}",
-        lambda: stills.link(arm.table, int(joint), variable),
+        lambda: _stills().link(arm.table, int(joint), variable),
         {"index": int(joint), "reach": reach, "steps": (0, 4)},
         q=q,
         row=row,
@@ -175,7 +173,7 @@ def _conventions(arm, *, q=None):
         "conventions",
         arm,
         f"{_name(arm)}: standard and Craig frames",
-        lambda: stills.conventions(arm, q),
+        lambda: _stills().conventions(arm, q),
         {"arms": {name: arm_data(one) for name, one in arms.items()}},
         q=q,
         convention=arm.table.convention,
@@ -202,7 +200,7 @@ def _compare(arm, *, q=None, poses=None, other=None):
         "compare",
         arm,
         f"{_name(arm)} and {_name(other)}",
-        lambda: stills.two(arm, other, q),
+        lambda: _stills().two(arm, other, q),
         {"arm": arm_data(arm), "other": arm_data(other)},
         q=q,
         convention=arm.table.convention,
@@ -210,6 +208,8 @@ def _compare(arm, *, q=None, poses=None, other=None):
 
 
 def _measured(arm, q, poses):
+    from ..pictures.compared import measured_and_predicted  # with matplotlib
+
     q, T, p, turns = measured_and_predicted(arm, q, poses)
     full = np.array(T) if turns is None else np.asarray(poses, dtype=float)
     full[:, :3, 3] = p
@@ -225,7 +225,7 @@ def _measured(arm, q, poses):
         "compare",
         arm,
         f"{_name(arm)}: predicted against measured",
-        lambda: stills.measured(arm, q, poses),
+        lambda: _stills().measured(arm, q, poses),
         data,
         q=q[worst],
         step=worst + 1,
@@ -246,7 +246,7 @@ def _branches(arm, *, q=()):
         "branches",
         arm,
         f"{_name(arm)}: {len(qs)} ways to one pose",
-        lambda: stills.branches(arm, qs),
+        lambda: _stills().branches(arm, qs),
         {"arm": arm_data(arm), "qs": qs.tolist(), "steps": (1, len(qs))},
         q=qs[0],
         step=1,
@@ -283,7 +283,7 @@ def _placing(name, placing):
         "place",
         None,
         name,
-        lambda: stills.place(placing),
+        lambda: _stills().place(placing),
         data,
         convention=placing.placement.convention,
         step=data["steps"][1] if placing.shown else 0,
@@ -307,10 +307,17 @@ def _pose(arm):
         "pose",
         None,
         "A plate and its pose" if len(poses) == 1 else "Two plates, and the product of their poses",
-        lambda: stills.plates(poses),
+        lambda: _stills().plates(poses),
         {"reach": max(0.5, float(round(1.3 * far, 2)))},
         poses=poses,
     )
+
+
+def _stills():
+    """What draws the still pictures, with matplotlib: loaded when one is needed."""
+    from . import stills
+
+    return stills
 
 
 PLATE = trans([0.4, 0.3, 0.2])
