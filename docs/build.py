@@ -23,6 +23,7 @@ from pathlib import Path
 
 import jupytext
 import nbformat
+from library import library, linked
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from reference import filled_in
@@ -56,6 +57,7 @@ LANDMARKS = [
     (r"<pre\b", '<pre tabindex="0"'),
     (r'<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
     (r'<div id="search-results">', '<h1>Search</h1><div id="search-results">'),
+    (r'<a href="([\w-]+)\.ipynb">', r'<a href="\1.html">'),  # the map on top of a lesson
 ]
 
 
@@ -109,6 +111,7 @@ def pages(cache):
             plain[path.relative_to(DOCS).as_posix()] = filled_in(text)
     for path in sorted((ROOT / "lessons").glob("*.ipynb")):
         notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4))
+    plain["arms.md"] = linked(plain["arms.md"])
     plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")
     with ThreadPoolExecutor(2) as pool:
         runs = dict(
@@ -123,7 +126,7 @@ def pages(cache):
     texts = plain | {
         f"{name}.ipynb": path.read_text(encoding="utf-8") for name, path in runs.items()
     }
-    return {name: _relinked(text, runs) for name, text in texts.items()}
+    return {name: _relinked(text, runs) for name, text in texts.items()} | library()
 
 
 def _relinked(text, runs):
@@ -192,8 +195,8 @@ def _run(name, notebook):
 
 
 def accessible(html):
-    """A page with furo's landmarks named, what scrolls within reach of the keyboard, and a heading
-    on the search page.
+    """A page with furo's landmarks named, what scrolls within reach of the keyboard, a heading on
+    the search page, and lessons that lead to each other's pages.
     """
     for found, wanted in LANDMARKS:
         html = re.sub(found, wanted, html, flags=re.DOTALL)
