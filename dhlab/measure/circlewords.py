@@ -62,9 +62,11 @@ def _said(circle, name):
 
 
 def _in_unit(value, unit, sigma=0.0):
-    """A value in its unit, no further than two digits of its ± go."""
+    """A value in its unit, no further than two digits of its ± go; short where that is nothing."""
     scale = 1000 if unit == "mm" else 180 / np.pi
-    return _fixed(value * scale, _places(sigma * scale)) if sigma else number(value * scale, 3)
+    if sigma * scale < 5e-4:
+        return number(value * scale, 3)
+    return _fixed(value * scale, _places(sigma * scale))
 
 
 def _with_sigma(pair, unit):

@@ -106,16 +106,16 @@ def test_csv_and_urdf_say_that_they_cannot(tmp_path):
         dh.to_urdf(fanuc())
 
 
-def test_doctor_and_measure_ask_for_joint_values():
+def test_protocol_and_calibration_ask_for_joint_values():
     arm, q = fanuc(), np.random.default_rng(0).uniform(-1, 1, (12, 6))
     poses = arm.forward(q)
-    for ask in (dh.diagnose, dh.calibrate_offsets):
-        with pytest.raises(ValueError, match="arm.joint_values"):
-            ask(arm, q, poses)
+    with pytest.raises(ValueError, match="arm.joint_values"):
+        dh.calibrate_offsets(arm, q, poses)
     with pytest.raises(ValueError, match="arm.joint_values"):
         dh.doctor.protocol(arm, 6)
     bare = dh.Arm(arm.table)
-    assert dh.diagnose(bare, arm.joint_values(q), poses).verdict == "agrees"
+    for right, numbers in ((bare, arm.joint_values(q)), (arm, q)):
+        assert dh.diagnose(right, numbers, poses).verdict == "agrees"
 
 
 def test_printing_shows_what_moves_a_joint():

@@ -25,7 +25,10 @@ def apart(one: Arm, other: Arm, q: NDArray[np.float64]) -> tuple[float, float]:
     """The largest distance (m) and angle (rad) between two arms' ends over configurations q (m,
     n).
     """
-    A, B = one.forward(q), other.forward(q)
+    return _off(one.forward(q), other.forward(q))
+
+
+def _off(A, B):
     chord = np.linalg.norm(A[..., :3, :3] - B[..., :3, :3], axis=(-1, -2)) / np.sqrt(8)
     return (
         float(np.linalg.norm(A[..., :3, 3] - B[..., :3, 3], axis=-1).max()),
@@ -58,9 +61,10 @@ def in_table_units(arm: Arm, right: Arm, q: NDArray[np.float64]) -> tuple[str, S
     """
     rows, columns = arm.table.rows * IN_DEGREES, np.arange(4)
     q = q[:4]
+    asked = right.forward(q)
 
     def fits(rows):
-        return max(apart(_with_rows(arm, rows), right, q)) <= 2 * LOOSELY
+        return max(_off(_with_rows(arm, rows).forward(q), asked)) <= 2 * LOOSELY
 
     every = np.ones((len(rows), 1), dtype=bool)
     of_columns = [

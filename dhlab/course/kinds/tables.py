@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -107,8 +108,8 @@ class Table(Exercise):
         unit = in_table_units(arm, right, q)
         if unit:
             return self.told(*unit)
-        for mistake, said, wrong in self.mistakes(**self.given(variant)):
-            if max(apart(as_arm(wrong, right), arm, q)) <= SAME:
+        for mistake, said, wrong in self._mistaken(variant):
+            if max(apart(wrong, arm, q)) <= SAME:
                 return self.told(mistake, said)
         finding = explain_rows(arm, right, q)
         if finding:
@@ -117,6 +118,20 @@ class Table(Exercise):
             headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
             place=where(arm, right, q),
         )
+
+    @cached_property
+    def _mistaken(self):
+        """Of a variant: (mistake, what is said, wrong Arm) of the exercise's own mistakes; kept for
+        the next try.
+        """
+
+        @lru_cache(maxsize=1)
+        def of(variant):
+            right = self.right_arm(variant)
+            found = self.mistakes(**self.given(variant))
+            return [(mistake, said, as_arm(wrong, right)) for mistake, said, wrong in found]
+
+        return of
 
     def found(self, finding: Finding) -> Verdict:
         """The Verdict on a mistake that the doctor found in a table, in the words of this exercise

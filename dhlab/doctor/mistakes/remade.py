@@ -17,9 +17,10 @@ def with_rows(arm, rows, **parts):
     ``Arm`` are not made again.
     """
     table, changed = object.__new__(DHTable), object.__new__(Arm)
-    columns = dict(zip(COLUMNS, np.array(rows, dtype=float).T + 0.0))
+    numbers = np.array(rows, dtype=float) + 0.0
     table.__dict__.update(
-        columns,
+        zip(COLUMNS, numbers.T),
+        _rows=numbers,
         convention=parts.pop("convention", arm.table.convention),
         joints=parts.pop("joints", arm.table.joints),
     )

@@ -45,7 +45,7 @@ def explain_rows(given, right, q):
     fitting = [
         fault
         for fault in faults(Arm(right.table), typed=True)
-        if np.allclose(_posed(right, fault).forward(q), poses, rtol=0, atol=1e-8)
+        if np.abs(_posed(right, fault).forward(q) - poses).max() <= 1e-8
     ]
     if not fitting:
         return None

@@ -15,7 +15,7 @@ from dhlab.doctor import catalogue, diagnose
 from dhlab.transform import rot_x, rot_z, trans
 
 NOISE = (1e-3, np.deg2rad(0.2))
-ARMS = ("article-6r", "panda", "stanford", "irb120")
+ARMS = ("article-6r", "panda", "irb120", "stanford")
 
 
 def general(arm, m, seed=1):
@@ -158,7 +158,7 @@ def test_a_name_and_its_number_belong_together():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("name", few(ARMS, 2))
 def test_a_calibrated_arm_is_no_mistake(name):
     right = dh.load(name)
     rng = np.random.default_rng(7)
@@ -176,7 +176,7 @@ def test_a_calibrated_arm_is_no_mistake(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", few(["panda", "article-6r"], 1))
+@pytest.mark.parametrize("name", few(["article-6r", "panda"], 1))
 def test_garbage_is_unexplained(name):
     right = dh.load(name)
     q = general(right, 10)

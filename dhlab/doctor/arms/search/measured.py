@@ -8,6 +8,7 @@ from scipy.special import chdtri
 
 __all__ = ["Measured", "limit", "rotation_vectors"]
 
+HALF_A_TURN = -1.98  # twice the cosine of 172°
 FALSE_ALARM = 1e-7  # how often right data may look wrong
 
 
@@ -51,5 +52,21 @@ def limit(freedom):
 
 
 def rotation_vectors(R):
-    """Rotation vectors (..., 3) of rotation matrices (..., 3, 3)."""
-    return Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(R.shape[:-1])
+    """Rotation vectors (..., 3) of rotation matrices (..., 3, 3).
+
+    From the skew part, which is sin(angle) times the axis; near half a turn, where that is small,
+    scipy's way by quaternions.
+    """
+    skew = np.stack(
+        [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]],
+        axis=-1,
+    )
+    twice_sine = np.sqrt((skew * skew).sum(-1))
+    twice_cosine = np.trace(R, axis1=-2, axis2=-1) - 1
+    small = twice_sine < 1e-9
+    angle = np.arctan2(twice_sine, twice_cosine)
+    vectors = skew * np.where(small, 0.5, angle / np.where(small, 1, twice_sine))[..., None]
+    half = twice_cosine < HALF_A_TURN
+    if half.any():
+        vectors[half] = Rotation.from_matrix(R[half]).as_rotvec()
+    return vectors
