@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
-from ..mistakes.models import models
+from ..mistakes.themes.models import models
 from .search.fitting import misfit
 from .search.measured import limit, rotation_vectors
 from .search.singles import Explanation, singles

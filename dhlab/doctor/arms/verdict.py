@@ -8,7 +8,7 @@ import numpy as np
 
 from ...printing import number
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
-from ..mistakes.models import which_model
+from ..mistakes.themes.models import which_model
 from .given import distinct
 from .judging.agreement import FEW, agreement
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small

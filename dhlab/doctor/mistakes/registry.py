@@ -1,10 +1,10 @@
 """The registry: one function a mistake, and what every search asks of them.
 
-The words of a mistake stand in ``catalogue.yaml``; what it does stands in this room, in one
+The words of a mistake stand in ``catalogue.yaml``; what it does stands in ``themes``, in one
 function that yields its :mod:`changes <dhlab.doctor.mistakes.changes>`:
 
 >>> from dhlab.doctor.mistakes.changes import RowChange, scaled
->>> def alpha_sign():  # under @mistake("alpha-sign", preference=SIGN) in numbers.py
+>>> def alpha_sign():  # under @mistake("alpha-sign", preference=SIGN) in themes/numbers.py
 ...     yield RowChange(scaled(alpha=-1), "alpha", argument="the turn about x")
 
 From this one line an arm's table is repaired and the repair named, a typed table is explained, and
@@ -19,7 +19,7 @@ from .changes import Symptom
 
 __all__ = ["changes", "mistake", "only_seen", "preference", "value_mistake"]
 
-# the modules that hold the mistakes; of mistakes that fit equally well the first one is told first
+# the modules of themes; of mistakes that fit equally well the first one is told first
 THEMES = (
     "joints",
     "numbers",
@@ -79,7 +79,7 @@ def mistake(id, *, preference=OTHER, value_of=()):
 def _entries():
     """Every entry, in order of the themes and then as it stands there."""
     for theme in THEMES:
-        import_module(f"{__package__}.{theme}")
+        import_module(f"{__package__}.themes.{theme}")
     return tuple(sorted(_ENTRIES.values(), key=lambda entry: THEMES.index(entry.theme)))
 
 

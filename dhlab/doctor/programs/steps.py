@@ -12,8 +12,8 @@ import numpy as np
 
 from ...kinematics import link_matrices
 from ..mistakes.changes import JointChange, PoseChange, RowChange, Slip
-from ..mistakes.products import chain_product
 from ..mistakes.registry import changes
+from ..mistakes.themes.products import chain_product
 
 __all__ = ["chain_product", "right_link", "run_chain", "run_link", "slips"]
 

@@ -66,7 +66,7 @@ def test_a_second_function_for_one_mistake_is_refused():
     def pose_inverted():
         yield from ()
 
-    pose_inverted.__module__ = "dhlab.doctor.mistakes.poses"
+    pose_inverted.__module__ = "dhlab.doctor.mistakes.themes.poses"
     with pytest.raises(ValueError, match="expected one function, found two"):
         mistake("pose-inverted")(pose_inverted)
     pose_inverted.__module__ = "dhlab.doctor.mistakes.elsewhere"

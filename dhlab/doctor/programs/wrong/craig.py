@@ -5,7 +5,7 @@ a, alpha, or of rows and q, computes when one thing is wrong.
 import numpy as np
 
 from ....transform import rot_x, rot_z, trans_x, trans_z
-from ...mistakes.links import MOVES, in_order
+from ...mistakes.themes.links import MOVES, in_order
 from ..steps import slips
 from .links import two_rows
 from .products import SAMPLE, product

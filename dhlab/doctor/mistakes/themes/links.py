@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from ...kinematics import link_matrices
-from ...transform import rot_x, rot_z, trans_x, trans_z
-from .changes import ArmChange, RowChange, Slip, Symptom, of_numbers
-from .entries import typed, wrong_entries
-from .registry import mistake
-from .remade import ALPHA, THETA, A, with_rows
+from ....kinematics import link_matrices
+from ....transform import rot_x, rot_z, trans_x, trans_z
+from ..changes import ArmChange, RowChange, Slip, Symptom, of_numbers
+from ..entries import typed, wrong_entries
+from ..registry import mistake
+from ..remade import ALPHA, THETA, A, with_rows
 
 __all__ = ["MOVES", "in_another_order", "in_order", "mistyped"]
 

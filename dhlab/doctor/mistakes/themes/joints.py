@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from .changes import SLIDING, ArmChange, JointChange, RowChange, Slip, scaled
-from .registry import OFFSET, SENSE, mistake
-from .remade import THETA, with_parts, with_rows
+from ..changes import SLIDING, ArmChange, JointChange, RowChange, Slip, scaled
+from ..registry import OFFSET, SENSE, mistake
+from ..remade import THETA, with_parts, with_rows
 
 DEG = 180 / np.pi
 

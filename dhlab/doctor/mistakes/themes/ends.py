@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ...transform import rot_x, rot_y, rot_z, trans, trans_z
-from .changes import FIRST, LAST, ArmChange, RowChange, scaled
-from .registry import END, mistake
-from .remade import with_parts
+from ....transform import rot_x, rot_y, rot_z, trans, trans_z
+from ..changes import FIRST, LAST, ArmChange, RowChange, scaled
+from ..registry import END, mistake
+from ..remade import with_parts
 
 
 @mistake("tool-missing", preference=END, value_of=("tool",))

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from .changes import ALL, PoseChange, RowChange, Slip, Symptom, of_numbers
+from ..changes import ALL, PoseChange, RowChange, Slip, Symptom, of_numbers
+from ..registry import mistake
 from .numbers import ANGLES, DEG, LENGTHS, angles, in_programs
 from .products import running
-from .registry import mistake
 
 ROUNDED = 0.02  # a pose this near (m, and entries of R) to the right one was rounded on the way
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .changes import (
+from ..changes import (
     ALL,
     EACH,
     JointChange,
@@ -12,7 +12,7 @@ from .changes import (
     of_numbers,
     scaled,
 )
-from .registry import SIGN, UNITS, mistake
+from ..registry import SIGN, UNITS, mistake
 
 __all__ = ["ANGLES", "DEG", "LENGTHS", "angles", "in_programs"]
 

@@ -4,9 +4,9 @@ from itertools import permutations
 
 import numpy as np
 
-from .changes import Slip
+from ..changes import Slip
+from ..registry import mistake
 from .links import ALPHA_BEFORE_D, CRAIG, MOVES, STANDARD, X_BEFORE_Z, in_another_order, in_order
-from .registry import mistake
 
 __all__ = ["chain_product", "running"]
 

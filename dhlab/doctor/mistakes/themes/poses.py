@@ -5,10 +5,10 @@ last row, no poses at all, their angles or quaternions in another order.
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ...kinematics import link_matrices
-from ...transform import pose_fault
-from .changes import MeasuredChange, PoseChange, Slip, Symptom
-from .registry import mistake
+from ....kinematics import link_matrices
+from ....transform import pose_fault
+from ..changes import MeasuredChange, PoseChange, Slip, Symptom
+from ..registry import mistake
 
 
 @mistake("pose-inverted")

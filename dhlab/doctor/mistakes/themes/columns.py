@@ -6,11 +6,11 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from ...kinematics import link_matrices
-from ...table import COLUMNS as NAMES
-from .changes import ALL, EACH, ArmChange, MeasuredChange, Rearranged, RowChange, Slip
-from .registry import COLUMNS, CONVENTION, mistake
-from .remade import A, with_rows
+from ....kinematics import link_matrices
+from ....table import COLUMNS as NAMES
+from ..changes import ALL, EACH, ArmChange, MeasuredChange, Rearranged, RowChange, Slip
+from ..registry import COLUMNS, CONVENTION, mistake
+from ..remade import A, with_rows
 
 A_FOR_D, THETA_FOR_ALPHA = (0, 2, 1, 3), (3, 1, 2, 0)
 # the orders of MATLAB, of lecture notes and of papers, read as θ d a α

@@ -4,10 +4,10 @@ from itertools import product
 
 import numpy as np
 
-from ...geometry.freedoms import half_turn
-from .changes import EACH, ArmChange, RowChange, of_numbers
-from .registry import mistake
-from .remade import ALPHA, THETA, A, D, with_rows
+from ....geometry.freedoms import half_turn
+from ..changes import EACH, ArmChange, RowChange, of_numbers
+from ..registry import mistake
+from ..remade import ALPHA, THETA, A, D, with_rows
 
 # ---- axes
 

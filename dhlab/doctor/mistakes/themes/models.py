@@ -4,12 +4,12 @@ from functools import cache
 
 import numpy as np
 
-from ...robots import load, robots
-from ...robots.index import summary
-from ...robots.likeness import like
-from .changes import ArmChange
-from .registry import mistake
-from .remade import with_rows
+from ....robots import load, robots
+from ....robots.index import summary
+from ....robots.likeness import like
+from ..changes import ArmChange
+from ..registry import mistake
+from ..remade import with_rows
 
 __all__ = ["models", "which_model"]
 

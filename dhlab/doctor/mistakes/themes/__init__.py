@@ -1,0 +1,1 @@
+"""The mistakes by theme: each function yields the changes of one mistake."""
