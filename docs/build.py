@@ -23,7 +23,7 @@ from pathlib import Path
 
 import jupytext
 import nbformat
-from library import library, linked
+from library import library, linked, with_arms
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from reference import filled_in
@@ -104,7 +104,7 @@ def pages(cache):
     """
     plain, notebooks = {}, {}
     for path in sorted(path for part in PARTS for path in DOCS.glob(f"{part}*.md")):
-        text = path.read_text(encoding="utf-8")
+        text = with_arms(path.read_text(encoding="utf-8"))
         if "{code-cell}" in text:
             notebooks[path.stem] = jupytext.reads(text, fmt="md:myst")
         else:

@@ -48,7 +48,11 @@ copybutton_exclude = ".linenos, .gp, .go"
 html_theme = "furo"
 html_title = "dhlab"
 html_favicon = "_static/favicon.svg"
-html_static_path = ["_static", "../dhlab/view/explorer/explorer.js"]
+html_static_path = [
+    "_static",
+    "../dhlab/view/explorer/explorer.js",
+    "../dhlab/view/explorer/instrument.js",
+]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False

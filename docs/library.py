@@ -17,7 +17,7 @@ from dhlab.transform import to_xyz_rpy
 from dhlab.view.explorer.content import arm_data
 from dhlab.view.explorer.page import wrapped
 
-__all__ = ["library", "linked"]
+__all__ = ["library", "linked", "with_arms"]
 
 FOLDER = Path(__file__).parent
 CONVENTIONS = {"standard": "standard", "craig": "Craig's"}
@@ -48,6 +48,18 @@ def linked(text):
         text,
         flags=re.MULTILINE,
     )
+
+
+def with_arms(text):
+    """A page with the explorer of an arm where it says ``{arm} name q1 q2 ...``, in degrees."""
+
+    def shown(found):
+        key, *q = found[1].split()
+        one = entry(key)
+        html = _explorer(one, _best(one), np.deg2rad(np.array(q, dtype=float)))
+        return f"```{{raw}} html\n{html}\n```"
+
+    return re.sub(r"^\{arm\} (.+)$", shown, text, flags=re.MULTILINE)
 
 
 def _best(one):
@@ -132,7 +144,7 @@ def _explorer(one, arm, q):
     """The explorer without a kernel, with the small picture until it is alive."""
     title = one.name
     alt = f"{title} with its frames: {len(arm)} joints, {one.topology or arm.table.joints}"
-    data = {"mode": "arm", "title": title, "alt": alt, "arm": arm_data(arm)}
+    data = {"mode": "arm", "title": title, "alt": alt, "arm": arm_data(arm), "instrument": True}
     state = {
         "q": q.tolist(),
         "row": [0, 0, 0, 0],

@@ -226,6 +226,44 @@ def test_the_gallery_has_a_page_for_every_arm_and_finds_them(opened, site):
     assert "No arm" in page.locator(".arm-search [role=status]").inner_text()
 
 
+def test_an_arm_is_changed_shared_and_saved_on_its_page(new_page, address, tmp_path):
+    page = new_page()
+    page.goto(f"{address}/robots/ur5e.html#q=10,-60,80,-110,-80,20")
+    page.get_by_text("Change the table").click()
+    page.get_by_role("radio", name="Craig's").check(force=True)
+    a = page.get_by_role("spinbutton", name="a of row 3, millimetres")
+    assert a.input_value() == "-425"
+    a.fill("-400")
+    a.press("Enter")
+    changed = dh.load("ur5e").to("craig")
+    rows = changed.table.rows
+    rows[2, 2] = -0.4
+    table = dh.DHTable.craig(rows, angle="rad")
+    wanted = dh.Arm(table, base=changed.base, tool=changed.tool)
+    q = np.deg2rad([10, -60, 80, -110, -80, 20])
+    with page.expect_download() as taken:
+        page.get_by_role("button", name="Save the table").click()
+    taken.value.save_as(tmp_path / "arm.yaml")
+    np.testing.assert_allclose(
+        dh.load(tmp_path / "arm.yaml").forward(q), wanted.forward(q), atol=1e-12
+    )
+    page.get_by_role("button", name="Copy a link").click()
+    page.wait_for_function("location.hash.includes('rows=')")
+    other = new_page()
+    other.goto(page.url)
+    other.wait_for_function("document.querySelector('.dhlab-explorer').explorer?.stage.drawn > 0")
+    other.get_by_text("Change the table").wait_for()
+    for one in (page, other):
+        words = one.locator(".readout dd").first.inner_text().replace("−", "-")
+        found = [float(number) for number in re.findall(r"-?\d+\.?\d*", words)]
+        np.testing.assert_allclose(found, 1000 * wanted.forward(q)[:3, 3], atol=0.051)
+    with page.expect_download() as taken:
+        page.get_by_role("button", name="Save the picture").click()
+    assert taken.value.suggested_filename == "universal-robots-ur5e.png"
+    page.get_by_role("button", name="Back to the published table").click()
+    assert page.get_by_role("spinbutton", name="a of row 2, millimetres").input_value() == "-425"
+
+
 def test_links_inside_the_site_resolve(site):
     texts = {
         path.relative_to(site).as_posix(): path.read_text(encoding="utf-8")

@@ -14,7 +14,7 @@ from dhlab.view.explorer.widget import MODULE
 
 SOURCE = Path(MODULE).parent / "js"
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><main><h1>Explorers</h1>{}</main><script type="module">{}
-window.dhlab = {{ forward, frames, jacobian, widget }};</script>"""
+window.dhlab = {{ forward, frames, jacobian, reach, widget }};</script>"""
 
 MODEL = """(state) => {
     const heard = {};
@@ -91,7 +91,7 @@ def opened(new_page):
         )
         module += (
             f"\nconst forward = {names['forward']}, frames = {names['frames']}, jacobian ="
-            f" {names['jacobian']}, widget = {names['default']};"
+            f" {names['jacobian']}, reach = {names['reach']}, widget = {names['default']};"
         )
         page.set_content(
             PAGE.format("".join(as_html(explorer, stills) for explorer in explorers), module)

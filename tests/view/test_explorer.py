@@ -27,9 +27,10 @@ def arm():
 
 def test_module_is_what_its_source_gives(packages):
     subprocess.run(["npm", "run", "--silent", "build"], cwd=packages, check=True)
-    assert (packages.parent / "explorer.js").read_bytes() == MODULE.read_bytes(), (
-        "run npm ci and npm run build in dhlab/view/explorer/js"
-    )
+    for name in ("explorer.js", "instrument.js"):
+        assert (packages.parent / name).read_bytes() == MODULE.with_name(name).read_bytes(), (
+            "run npm ci and npm run build in dhlab/view/explorer/js"
+        )
 
 
 def test_lock_names_no_registry():

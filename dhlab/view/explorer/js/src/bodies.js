@@ -7,6 +7,8 @@ import { axis, dot, length, origin, scale, sub } from "./matrix.js";
 
 const NEAR = 1e-6; // metres; closer origins are one point to every eye
 const PARALLEL = 1 - 1e-6;
+export const REACH = 0.13; // of the arm's size, how long an arrow is
+const LEAST = 0.055;
 
 // The longest side of the upright box round points.
 export const spread = (points) => Math.max(...[0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k])))) || 0.1;
@@ -37,12 +39,14 @@ export function drawBody(scene, arm, chain, end, { link = "link", joint = "joint
 }
 
 // Frames with names for subscripts ("3", "tool") and titles ("{3}"); those at one place share a title and share letters where axes coincide.
-export function drawTriads(scene, poses, names, titles, { reach = 0.13 * scene.size, thick = 0.0052 * scene.size, letters = true, dashed = false, key = "" } = {}) {
+// Where one is `chosen`, the others give way to each other: their arrows end before the next frame. `letters` says which axes have one, (k, j).
+export function drawTriads(scene, poses, names, titles, { chosen = null, reach = REACH * scene.size, thick = 0.0052 * scene.size, letters = true, dashed = false, key = "" } = {}) {
   const at = groups(poses.map(origin)), longest = new Map();
   scene.onTop(() => at.forEach((group) => {
+    const room = chosen === null || group.includes(chosen) ? 1 : elbowRoom(poses, at, group, reach);
     group.forEach((k, rank) => {
-      longest.set(k, reach * (1 + 0.28 * rank));
-      for (const j of [0, 1, 2]) scene.arrow(origin(poses[k]), axis(poses[k], j), longest.get(k), thick * (j === 2 ? 1.3 : 1), "xyz"[j], dashed);
+      longest.set(k, reach * room * (1 + 0.28 * rank));
+      for (const j of [0, 1, 2]) scene.arrow(origin(poses[k]), axis(poses[k], j), longest.get(k), thick * (room < 1 ? 0.75 : 1) * (j === 2 ? 1.3 : 1), "xyz"[j], dashed);
     });
     scene.ball(origin(poses[group[0]]), 1.75 * thick, "ink");
   }));
@@ -52,11 +56,17 @@ export function drawTriads(scene, poses, names, titles, { reach = 0.13 * scene.s
       scene.label(group.map((k) => titles[k]).join(", "), origin(poses[group[0]]), { toward: away, far: true, weight: 600, key: `${key}title${group[0]}` });
     }
   }
-  if (letters) for (const group of [...at].reverse()) letterAxes(scene, poses, names, group, longest, key);
+  if (letters) for (const group of [...at].reverse()) letterAxes(scene, poses, names, group, longest, key, letters);
 }
 
-function letterAxes(scene, poses, names, group, longest, key) {
-  let left = group.flatMap((k) => [0, 1, 2].map((j) => ({ k, j, along: axis(poses[k], j) })));
+// What part of its length a frame's arrows keep, so that they end before the next frame's origin.
+function elbowRoom(poses, at, group, reach) {
+  const own = origin(poses[group[0]]), gaps = at.filter((other) => other !== group).map((other) => length(sub(origin(poses[other[0]]), own)));
+  return Math.min(0.75, Math.max(LEAST / REACH, (0.8 * Math.min(...gaps)) / reach));
+}
+
+function letterAxes(scene, poses, names, group, longest, key, letters) {
+  let left = group.flatMap((k) => [0, 1, 2].map((j) => ({ k, j, along: axis(poses[k], j) }))).filter(({ k, j }) => letters === true || letters(k, j));
   while (left.length) {
     const [{ along: first }] = left, same = left.filter((entry) => dot(entry.along, first) > PARALLEL);
     left = left.filter((entry) => !same.includes(entry));

@@ -2,6 +2,7 @@
 
 const CELL = 5; // pixels of the grid that says where lines run
 const RAYS = 16;
+const SWAPPED = 9;
 const SAME = 12; // pixels; one label for two of one text at points nearer than this
 const GAPS = { near: [4, 10, 17], far: [9, 18, 30, 44, 60, 78] };
 
@@ -34,17 +35,28 @@ const overlaps = (a, b) => a.left < b.right + 2 && b.left < a.right + 2 && a.top
 
 // The places of labels {text, at, toward, far, key}, as boxes in pixels; `before` remembers each one's ray, so that it does not jump about.
 export function placeLabels(labels, camera, ink, measure, before) {
-  const placed = [];
-  for (const label of labels) {
-    const at = camera.flat(label.at), [width, height] = measure(label);
+  const placed = [], points = labels.map((label) => camera.flat(label.at));
+  for (const [k, label] of labels.entries()) {
+    const at = points[k], [width, height] = measure(label);
     if (placed.some((one) => one.label.text === label.text && one.label.color === label.color && Math.hypot(one.at[0] - at[0], one.at[1] - at[1]) < SAME)) continue;
-    const best = cheapest(candidates(label, at, camera), (ray) => price(ray, boxAt(ray, at, width, height), placed, ink, camera, before.get(label.key)));
+    const others = points.filter((p) => apart(p, at) > SAME);
+    const best = cheapest(candidates(label, at, camera), (ray) => {
+      const box = boxAt(ray, at, width, height);
+      return price(ray, box, placed, ink, camera, before.get(label.key)) + (strays(box, at, others) ? SWAPPED : 0);
+    });
     if (!best) continue;
     before.set(label.key, best.index);
-    placed.push({ label, at, gap: best.gap, ...boxAt(best, at, width, height) });
+    const box = boxAt(best, at, width, height);
+    placed.push({ label, at, gap: best.gap, led: strays(box, at, others), ...box });
   }
   return placed;
 }
+
+const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+const gapTo = (box, p) => apart(p, [Math.max(box.left, Math.min(box.right, p[0])), Math.max(box.top, Math.min(box.bottom, p[1]))]);
+
+// Whether a label stands nearer to what another one names than to its own: it then costs more, and gets a line.
+const strays = (box, at, others) => others.some((p) => gapTo(box, p) < gapTo(box, at) + 2);
 
 function candidates(label, at, camera) {
   let start = -Math.PI / 4;

@@ -2,6 +2,7 @@
 
 import { mount } from "./explorer.js";
 
+export { reach } from "./inverse.js";
 export { forward, frames, jacobian } from "./kinematics.js";
 
 const STATE = ["q", "row", "poses", "convention", "step", "_answer"];
@@ -50,6 +51,7 @@ function adopt(element) {
     },
   };
   mount(element, host);
+  if (data.instrument) import(new URL(`instrument.js${new URL(import.meta.url).search}`, import.meta.url)).then((made) => made.instrument(element.explorer)); // on the site alone
 }
 
 export function adoptAll() {

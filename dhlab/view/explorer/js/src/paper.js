@@ -159,10 +159,10 @@ export class Paper {
     ink.line(from, to, 2);
   }
 
-  letter({ label, at, left, right, top, bottom }, scene) {
+  letter({ label, at, led, left, right, top, bottom }, scene) {
     const { context: c } = this, x = (left + right) / 2, y = (top + bottom) / 2;
     const near = [Math.max(left, Math.min(right, at[0])), Math.max(top, Math.min(bottom, at[1]))];
-    if (label.far && Math.hypot(near[0] - at[0], near[1] - at[1]) > 13) {
+    if (Math.hypot(near[0] - at[0], near[1] - at[1]) > (led ? 3 : label.far ? 13 : 20)) {
       c.strokeStyle = scene.colors.quiet;
       c.lineWidth = 0.8;
       c.beginPath();

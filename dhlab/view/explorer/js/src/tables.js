@@ -1,6 +1,6 @@
 // The tables under the view: the DH table as it is now, and the frames for those who read instead of look.
 
-import { Table } from "./dom.js";
+import { Table, write } from "./dom.js";
 import { SYMBOLS, TITLES, degrees, millimetres, number, vector } from "./format.js";
 import { COLUMNS, isTurn, rowAt } from "./kinematics.js";
 import { axis, origin } from "./matrix.js";
@@ -23,6 +23,12 @@ export class DHTable extends Table {
       light.from(line, i);
       return button;
     });
+  }
+
+  // The headings of the arm as it is now.
+  retitle() {
+    write(this.caption, `Table now, ${TITLES[this.arm.convention]}`);
+    headingsOf(this.arm.convention).forEach((text, k) => write(this.head[k + 1], text));
   }
 
   light(on) {

@@ -1,9 +1,10 @@
 // Mode "arm": the whole arm with its frames, sliders, the table as it is now, the end pose, the zero pose as a ghost, the trace of the tool.
 
-import { drawBody, drawTriads, named, spread } from "../bodies.js";
+import { REACH, drawBody, drawTriads, named, spread } from "../bodies.js";
 import { jointSliders, toggle } from "../controls.js";
 import { h, write } from "../dom.js";
 import { amount, below, degrees, direction, number, place } from "../format.js";
+import { found, held } from "../hands.js";
 import { AXES, Light, LitColumns } from "../linked.js";
 import { endOf, frames, jacobian, jointPlaces, path } from "../kinematics.js";
 import { along, axis, dot, length, middle, origin, rollPitchYaw, scale, sub } from "../matrix.js";
@@ -12,10 +13,11 @@ import { DHTable, FramesTable } from "../tables.js";
 const LONGEST = 800; // points of the trace that are kept
 
 export function armMode(host, redraw) {
-  const { arm } = host.data, zero = frames(arm, arm.sign.map(() => 0)), zeroEnd = endOf(arm, zero);
-  const shown = { frames: true, ghost: false, trace: true };
+  const { arm } = host.data, nil = arm.sign.map(() => 0);
+  const shown = { frames: true, letters: false, ghost: false, trace: true };
   const trace = [];
-  let q, chain, end;
+  let zero = frames(arm, nil), zeroEnd = endOf(arm, zero);
+  let q, chain, end, touched = null;
   const mode = { size: sizeOf(arm, zero, host.get("q")), build, changed, said };
   const sliders = jointSliders(arm, mode.size, host), light = new Light(lit), table = new DHTable(arm, undefined, light);
   const columns = host.data.jacobian ? jacobianTable(arm, light) : null;
@@ -25,9 +27,11 @@ export function armMode(host, redraw) {
     trace.length = 0;
     redraw();
   });
-  mode.tools = [switchOf("Frames", "frames"), switchOf("Zero pose", "ghost"), switchOf("Trace", "trace")];
-  mode.controls = [sliders.element];
+  mode.tools = [switchOf("Frames", "frames"), switchOf("All letters", "letters"), switchOf("Zero pose", "ghost"), switchOf("Trace", "trace")];
+  mode.controls = [sliders.element, h("p", { class: "hint" }, "Drag the ring to move the hand, an arrow of it to turn it, a joint or a link to move one joint; beside the arm you turn the view.")];
   mode.hover = hover;
+  mode.grab = grab;
+  mode.rework = rework;
   mode.below = [table.element, ...(columns ? [columns.element] : [])];
   mode.frames = frameTable.element;
   mode.readout = endReadout();
@@ -55,21 +59,49 @@ export function armMode(host, redraw) {
     redraw();
   }
 
-  // The link near a point of the canvas.
+  // The arm's numbers are others now, in the same object.
+  function rework() {
+    zero = frames(arm, nil);
+    zeroEnd = endOf(arm, zero);
+    trace.length = 0;
+    table.retitle();
+    changed();
+  }
+
+  function view() {
+    return { arm, q, chain, end, size: mode.size, arrow: REACH * mode.size };
+  }
+
+  // What is near a point of the canvas: its row is lit.
   function hover(at, camera, near) {
-    const points = at ? path(arm.convention, chain).map((p) => camera.flat(p)) : [];
-    const far = points.slice(1).map((p, k) => beside(at, points[k], p)), best = far.indexOf(Math.min(...far));
-    const one = at && far[best] <= near ? best >> 1 : null;
-    light.point(one);
-    return one !== null;
+    const one = at && found(view(), at, camera, near), before = touched;
+    touched = one && (one.kind === "end" || one.kind === "tip") ? one : null;
+    light.point(one?.row ?? null);
+    if (before?.kind !== touched?.kind || before?.column !== touched?.column) redraw();
+    return one;
+  }
+
+  function grab(at, camera, near) {
+    const one = found(view(), at, camera, near), follow = one && held(view(), one, at, camera);
+    if (!follow) return null;
+    return (now, done) => done || host.set("q", follow(now));
+  }
+
+  // The frame whose arrows are long and lettered: that of the lit row, else the end's.
+  function chosen(all) {
+    const row = typeof light.on === "number" ? light.on : null;
+    return row === null ? all.poses.length - 1 : row + 1;
   }
 
   function build(scene) {
     if (shown.ghost) scene.seeThrough(0.3, () => drawBody(scene, arm, zero, zeroEnd, { link: "ghost", joint: "ghost", shadow: false }));
     drawBody(scene, arm, chain, end);
     const all = named(arm, chain, end), last = all.poses.length - 1;
-    if (shown.frames) drawTriads(scene, all.poses, all.names, all.titles);
-    else drawTriads(scene, [all.poses[last]], [all.names[last]], [all.titles[last]]);
+    const one = chosen(all), letters = shown.letters || ((k, j) => k === one && j !== 1);
+    if (shown.frames) drawTriads(scene, all.poses, all.names, all.titles, { chosen: shown.letters ? null : one, letters });
+    else drawTriads(scene, [all.poses[last]], [all.names[last]], [all.titles[last]], { letters: shown.letters || ((k, j) => j !== 1) });
+    scene.ring(origin(end), touched?.kind === "end" ? 13 : 10, { color: touched?.kind === "end" ? "error" : "quiet", pixels: 2 });
+    if (touched?.kind === "tip") scene.ring(along(origin(end), axis(end, touched.column), REACH * scene.size), 9, { color: "error", pixels: 2 });
     if (typeof light.on === "number") drawRow(scene, arm, chain, light.on);
     else if (light.on) drawVelocity(scene, arm, chain, end, Number(light.on.slice(1)));
     if (shown.trace && trace.length > 1) scene.line([...trace, origin(end)], { color: "trace", pixels: 2, alpha: 0.85 });
@@ -120,10 +152,4 @@ function drawVelocity(scene, arm, chain, end, i) {
 function jacobianTable(arm, light) {
   const names = [...arm.joints].map((letter, i) => [`q${below(i + 1)}`, `what joint ${i + 1} alone does to the end`, `j${i}`]);
   return new LitColumns("Jacobian: speeds of the end for each joint", names, 6, light, ["v", "ω"].flatMap((kind) => AXES.map((letter) => `${kind} ${letter}`)));
-}
-
-// How far a point is from the stretch between two others, on the picture.
-function beside(at, a, b) {
-  const [x, y] = [b[0] - a[0], b[1] - a[1]], t = Math.max(0, Math.min(1, ((at[0] - a[0]) * x + (at[1] - a[1]) * y) / (x * x + y * y || 1)));
-  return Math.hypot(at[0] - a[0] - t * x, at[1] - a[1] - t * y);
 }
