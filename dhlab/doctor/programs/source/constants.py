@@ -1,5 +1,8 @@
 """Numbers that are written into a program, fitted: the value of one with which the program is
 right.
+
+An answer depends on a length in a straight line, and on an angle by its cosine and sine; so three
+tries tell the value.
 """
 
 import ast
@@ -10,13 +13,14 @@ from .text import Edit
 
 __all__ = ["fitted_numbers"]
 
-STEP, STEPS = 1e-3, 8  # of the first guess, and how often it is made better
 NEAR = 1e-9
+QUARTERS = (np.pi / 2, 90.0)  # in radians and in degrees
+TABLE = (ast.List, ast.Tuple, ast.Dict, ast.keyword)
 
 
 def fitted_numbers(text, deviation):
-    """Yields one Edit for each decimal number of a text, 0 and 1 apart, that another value makes
-    right.
+    """Yields one Edit for each number of a text that another value makes right: decimal numbers,
+    and whatever stands in a list.
 
     Parameters
     ----------
@@ -24,31 +28,69 @@ def fitted_numbers(text, deviation):
     deviation : callable
         Edits to an array, the answer minus the right one; None where there is no answer.
     """
+    seen = set()
+    for node, value in _numbers(text):
+        span = text.span(node)
+        if span not in seen:
+            seen.add(span)
+            edit = _fitted(value, span, deviation)
+            if edit is not None:
+                yield edit
+
+
+def _numbers(text):
     for block in text.blocks:
-        for node in ast.walk(block):
-            if (
-                isinstance(node, ast.Constant)
-                and isinstance(node.value, float)
-                and node.value not in (0, 1)
-            ):
-                edit = _fitted(node.value, text.span(node), deviation)
-                if edit is not None:
-                    yield edit
+        for parent in ast.walk(block):
+            for node in ast.iter_child_nodes(parent):
+                value = _value(node)
+                if value is not None and (
+                    isinstance(parent, TABLE) or (isinstance(value, float) and value not in (0, 1))
+                ):
+                    yield node, float(value)
+
+
+def _value(node):
+    """The number that a node is, with its sign; None."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        value = _value(node.operand)
+        return None if value is None else -value
+    is_number = isinstance(node, ast.Constant) and type(node.value) in (int, float)
+    return node.value if is_number else None
 
 
 def _fitted(value, span, deviation):
-    """The Edit to the value at which the deviation is 0, by Gauss and Newton; None."""
-    for _ in range(STEPS):
-        here, there = (deviation((_edit(x, span),)) for x in (value, value + STEP))
-        if here is None or there is None:
-            return None
-        slope = (there - here) / STEP
-        if not (slope**2).sum() > NEAR:
-            return None
-        value -= float((slope * here).sum() / (slope**2).sum())
-        if abs(here).max() < NEAR:
-            return _edit(float(np.round(value, 9)), span)
+    """The Edit to the value at which the deviation is 0; None."""
+
+    def off(x):
+        answer = deviation((_edit(x, span),))
+        return None if answer is None else answer.ravel()
+
+    here, further = off(value), off(value + 1)
+    if here is None or further is None or abs(further - here).max() < NEAR:
+        return None
+    for x in (_straight(value, here, further), *_around(value, here, off)):
+        found = None if x is None else off(x)
+        if found is not None and abs(found).max() < 1e3 * NEAR:
+            return _edit(float(np.round(x, 9)) + 0.0, span)
     return None
+
+
+def _straight(value, here, further):
+    slope = further - here
+    return value - float(slope @ here / (slope @ slope))
+
+
+def _around(value, here, off):
+    """Yields where an angle makes the deviation least, by a quarter and half a turn further."""
+    for quarter in QUARTERS:
+        first, second = off(value + quarter), off(value + 2 * quarter)
+        if first is None or second is None:
+            continue
+        middle, cosine = (here + second) / 2, (here - second) / 2
+        sine = first - middle
+        (c, s), *_ = np.linalg.lstsq(np.stack([cosine, sine], axis=1), -middle, rcond=None)
+        if abs(c * c + s * s - 1) < 1e-6:
+            yield value + float(np.arctan2(s, c)) * quarter / (np.pi / 2)
 
 
 def _edit(value, span):

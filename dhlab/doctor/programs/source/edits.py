@@ -5,7 +5,9 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from .expressions import in_place_of
+from .formulas import formula_changes
 from .statements import statement_edits
+from .tables import table_changes
 from .text import Edit
 
 __all__ = ["changes_of"]
@@ -40,7 +42,13 @@ def changes_of(text):
     """
     edits = _edits_of(text)
     return sorted(
-        [*((edit,) for edit in edits), *_everywhere(edits, text), *_out_of_loops(text)],
+        [
+            *((edit,) for edit in edits),
+            *_everywhere(edits, text),
+            *_out_of_loops(text),
+            *formula_changes(text),
+            *table_changes(text),
+        ],
         key=lambda change: change[0].rank,
     )
 

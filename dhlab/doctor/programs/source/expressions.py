@@ -193,7 +193,8 @@ def _of_number(node, parent, scope, text):
             yield 0, "'C'"
         return
     if isinstance(parent, (ast.Subscript, ast.Slice)):
-        yield from ((1, str(k)) for k in (0, 1, 2, 3, -1) if k != value)
+        near = dict.fromkeys((0, 1, 2, 3, -1, value - 1, value + 1, value - 4, value + 4))
+        yield from ((1, str(k)) for k in near if k != value)
         return
     for exact in EXACT:
         for near in (exact, -exact):
@@ -259,6 +260,8 @@ def _of_call(node, parent, scope, text):
         yield 0, call([text.of(node.args[1].left)])
     if name == "range":
         yield 1, call([*arguments[:-1], f"{arguments[-1]} + 1"])
+    if own and len(arguments) == 1:
+        yield 1, f"({arguments[0]})"
     for other in scope.functions if own else ():
         if other != name and scope.functions[other] == scope.functions[name]:
             yield 1, call(arguments, called=other)

@@ -19,7 +19,21 @@ __all__ = ["Tried", "lines_of", "repaired"]
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
 FIRST = 6  # calls that tell which changes make more right
 ALL = 16 * FIRST
+WEIGHT = 8  # of a right turn between two calls, in entries
 BEST = 40  # changes that make more right than was right before, tried in pairs
+
+
+def turns_between(poses):
+    """The trace of the turn from the first pose to each other one, (m - 1,): the same whatever
+    constant base and tool stand at the ends.
+
+    Examples
+    --------
+    >>> poses = np.array([np.eye(4), np.diag([-1, -1, 1, 1])])
+    >>> turns_between(poses)
+    array([-1.])
+    """
+    return np.einsum("kij,ij->k", poses[1:, :3, :3], poses[0, :3, :3])
 
 
 class Tried:
@@ -49,10 +63,29 @@ class Tried:
         return answer - right if same else None
 
     def score(self, f):
-        """How many entries are right in the first calls; None when all are."""
-        found = [self.entries(f, k) for k in range(min(FIRST, len(self.calls)))]
-        right = sum(int(entries.sum()) for entries in found if entries is not None)
-        return None if right == sum(T.size for _, T in self.calls[: len(found)]) else right
+        """How much is right in the first calls: entries, and what wrong ends leave as it is; None
+        when all entries are right.
+        """
+        calls = self.calls[:FIRST]
+        offs = [self.deviation(f, k) for k in range(len(calls))]
+        if any(off is None for off in offs):
+            return sum(self._right(off, k) for k, off in enumerate(offs) if off is not None)
+        right = sum(self._right(off, k) for k, off in enumerate(offs))
+        if right == sum(T.size for _, T in calls):
+            return None
+        with np.errstate(all="ignore"):
+            answers = np.array([off + T for off, (_, T) in zip(offs, calls)])
+            kept = np.abs(turns_between(answers) - self.turns) <= self.tolerance
+        return right + WEIGHT * int(kept.sum())
+
+    def _right(self, off, k):
+        """How many entries of a deviation are none."""
+        return int((np.abs(off) <= self.tolerance * (1 + np.abs(self.calls[k][1]))).sum())
+
+    @cached_property
+    def turns(self):
+        """:func:`turns_between` the right answers."""
+        return turns_between(np.array([T for _, T in self.calls[:FIRST]]))
 
     def is_right(self, f, k):
         """Whether the answer to a call is right."""

@@ -21,6 +21,8 @@ def statement_edits(text):
         for node in ast.walk(block):
             for body in _bodies(node):
                 yield from _in_body(body, node, text)
+            if isinstance(node, ast.ClassDef):
+                yield from _of_each_object(node, text)
             if isinstance(node, ast.FunctionDef):
                 yield from _starting_afresh(node, text)
                 yield from _returning(node, text)
@@ -45,6 +47,8 @@ def _in_body(body, node, text):
         if isinstance(statement, SIMPLE) and not _is_text(statement):
             yield 1, *text.span(statement), "pass"
         after = body[k + 1] if k + 1 < len(body) else None
+        if isinstance(statement, ast.Assign) and isinstance(after, ast.For):
+            yield from _in_the_loop(statement, after, text)
         if isinstance(statement, SIMPLE) and isinstance(after, SIMPLE):
             yield (
                 1,
@@ -53,6 +57,15 @@ def _in_body(body, node, text):
             )
         if isinstance(statement, (ast.For, ast.While)):
             yield from _of_loop(statement, after, text)
+
+
+def _in_the_loop(statement, loop, text):
+    """What is set before a loop set at its begin too, and in the loops that stand in it."""
+    while isinstance(loop, ast.For):
+        first = loop.body[0]
+        place = text.span(first)[0]
+        yield 1, place, place, f"{text.of(statement)}\n{_margin(first)}"
+        loop = next((inner for inner in loop.body if isinstance(inner, ast.For)), None)
 
 
 def _is_text(statement):
@@ -71,8 +84,8 @@ def _of_assignment(statement, text):
     target, value = text.of(statement.targets[0]), text.of(statement.value)
     span = text.span(statement.value)
     if isinstance(statement.value, (ast.Name, ast.Subscript, ast.Attribute)):
-        yield 1, *span, f"list({value})"
         yield 1, *span, f"{value}.copy()"
+        yield 1, *span, f"list({value})"
     if isinstance(statement.value, ast.Name):  # made anew, as the other was
         for other in _made(statement.value.id, text):
             yield 1, *span, other
@@ -113,6 +126,8 @@ def _of_return(statement, text):
     value = text.of(statement.value)
     span = text.span(statement.value)
     yield 1, *span, f"({value}).T" if not value.isidentifier() else f"{value}.T"
+    if "stack" in value:
+        yield 1, *span, f"np.vstack([{value}, [0, 0, 0, 1]])"
     for name in _ends(text):
         yield 1, *span, f"{value} @ {name}"
         yield 1, *span, f"{name} @ {value}"
@@ -186,6 +201,17 @@ def _starting_afresh(function, text):
     for statement in text.blocks if function.name == text.name else ():
         if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
             yield 1, place, place, f"{text.of(statement)}\n{_margin(first)}"
+
+
+def _of_each_object(defined, text):
+    """What all objects of a class share made anew for each."""
+    makers = (s for s in defined.body if isinstance(s, ast.FunctionDef) and s.name == "__init__")
+    maker = next(makers, None)
+    for statement in defined.body if maker is not None else ():
+        if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
+            first = next((s for s in maker.body if not _opens(s)), maker.body[-1])
+            place = text.span(first)[0]
+            yield 0, place, place, f"self.{text.of(statement)}\n{_margin(first)}"
 
 
 def _opens(statement):

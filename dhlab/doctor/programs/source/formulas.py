@@ -1,0 +1,182 @@
+"""Changes of a formula as a whole: two of its signs, an elementary rotation about another axis, an
+angle wherever it stands in a cosine or sine, a conjugate, what a matrix is multiplied with.
+"""
+
+import ast
+from itertools import combinations
+
+from .text import Edit
+
+__all__ = ["formula_changes"]
+
+MOST_SIGNS = 12  # in one formula, of which two are tried at a time
+TURNS = {  # rows of rotations about x, y and z; C, S and N stand for cos, sin and -sin
+    "x": ("100", "0CN", "0SC"),
+    "y": ("C0S", "010", "N0C"),
+    "z": ("CN0", "SC0", "001"),
+}
+DEG = "(3.141592653589793 / 180)"
+OF_ANGLES = ("({}) / 2", "2 * ({})", "-({})", "({}) * " + DEG, "({}) / " + DEG)
+CLAMPS = {"min", "max", "clip", "fmod", "mod", "minimum", "maximum", "remainder"}
+
+
+def formula_changes(text):
+    """Yields tuples of Edit that belong together.
+
+    Parameters
+    ----------
+    text : Text
+    """
+    for block in text.blocks:
+        for node in ast.walk(block):
+            if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
+                yield from _two_signs(node.value, text)
+            if isinstance(node, ast.List):
+                yield from _turned(node, text)
+                yield from _conjugate(node, text)
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+                yield from _out_of_brackets(node, text)
+            if isinstance(node, ast.Call):
+                yield from _unclamped(node, text)
+            if isinstance(node, ast.FunctionDef):
+                yield from _angles(node, text)
+
+
+def _edit(node, new, text, rank=1):
+    return Edit(*text.span(node), new.encode(), rank)
+
+
+# ---- signs
+
+
+def _two_signs(formula, text):
+    """Two of the plus and minus signs of a formula turned; single ones are tried elsewhere."""
+    for entry in formula.elts if isinstance(formula, (ast.List, ast.Tuple)) else (formula,):
+        signs = [
+            node
+            for node in ast.walk(entry)
+            if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub))
+        ]
+        if len(signs) <= MOST_SIGNS:
+            for pair in combinations(signs, 2):
+                yield tuple(_turned_sign(node, text) for node in pair)
+
+
+def _turned_sign(node, text):
+    """The operator alone, so that two of one formula do not overlap."""
+    start, end = text.span(node.left)[1], text.span(node.right)[0]
+    old, new = (b"+", b"-") if isinstance(node.op, ast.Add) else (b"-", b"+")
+    return Edit(start, end, text.data[start:end].replace(old, new, 1), 2)
+
+
+def _conjugate(node, text):
+    """All entries but one turned: of a quaternion, w first or last."""
+    if not 3 <= len(node.elts) <= 4 or any(isinstance(e, (ast.List, ast.Tuple)) for e in node.elts):
+        return
+    turned = [_turned_entry(entry, text) for entry in node.elts]
+    kept = [text.of(entry) for entry in node.elts]
+    for chosen in (kept[:1] + turned[1:], turned[:-1] + kept[-1:]):
+        yield (_edit(node, f"[{', '.join(chosen)}]", text),)
+
+
+def _turned_entry(entry, text):
+    if isinstance(entry, ast.UnaryOp) and isinstance(entry.op, ast.USub):
+        return text.of(entry.operand)
+    shown = text.of(entry)
+    return f"-({shown})" if isinstance(entry, ast.BinOp) else f"-{shown}"
+
+
+# ---- rotations
+
+
+def _turned(node, text):
+    """An elementary rotation written out, 3×3 or 4×4, about each axis and either way."""
+    rows = [row.elts for row in node.elts if isinstance(row, (ast.List, ast.Tuple))]
+    n = len(node.elts)
+    if n not in (3, 4) or [len(row) for row in rows] != [n] * n:
+        return
+    cos, sin = _cos_and_sin([entry for row in rows[:3] for entry in row[:3]], text)
+    if cos is None:
+        return
+    words = {"0": "0.0", "1": "1.0", "C": cos, "S": sin, "N": f"-{sin}"}
+    for turn in TURNS.values():
+        for way in (turn, tuple(map("".join, zip(*turn)))):
+            new = [[words[letter] for letter in row] for row in way]
+            for i, row in enumerate(new):
+                row.extend(text.of(entry) for entry in rows[i][3:])
+            new.extend([text.of(entry) for entry in row] for row in rows[3:])
+            yield (_edit(node, f"[{', '.join('[' + ', '.join(r) + ']' for r in new)}]", text),)
+
+
+def _cos_and_sin(entries, text):
+    """The texts of the only two things that stand in a rotation beside 0 and 1, the cosine first;
+    (None, None) where it is none.
+    """
+    found = {}
+    for entry in entries:
+        if isinstance(entry, ast.UnaryOp) and isinstance(entry.op, ast.USub):
+            entry = entry.operand
+        if isinstance(entry, ast.Constant):
+            if entry.value not in (0, 1):
+                return None, None
+        elif isinstance(entry, (ast.Call, ast.Name)):
+            found.setdefault(text.of(entry), []).append(entry)
+        else:
+            return None, None
+    names = sorted(found, key=lambda name: "s" in name.replace("cos", "c").split("(")[0])
+    return tuple(names) if len(names) == 2 else (None, None)
+
+
+def _angles(function, text):
+    """One angle changed wherever a cosine or a sine of it is taken in a function."""
+    found = {}
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and len(node.args) == 1:
+            name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+            if name in ("cos", "sin"):
+                found.setdefault(text.of(node.args[0]), []).append(node.args[0])
+    for shown, places in found.items():
+        others = (other for other in found if other != shown)
+        for new in (*(form.format(shown) for form in OF_ANGLES), *others):
+            if len(places) > 1:
+                yield tuple(_edit(place, new, text) for place in places)
+
+
+# ---- products and calls
+
+
+def _out_of_brackets(node, text):
+    """M (x + y) for x + M y, and the other way round."""
+    if isinstance(node.right, ast.BinOp) and isinstance(node.right.op, ast.Add):
+        matrix = text.of(node.left)
+        x, y = text.of(node.right.left), text.of(node.right.right)
+        yield (_edit(node, f"({x} + {matrix} @ ({y}))", text),)
+        yield (_edit(node, f"({y} + {matrix} @ ({x}))", text),)
+
+
+def _unclamped(node, text):
+    """The value itself, where its least, its largest or its rest is taken."""
+    inner, depth = node, 0
+    while isinstance(inner, ast.Call) and _name(inner) in CLAMPS and inner.args:
+        inner = next((a for a in inner.args if _holds_call(a)), None) or next(
+            (a for a in inner.args if not _is_constant(a)), inner.args[0]
+        )
+        depth += 1
+    if depth:
+        yield (_edit(node, f"({text.of(inner)})", text),)
+
+
+def _holds_call(node):
+    return isinstance(node, ast.Call) and _name(node) in CLAMPS | {"sin", "cos"}
+
+
+def _is_constant(node):
+    """Whether it is a number, π or a part of it."""
+    return not any(
+        isinstance(part, ast.Name) and part.id not in ("np", "math", "numpy", "pi", "PI")
+        for part in ast.walk(node)
+    )
+
+
+def _name(call):
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
