@@ -282,7 +282,10 @@ class Symptom(Change):
         (answers, right ones), arrays (m, 4, 4), to the place in words, None where it is not seen.
     alone : bool
         Whether it is seen in the answers alone; such symptoms are asked last.
+    explains : bool
+        Whether nothing else can be wrong where it is seen.
     """
 
     look: Callable
     alone: bool = False
+    explains: bool = False

@@ -58,7 +58,9 @@ def _at_an_end(answers, cases, tolerance):
         return find(value_mistake("tool"), f"at the end of the product: {_words(tools[0])}")
     if _near(bases, bases[:1], 10 * tolerance):
         turned = not np.allclose(bases[0, :3, :3], np.eye(3), atol=1e-7)
+        raised = not np.any(np.abs(bases[0, :2, 3]) > 1e-9)
         what = value_mistake("base turn" if turned else "base shift")
+        what = what if turned or raised else "base-missing"
         return find(what, f"before the first link: {_words(bases[0])}")
     return None
 

@@ -6,11 +6,11 @@ from ...transform import pose_fault
 from ..catalogue import catalogue
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
-from ..mistakes.registry import only_seen
 from .answers import call_all
 from .calling import CallFault
 from .cases import where
-from .explain import explain_all
+from .ends import at_the_ends
+from .explain import explain_all, seen_in
 
 __all__ = [
     "EXACT",
@@ -65,21 +65,26 @@ def compared(here, there):
             "One mistake explains what this program does: it gives an earlier call's answer again."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    findings = explained(here, symptoms=True)
-    if findings and not only_seen(findings[0].mistake):
+    findings = explained(here)
+    if findings:
         return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
-    return Diagnosis(
-        UNEXPLAINED, _unexplained(here), findings, before=before, notes=_hints(here, there)
-    )
+    seen = seen_in(here.task.bare(here.array), here.task.bare(here.right), here.task.versions)
+    findings = (seen,) if seen else ()
+    notes = _hints(here, there)
+    return Diagnosis(UNEXPLAINED, _unexplained(here), findings, before=before, notes=notes)
 
 
-def explained(here, symptoms=False):
-    """The mistakes that together explain the answers; of symptoms only where they are wanted."""
+def explained(here):
+    """The mistakes that together explain the answers."""
     tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
-    bare = here.task.bare
-    given = here.given if here.task.arm is None else list(bare(here.array))
-    findings = explain_all(given, bare(here.right), here.cases, here.task.versions, tolerance)
-    return findings if symptoms or not findings or not only_seen(findings[0].mistake) else ()
+    task, bare = here.task, here.task.bare
+    chains, given = bare(here.right), here.given
+    if task.arm is not None:
+        found = at_the_ends(here.array, chains, task.arm.base, task.arm.tool, tolerance)
+        if found is not None:
+            return (found,)
+        given = list(bare(here.array))
+    return explain_all(given, chains, here.cases, task.versions, tolerance, symptoms=False)
 
 
 def _remembered(answers, cases, off):

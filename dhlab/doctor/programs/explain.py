@@ -21,7 +21,7 @@ from .wrong.moves import WRONG_COMPOSE, WRONG_ROT_X
 from .wrong.products import WRONG_PRODUCTS
 from .wrong.solvers import WRONG_SOLVERS
 
-__all__ = ["explain_function", "explain_all", "WRONG_VERSIONS"]
+__all__ = ["explain_function", "explain_all", "seen_in", "WRONG_VERSIONS"]
 
 WRONG_VERSIONS = {
     "dh_transform": WRONG_LINKS,
@@ -81,9 +81,9 @@ def _named(finding):
     return catalogue()[finding.mistake].title + (f" ({finding.place})" if finding.place else "")
 
 
-def explain_all(answers, expected, cases, kind, tolerance=1e-9):
+def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True):
     """All the mistakes that together explain the answers, a tuple of Findings; parameters as
-    :func:`explain_function`.
+    :func:`explain_function`. Without ``symptoms`` nothing is told that is only seen.
     """
     if kind in NUMBERS:
         found = _wrong_version(answers, cases, kind)
@@ -111,7 +111,7 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9):
     found = (
         _wrong_version(answers, cases, kind)
         or _changed_as_wholes(answers, expected, tolerance)
-        or _symptom(answers, expected)
+        or _symptom(answers, expected, kind, symptoms)
     )
     return (found,) if found else ()
 
@@ -138,6 +138,11 @@ def _finding(slip, look_alikes):
     return find(slip.mistake, slip.place, parameter=parameter, look_alikes=look_alikes)
 
 
+def _is_of_links(symptom, kind):
+    """Whether a symptom tells of the formula of a link, and these are chains."""
+    return symptom.mistake == "matrix-entry-mistyped" and kind.endswith("kinematics")
+
+
 def _wrong_version(answers, cases, kind):
     if kind in ("dh_transform", "forward_kinematics"):
         return None  # the search has seen them all
@@ -160,9 +165,18 @@ def _changed_as_wholes(answers, expected, tolerance):
     return None
 
 
-def _symptom(answers, expected):
-    """What the answers look like, the right ones beside them first."""
+def seen_in(answers, expected, kind):
+    """What answers look like that no mistake explains, a Finding or None."""
+    return _symptom(answers, expected, kind, True)
+
+
+def _symptom(answers, expected, kind, all_of_them):
+    """What the answers look like, the right ones beside them first; what explains them alone, or
+    all of them.
+    """
     for symptom in sorted(changes(Symptom), key=lambda symptom: symptom.alone):
+        if not (symptom.explains or all_of_them) or _is_of_links(symptom, kind):
+            continue
         place = symptom.look(answers, expected)
         if place is not None:
             return find(symptom.mistake, place)

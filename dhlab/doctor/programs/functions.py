@@ -3,6 +3,7 @@ one, and what is wrong with it in words.
 """
 
 import inspect
+import time
 from dataclasses import replace
 
 from ..catalogue import catalogue
@@ -26,7 +27,7 @@ from .task import KINDS, RIGHT, Task
 
 __all__ = ["diagnose_function"]
 
-SECONDS = 1.3  # of the processor, to look for the lines that must change
+SECONDS = 1.7  # of the processor, for everything; the lines that must change get what is left
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
@@ -95,6 +96,7 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
             f" {convention!r}; say whose link matrix f computes"
         )
     task = Task(kind, arm, _names(f, arm), convention)
+    task.started = time.process_time()
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
     try:
@@ -158,7 +160,8 @@ def _with_lines(diagnosis, f, task):
         (task.arguments(case), task.right(case))
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
-    lines, whole, better = lines_to_change(f, calls, EXACT, SECONDS)
+    left = SECONDS - (time.process_time() - task.started)
+    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
     diagnosis = replace(diagnosis, lines=lines, repaired=whole)
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED

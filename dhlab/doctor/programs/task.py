@@ -57,6 +57,7 @@ class Task:
 
     def __init__(self, kind, arm=None, names=("rows", "q"), convention="standard"):
         self.kind, self.arm, self.lists, self.convention = kind, arm, False, convention
+        self.started = 0.0  # s of the processor, when the program was first looked at
         self.names = ROW if kind == "dh_transform" else names
         if kind == "dh_transform":
             self.arm = None

@@ -24,6 +24,7 @@ ELSEWHERE = {
     "programs/answers.py",
     "programs/calling.py",
     "programs/compared.py",
+    "programs/ends.py",
     "programs/explain.py",
 }
 

@@ -121,7 +121,7 @@ MISTYPED = "matrix-entry-mistyped"
 def matrix_entry_mistyped():
     for entry, monomial in wrong_entries():
         yield mistyped(entry, monomial)
-    yield Symptom(_one_or_two_entries)
+    yield Symptom(_one_or_two_entries, explains=True)
 
 
 def mistyped(entry, monomial):

@@ -71,6 +71,10 @@ def angle_unit():
     yield RowChange(scaled(alpha=1 / DEG), rows=(ALL,), place="all alpha")
     for factor in (1 / DEG, DEG):
         yield RowChange(scaled(theta=factor), rows=(ALL,), place="all theta")
+
+
+@mistake("angle-factor")
+def angle_factor():
     for place, names in angles():
         yield in_programs(names, lambda x: 2 * x, f"{place}: twice the angle")
         yield in_programs(names, lambda x: x / 2, f"{place}: half the angle")

@@ -45,8 +45,7 @@ def matrix_transposed():
 def last_row_missing():
     yield PoseChange(lambda T: T * np.array([1, 1, 1, 0])[:, None])
     yield PoseChange(_with_ones_below, "1 1 1 1 stands there")
-    yield Symptom(_rest_right)
-    yield Symptom(_fault_is("last row"), alone=True)
+    yield Symptom(_rest_right, explains=True)
 
 
 def _with_ones_below(T):
@@ -68,6 +67,11 @@ def mirror():
             lambda *row, turned=turned: link_matrices("standard", *row) * turned,
         )
     yield Symptom(_fault_is("determinant"), alone=True)
+
+
+@mistake("last-row-wrong")
+def last_row_wrong():
+    yield Symptom(_fault_is("last row"), alone=True)
 
 
 @mistake("not-rigid")

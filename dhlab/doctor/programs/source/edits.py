@@ -17,7 +17,8 @@ __all__ = ["changes_of"]
 class Scope:
     """The names that may stand in an expression: ``parameters`` of the function, ``names`` that
     hold something there, ``functions`` of the text with how many arguments they take, the
-    ``attributes`` of its objects, what is ``unused``, and the names of ``rows``.
+    ``attributes`` of its objects, what is ``unused``, the names of ``rows`` and of what counts in
+    loops.
     """
 
     parameters: tuple = ()
@@ -26,6 +27,7 @@ class Scope:
     attributes: tuple = ()
     unused: tuple = ()
     rows: tuple = ()
+    counters: tuple = ()
 
 
 def changes_of(text):
@@ -149,4 +151,17 @@ def _scope_of(function, around):
         names=known,
         unused=tuple(name for name in known if name not in used),
         rows=tuple(rows),
+        counters=tuple(_counters(function)),
     )
+
+
+def _counters(function):
+    """The names that range and enumerate count with, and those that are counted up."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.For) and isinstance(node.iter, ast.Call):
+            called = getattr(node.iter.func, "id", "")
+            target = node.target.elts[0] if isinstance(node.target, ast.Tuple) else node.target
+            if called in ("range", "enumerate") and isinstance(target, ast.Name):
+                yield target.id
+        if isinstance(node, ast.AugAssign) and isinstance(node.value, ast.Constant):
+            yield from (name.id for name in (node.target,) if isinstance(name, ast.Name))

@@ -195,6 +195,7 @@ def _of_number(node, parent, scope, text):
     if isinstance(parent, (ast.Subscript, ast.Slice)):
         near = dict.fromkeys((0, 1, 2, 3, -1, value - 1, value + 1, value - 4, value + 4))
         yield from ((1, str(k)) for k in near if k != value)
+        yield from ((2, name) for name in scope.counters)
         return
     for exact in EXACT:
         for near in (exact, -exact):

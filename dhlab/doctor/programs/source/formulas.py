@@ -34,7 +34,7 @@ def formula_changes(text):
             if isinstance(node, ast.List):
                 yield from _turned(node, text)
                 yield from _conjugate(node, text)
-            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            if isinstance(node, ast.BinOp):
                 yield from _out_of_brackets(node, text)
             if isinstance(node, ast.Call):
                 yield from _unclamped(node, text)
@@ -146,12 +146,31 @@ def _angles(function, text):
 
 
 def _out_of_brackets(node, text):
-    """M (x + y) for x + M y, and the other way round."""
-    if isinstance(node.right, ast.BinOp) and isinstance(node.right.op, ast.Add):
-        matrix = text.of(node.left)
-        x, y = text.of(node.right.left), text.of(node.right.right)
-        yield (_edit(node, f"({x} + {matrix} @ ({y}))", text),)
-        yield (_edit(node, f"({y} + {matrix} @ ({x}))", text),)
+    """x + M y for M (x + y), and the other way round; of numbers too."""
+    left, right = node.left, node.right
+    if isinstance(node.op, ast.MatMult) and _is_sum(right):
+        for x, y in ((right.left, right.right), (right.right, right.left)):
+            yield (_edit(node, f"({text.of(x)} + {text.of(left)} @ ({text.of(y)}))", text),)
+    if isinstance(node.op, ast.Mult):
+        for both, factor in ((left, text.of(right)), (right, text.of(left))):
+            if _is_sum(both):
+                x, y = text.of(both.left), text.of(both.right)
+                yield (_edit(node, f"({x} * {factor} + {y})", text),)
+                yield (_edit(node, f"({x} + {y} * {factor})", text),)
+    if isinstance(node.op, ast.Add):
+        for product, other in ((left, right), (right, left)):
+            if isinstance(product, ast.BinOp) and isinstance(product.op, (ast.Mult, ast.MatMult)):
+                x, y, sign = text.of(product.left), text.of(product.right), _sign(product)
+                yield (_edit(node, f"(({x} + {text.of(other)}) {sign} {y})", text),)
+                yield (_edit(node, f"({x} {sign} ({y} + {text.of(other)}))", text),)
+
+
+def _is_sum(node):
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add)
+
+
+def _sign(product):
+    return "*" if isinstance(product.op, ast.Mult) else "@"
 
 
 def _unclamped(node, text):

@@ -5,7 +5,7 @@ or two, until it is right in every call.
 import copy
 import time
 from functools import cached_property
-from itertools import chain
+from itertools import chain, product
 
 import numpy as np
 
@@ -20,6 +20,7 @@ EACH = 0.1  # s of the processor for one changed program; a changed loop may nev
 FIRST = 6  # calls that tell which changes make more right
 ALL = 16 * FIRST
 WEIGHT = 8  # of a right turn between two calls, in entries
+LIKELIEST = 3  # of them, which are tried with every other change first
 BEST = 40  # changes that make more right than was right before, tried in pairs
 
 
@@ -48,8 +49,12 @@ class Tried:
         """Which entries of the answer to call k are right; None where there is no answer, or the
         arguments are changed.
         """
-        off, right = self.deviation(f, k), self.calls[k][1]
-        return None if off is None else np.abs(off) <= self.tolerance * (1 + np.abs(right))
+        off = self.deviation(f, k)
+        return None if off is None else self.is_none(off, k)
+
+    def is_none(self, off, k):
+        """Which entries of a deviation in call k are none."""
+        return np.abs(off) <= self.tolerance * (1 + np.abs(self.calls[k][1]))
 
     def deviation(self, f, k):
         """The answer to call k minus the right one; None as for :meth:`entries`."""
@@ -69,18 +74,14 @@ class Tried:
         calls = self.calls[:FIRST]
         offs = [self.deviation(f, k) for k in range(len(calls))]
         if any(off is None for off in offs):
-            return sum(self._right(off, k) for k, off in enumerate(offs) if off is not None)
-        right = sum(self._right(off, k) for k, off in enumerate(offs))
+            return sum(self.is_none(off, k).sum() for k, off in enumerate(offs) if off is not None)
+        right = sum(int(self.is_none(off, k).sum()) for k, off in enumerate(offs))
         if right == sum(T.size for _, T in calls):
             return None
         with np.errstate(all="ignore"):
             answers = np.array([off + T for off, (_, T) in zip(offs, calls)])
             kept = np.abs(turns_between(answers) - self.turns) <= self.tolerance
         return right + WEIGHT * int(kept.sum())
-
-    def _right(self, off, k):
-        """How many entries of a deviation are none."""
-        return int((np.abs(off) <= self.tolerance * (1 + np.abs(self.calls[k][1]))).sum())
 
     @cached_property
     def turns(self):
@@ -126,24 +127,45 @@ class _Search:
     def __init__(self, text, tried, end):
         self.text, self.tried, self.end = text, tried, end
         self.changes, self.better = changes_of(text), []
+        self.felt, self.others = [], []
 
     def single(self):
         """The first change that makes everything right; on the way those that make more right are
-        noted.
+        noted, and those that change the first wrong answer.
         """
         before = self._made((), self.tried.score) or 0
         scored = []
         for change in self.changes:
             if time.process_time() > self.end:
                 break
-            score = self._made(change, self.tried.score, 0)
+            score = self._made(change, self._score, -1)
             if score is None and self._made(change, self.tried.all_right, False):
                 return (change,)
+            (self.felt if score != -1 else self.others).append(change)
             if score is None or score > before:
                 scored.append((score or ALL, change))
         scored.sort(key=lambda entry: -entry[0])
         self.better = [change for _, change in scored[:BEST]]
         return ()
+
+    def _score(self, f):
+        """:meth:`Tried.score`, None where the first wrong answer is right, -1 where it is as it was
+        or there is none.
+        """
+        off = self.tried.deviation(f, self.pivot)
+        if off is None or (self.off is not None and np.array_equal(off, self.off)):
+            return -1 if self.wrong else None
+        return None if self.tried.is_none(off, self.pivot).all() else self.tried.score(f)
+
+    @cached_property
+    def off(self):
+        """The deviation in the first wrong call; None where there is no answer."""
+        return self._made((), lambda f: self.tried.deviation(f, self.pivot))
+
+    @cached_property
+    def wrong(self):
+        """Whether that call is wrong by itself, and not only after others."""
+        return self.off is None or not self.tried.is_none(self.off, self.pivot).all()
 
     @cached_property
     def pivot(self):
@@ -170,9 +192,13 @@ class _Search:
     def pair(self):
         """The first two changes that together make everything right."""
         best = self.better
-        pairs = ((first, second) for i, first in enumerate(best) for second in best[:i])
-        further = ((first, second) for first in best for second in self.changes)
-        return next((pair for pair in chain(pairs, further) if self._are_right(*pair)), ())
+        tried = chain(
+            product(best[:LIKELIEST], self.felt),
+            ((first, second) for i, first in enumerate(best) for second in best[:i]),
+            product(best[:LIKELIEST], self.others),
+            product(best[LIKELIEST:], self.felt),
+        )
+        return next((pair for pair in tried if self._are_right(*pair)), ())
 
     def _made(self, edits, look, otherwise=None):
         """What a look at the changed program shows; ``otherwise`` where it is none or takes too
@@ -212,5 +238,8 @@ def lines_of(text, changes):
             if e.start < edit.start
         )
         instead = edited[before + moved].strip() if before + moved < len(edited) else ""
+        if edit.start == edit.end and b"\n" in edit.new:
+            where = "behind" if edit.new.startswith(b"\n") else "before"
+            instead = f"{edit.new.decode().strip()}  (a new line {where} this one)"
         found.append(Line(number, text.line(number), instead))
     return tuple(found)

@@ -9,6 +9,7 @@ __all__ = ["statement_edits"]
 
 ENDS = re.compile("base|tool|flange|gripper|tcp", re.IGNORECASE)
 SIMPLE = (ast.Assign, ast.AugAssign, ast.Expr, ast.Return)
+UNITS = ("/ 2", "* (3.141592653589793 / 180)", "* (180 / 3.141592653589793)", "/ 1000")
 OPERATORS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.MatMult: "@", ast.Div: "/", ast.Mod: "%",
     ast.Pow: "**", ast.FloorDiv: "//",
@@ -93,7 +94,7 @@ def _of_assignment(statement, text):
         yield 1, *span, f"{target} @ ({value})"
         yield 1, *span, f"({value}) @ {target}"
         yield 1, *span, f"{target} + {value}"
-        yield 1, *span, f"({value}) / 2"
+        yield from ((1, *span, f"({value}) {unit}") for unit in UNITS)
         yield 2, *span, f"{target} * ({value})"
 
 
