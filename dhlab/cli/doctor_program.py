@@ -6,9 +6,14 @@ import contextlib
 import io
 import json
 import traceback
+from dataclasses import replace
+from functools import partial
 from types import ModuleType
 
+import numpy as np
+
 from ..formats.files import read_text
+from ..table import DHTable
 from .common import arm_of
 
 __all__ = ["diagnose_program"]
@@ -28,10 +33,19 @@ def diagnose_program(path: str, arm: str, convention: str, as_json: bool) -> Non
 
     module = _loaded(path)
     model = arm_of(arm) if arm else None
+
+    def ask(f, kind):
+        said = partial(diagnose_function, f, kind, convention=convention or "standard")
+        answer = said(arm=model)
+        if answer or model is None or answer.lines or len(answer.findings) == 1:
+            return answer
+        in_mm = said(arm=_in_millimetres(model))
+        if not in_mm and in_mm.verdict != "explained":
+            return answer
+        return replace(in_mm, notes=(*in_mm.notes, MILLIMETRES))
+
     found = {
-        name: diagnose_function(
-            getattr(module, name), kind, arm=model, convention=convention or "standard"
-        )
+        name: ask(getattr(module, name), kind)
         for kind, names in NAMES.items()
         for name in names
         if callable(getattr(module, name, None))
@@ -45,6 +59,17 @@ def diagnose_program(path: str, arm: str, convention: str, as_json: bool) -> Non
         print(json.dumps({k: v.to_dict() for k, v in found.items()}, ensure_ascii=False))
         return
     print("\n\n".join(f"{name}: {answer}" for name, answer in found.items()))
+
+
+MILLIMETRES = "The program reckons in millimetres, and was compared with the arm in millimetres."
+
+
+def _in_millimetres(arm):
+    """The arm with every length a thousand times as large."""
+    t, far = arm.table, np.ones((4, 4))
+    far[:3, 3] = 1000
+    table = DHTable(t.convention, t.theta, 1000 * t.d, 1000 * t.a, t.alpha, t.joints)
+    return replace(arm, table=table, base=far * arm.base, tool=far * arm.tool)
 
 
 def _loaded(path):

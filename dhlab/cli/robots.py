@@ -3,6 +3,7 @@ new one.
 """
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from textwrap import fill
 from typing import Annotated
@@ -100,10 +101,27 @@ def _one(name, arm):
     return "\n".join([str(arm), *notes])
 
 
+_OTHER = {"standard": "Craig's", "craig": "the standard"}
+
+
+def _misread(arm):
+    """The same rows, put into the other convention's matrix."""
+    table = arm.table
+    convention = "craig" if table.convention == "standard" else "standard"
+    return replace(arm, table=replace(table, convention=convention))
+
+
 def _like(table, as_json):
     from ..robots.likeness import like
 
-    found = like(load(table))
+    arm = load(table)
+    found, other = like(arm), ""
+    if not found:
+        found, other = like(_misread(arm)), _OTHER[arm.table.convention]
+    if found and other and not as_json:
+        print(
+            f"No arm as the rows stand, but with {other} matrix, so the table may say the wrong one:"
+        )
     if as_json:
         items = [
             {

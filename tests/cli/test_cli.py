@@ -198,3 +198,12 @@ def test_an_arm_as_urdf_and_readable(tmp_path):
     done = dhlab("convert", "ur5e", "--hayati", "--out", tmp_path / "h.csv")
     assert "Hayati" in done.stdout and (tmp_path / "h.csv").read_text().startswith("theta_rad,")
     assert "expected what to make of the arm" in dhlab("convert", "ur5e").stderr
+
+
+def test_like_reads_the_rows_in_the_other_convention_where_none_is_found(tmp_path):
+    """The Panda's rows, which its maker gives for Craig's matrix, called standard."""
+    t = library.load("panda").table
+    mislabelled = library.DHTable("standard", t.theta, t.d, t.a, t.alpha, t.joints)
+    mislabelled.save(tmp_path / "rows.yaml")
+    told = dhlab("robots", "--like", tmp_path / "rows.yaml").stdout
+    assert "Craig's matrix" in told and "panda" in told

@@ -47,6 +47,25 @@ def test_a_program_of_one_arm(tmp_path):
     assert "right pose in every call" in doctor(tmp_path, LINK + ONE_ARM, "ur5e").stdout
 
 
+THREE_AT_ONCE = """
+def forward_kinematics(q):
+    A = [dh_transform(x + t, 1000 * d, 1000 * a, w) for x, (t, d, a, w) in zip(q, ROWS)]
+    return np.matmul(A[0], A[1], A[2])
+"""
+
+
+def test_a_program_in_millimetres_whose_matmul_takes_three(tmp_path):
+    """numpy writes the product of two into the third."""
+    (tmp_path / "arm.yaml").write_text(
+        "convention: standard\nunits: {length: m, angle: deg}\njoints:\n"
+        "  - {theta: 0, d: 0.1, a: 0, alpha: 90}\n  - {theta: 0, d: 0, a: 0.4, alpha: 0}\n"
+        "  - {theta: 0, d: 0, a: 0.3, alpha: 0}\n"
+    )
+    rows = "ROWS = [(0, 0.1, 0, np.pi / 2), (0, 0, 0.4, 0), (0, 0, 0.3, 0)]\n"
+    told = doctor(tmp_path, LINK + rows + THREE_AT_ONCE, tmp_path / "arm.yaml").stdout
+    assert "(A[0]) @ (A[1]) @ (A[2])" in told and "reckons in millimetres" in told
+
+
 @pytest.mark.parametrize(
     "text, words",
     [

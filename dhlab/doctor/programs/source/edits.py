@@ -50,6 +50,7 @@ def changes_of(text):
             *_out_of_loops(text),
             *formula_changes(text),
             *table_changes(text),
+            *_of_three(text),
         ],
         key=lambda change: change[0].rank,
     )
@@ -65,6 +66,18 @@ def _everywhere(edits, text):
         apart = sorted(places, key=lambda edit: edit.start)
         if len(apart) > 1 and all(a.end <= b.start for a, b in pairwise(apart)):
             yield tuple(replace(edit, rank=edit.rank + 1) for edit in apart)
+
+
+def _of_three(text):
+    """``matmul(A, B, C)`` made A B C, at every place: numpy writes A B into the third."""
+    edits = []
+    for node in ast.walk(text.tree):
+        name = getattr(node, "func", None) and text.of(node.func).rpartition(".")[2]
+        if name in ("matmul", "dot") and len(node.args) == 3 and not node.keywords:
+            product = " @ ".join(f"({text.of(factor)})" for factor in node.args)
+            edits.append(Edit(*text.span(node), f"({product})".encode(), 0))
+    if edits:
+        yield tuple(edits)
 
 
 def _out_of_loops(text):

@@ -66,7 +66,7 @@ def read(source, nominal=None):
     there.
     """
     by_role: dict = {}
-    for name, values in arrays_in(source).items():
+    for name, values in _unnumbered(arrays_in(source)).items():
         if re.search(r"delta_", name):
             continue
         role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
@@ -105,6 +105,19 @@ def read(source, nominal=None):
         signs=signs if len(signs) == n else (1,) * n,
         **_known_form(source),
     )
+
+
+def _unnumbered(arrays):
+    """The arrays by their names, without an ending that d, a and alpha share: ``d_test``."""
+    for ending in dict.fromkeys(name.partition("_")[2] for name in arrays):
+        own = {f"{one}_{ending}" for one in ("d", "a", "alpha")}
+        if ending and own <= set(arrays):
+            return {
+                name.removesuffix(f"_{ending}"): values
+                for name, values in arrays.items()
+                if name.endswith(f"_{ending}")
+            }
+    return arrays
 
 
 def _kinds(source, n):

@@ -14,6 +14,7 @@ from .told import told
 
 __all__ = ["read"]
 
+TURN = 2 * np.pi + 0.01
 NEEDED = ("a1", "a2", "c1", "c2", "c3", "c4")
 
 
@@ -48,13 +49,18 @@ def _arrays(source):
         for word in found:
             if word in name.lower() and len(values) == 6:
                 numbers = np.array([value.number for value, _ in values])
-                large = np.abs(numbers).max() > 2 * np.pi + 0.01
+                large = np.abs(numbers).max() > TURN
                 found[word] = np.deg2rad(numbers) if word == "offset" and large else numbers
-    for index, text in re.findall(r"offsets?\w*\s*\[(\d)\]\s*=\s*([^,;\n]+)", source.code):
+    for word, index, text in re.findall(
+        r"(offset|sign)\w*\s*\[(\d)\]\s*=\s*([^,;\n]+)", source.code.lower()
+    ):
         value = source.value(text)
         if value is not None and int(index) < 6:
-            large = value.unit == "deg" or abs(value.number) > 2 * np.pi + 0.01
-            found["offset"][int(index)] = np.deg2rad(value.number) if large else value.number
+            large = word == "offset" and (value.unit == "deg" or abs(value.number) > TURN)
+            found[word][int(index)] = np.deg2rad(value.number) if large else value.number
+    for joints in re.findall(r"((?:\bJ[1-6]\s*=\s*)+)-\s*1\b", source.code, re.IGNORECASE):
+        for joint in re.findall(r"\d", joints):
+            found["sign"][int(joint) - 1] = -1
     return found["offset"], np.where(found["sign"] < 0, -1, 1)
 
 

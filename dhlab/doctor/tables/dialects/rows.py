@@ -108,7 +108,24 @@ def _numbers(source):
     table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
-    return table
+    return _without_theta(table, source) if form.startswith("SerialLink") else table
+
+
+def _without_theta(table, source):
+    """As the toolbox reads the rows: of a turning joint q takes the place of theta."""
+    if table is None or "theta" not in table.roles:
+        return table
+    k, rows, notes = table.roles.index("theta"), [], []
+    for i, row in enumerate(table.rows):
+        cell = row[k]
+        if cell.is_constant and cell.value:
+            notes.append(
+                f"theta = {cell.text} of row {i + 1} is left out, as the toolbox does: the joint's"
+                " value takes its place; a zero offset is written offset"
+            )
+            row = (*row[:k], cell_of(source.value("0")), *row[k + 1 :])
+        rows.append(row)
+    return replace(table, rows=tuple(rows), notes=(*table.notes, *notes))
 
 
 def _with_more(order, rows):
@@ -125,6 +142,7 @@ def _made_by(source):
     for name, (order, convention, form) in MAKERS.items():
         if re.search(rf"(?<![a-z_]){name}(?![a-z])", low):
             said = [kind for words, kind in NAMED if re.search(words, low)]
+            said += ["standard"] if name == "seriallink" else []  # its default
             return tuple(order.split()), convention or (said[0] if said else None), form
     return None, None, ""
 

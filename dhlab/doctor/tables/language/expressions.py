@@ -244,6 +244,10 @@ class _Parser:
         if self.peek()[1] in ("(", "[") and self.peek(1)[0] == "number":
             bracket, index = self.take()[1], self.take()[1]
             self.expect(")" if bracket == "(" else "]")
+            listed = f"{name}[{int(index) - 1}]" if bracket == "(" and index.isdigit() else ""
+            listed = listed or f"{name}[{index}]"  # MATLAB counts from 1
+            if listed in self.known and listed not in self.seen:
+                return self.looked_up(listed)
             return Value(0.0, {f"{name}[{index}]": 1.0})
         if name in self.known and name not in self.seen and len(self.seen) < 8:
             return self.looked_up(name)

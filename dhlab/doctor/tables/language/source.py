@@ -17,6 +17,8 @@ ASSIGNED = re.compile(
     r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
     r"([^=;\n,|{}\[\]:'\"]{1,120})"
 )
+# numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
+LISTED = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?\[([-+.\deE,\s]+)\]")
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])",
@@ -214,6 +216,9 @@ def _assigned(text):
             if not re.search(rf"\b{re.escape(name)}\b", said):
                 known.setdefault(key(name), said)
             break
+    for name, items in LISTED.findall(text):
+        for k, item in enumerate(re.split(r"\s*,\s*|\s+", items.strip())):
+            known.setdefault(key(f"{name}[{k}]"), item.strip())
     return known
 
 
