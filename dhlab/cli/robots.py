@@ -119,9 +119,7 @@ def _like(table, as_json):
     if not found:
         found, other = like(_misread(arm)), _OTHER[arm.table.convention]
     if found and other and not as_json:
-        print(
-            f"No arm as the rows stand, but with {other} matrix, so the table may say the wrong one:"
-        )
+        print(f"None as the table says; with its rows in {other} matrix:")
     if as_json:
         items = [
             {
