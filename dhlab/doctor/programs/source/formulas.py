@@ -3,7 +3,7 @@ angle wherever it stands in a cosine or sine, a conjugate, what a matrix is mult
 """
 
 import ast
-from itertools import combinations
+from itertools import combinations, permutations
 
 from .text import Edit
 
@@ -40,6 +40,7 @@ def formula_changes(text):
                 yield from _unclamped(node, text)
             if isinstance(node, ast.FunctionDef):
                 yield from _angles(node, text)
+                yield from _entries_set(node, text)
 
 
 def _edit(node, new, text, rank=1):
@@ -106,6 +107,30 @@ def _turned(node, text):
                 row.extend(text.of(entry) for entry in rows[i][3:])
             new.extend([text.of(entry) for entry in row] for row in rows[3:])
             yield (_edit(node, f"[{', '.join('[' + ', '.join(r) + ']' for r in new)}]", text),)
+
+
+def _entries_set(function, text):
+    """The entries of a rotation, set one by one, set for another axis."""
+    found = {}
+    for node in ast.walk(function):
+        if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store):
+            name, indices = _indices(node)
+            if len(indices) == 2 and all(index.value in (0, 1, 2) for index in indices):
+                found.setdefault(text.of(name), []).extend(indices)
+    for indices in found.values():
+        for order in permutations(range(3)) if len(indices) == 8 else ():
+            yield tuple(_edit(index, str(order[index.value]), text) for index in indices)
+
+
+def _indices(node):
+    """The name, and the two constant indices, of T[i, k] or T[i][k]."""
+    inner, index = node.value, node.slice
+    if isinstance(inner, ast.Subscript):
+        name, indices = inner.value, [inner.slice, index]
+    else:
+        name, indices = inner, index.elts if isinstance(index, ast.Tuple) else []
+    constant = all(isinstance(i, ast.Constant) for i in indices)
+    return name, indices if constant else []
 
 
 def _cos_and_sin(entries, text):

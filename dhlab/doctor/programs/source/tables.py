@@ -9,6 +9,7 @@ from .text import Edit
 
 __all__ = ["table_changes"]
 
+COLUMN = 4  # numbers at most in a row; a longer list is a column
 ROWS = 2  # at least, for a list to be a table
 
 
@@ -22,6 +23,7 @@ def table_changes(text):
     for block in text.blocks:
         for node in ast.walk(block):
             if isinstance(node, (ast.List, ast.Tuple)):
+                yield from _moved(node, text)
                 rows = [cells for cells in map(_cells, node.elts) if cells]
                 if len(rows) >= ROWS and len({tuple(row) for row in rows}) == 1:
                     yield from _exchanged(rows, text)
@@ -46,6 +48,21 @@ def _exchanged(rows, text):
     for row in rows:
         for first, second in combinations(row.values(), 2):
             yield from _swap(first, second, text)
+
+
+def _moved(node, text):
+    """Two numbers of a column that is written as a list of its own."""
+    numbers = node.elts if len(node.elts) > COLUMN and all(map(_is_number, node.elts)) else ()
+    for first, second in combinations(numbers, 2):
+        yield from _swap(first, second, text)
+
+
+def _is_number(node):
+    if isinstance(node, ast.BinOp):
+        return _is_number(node.left) or _is_number(node.right)
+    if isinstance(node, ast.UnaryOp):
+        return _is_number(node.operand)
+    return isinstance(node, (ast.Constant, ast.Attribute))
 
 
 def _swap(first, second, text):

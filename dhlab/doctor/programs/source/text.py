@@ -102,19 +102,46 @@ class Text:
         """
         space = dict(self.space)
         for block in self.blocks:
-            exec(self._code(block, edits), space)
+            start, end = self.lines_of(block)
+            inside = tuple(edit for edit in edits if start <= edit.start < end)
+            methods = self._edited_methods(block, inside) if inside else {}
+            exec(self._code(block, () if methods else inside), space)
+            for method, changed in methods.items():  # the rest of the class stays compiled
+                made = {}
+                exec(self._code(method, changed), space, made)
+                setattr(space[block.name], method.name, made[method.name])
         return space[self.name]
 
-    def _code(self, block, edits):
-        start, end = self.lines_of(block)
-        inside = tuple(edit for edit in edits if start <= edit.start < end)
-        key = block, inside
+    def _edited_methods(self, block, edits):
+        """The edits by the method of a class that they stand in; empty where one stands in none."""
+        if not isinstance(block, ast.ClassDef) or block.bases or b"super(" in self.data:
+            return {}
+        found = {}
+        for edit in edits:
+            home = next((m for m in block.body if self._holds(m, edit)), None)
+            if home is None:
+                return {}
+            found[home] = (*found.get(home, ()), edit)
+        return found
+
+    def _holds(self, method, edit):
+        if not isinstance(method, ast.FunctionDef) or method.decorator_list:
+            return False
+        start, end = self.span(method)
+        return start < edit.start and edit.end <= end
+
+    def _code(self, statement, edits):
+        """A top statement, or a method by itself, compiled with its edits."""
+        key = statement, edits
         if key not in self._compiled:
+            start, end = self.lines_of(statement)
             data = self.data[start:end]
-            for edit in sorted(inside, key=lambda edit: -edit.start):
+            for edit in sorted(edits, key=lambda edit: -edit.start):
                 data = data[: edit.start - start] + edit.new + data[edit.end - start :]
-            code = compile(data, "<learner, edited>", "exec")
-            if len(inside) > 1:  # seldom asked for again
+            code = compile(
+                b"if 1:\n" + data if statement.col_offset else data, "<learner, edited>", "exec"
+            )
+            if len(edits) > 1:  # seldom asked for again
                 return code
             self._compiled[key] = code
         return self._compiled[key]
