@@ -17,8 +17,10 @@ from .edits import changes_of
 __all__ = ["Tried", "lines_of", "repaired"]
 
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
-FIRST = 6  # calls that tell which changes make more right
+FIRST = 4  # calls that tell which changes make more right
 ALL = 16 * FIRST
+UNFELT, BENT = -1, -2  # in place of a score
+STRAIGHT = 16  # what an answer counts that becomes a pose, in entries
 WEIGHT = 8  # of a right turn between two calls, in entries
 LIKELIEST = 3  # of them, which are tried with every other change first
 BEST = 40  # changes that make more right than was right before, tried in pairs
@@ -138,10 +140,11 @@ class _Search:
         for change in self.changes:
             if time.process_time() > self.end:
                 break
-            score = self._made(change, self._score, -1)
+            score = self._made(change, self._score, UNFELT)
             if score is None and self._made(change, self.tried.all_right, False):
                 return (change,)
-            (self.felt if score != -1 else self.others).append(change)
+            if score != BENT:
+                (self.others if score == UNFELT else self.felt).append(change)
             if score is None or score > before:
                 scored.append((score or ALL, change))
         scored.sort(key=lambda entry: -entry[0])
@@ -149,13 +152,34 @@ class _Search:
         return ()
 
     def _score(self, f):
-        """:meth:`Tried.score`, None where the first wrong answer is right, -1 where it is as it was
-        or there is none.
+        """:meth:`Tried.score`, None where the first wrong answer is right, UNFELT where it is as it
+        was or there is none, BENT where it was a pose and is none now.
         """
         off = self.tried.deviation(f, self.pivot)
         if off is None or (self.off is not None and np.array_equal(off, self.off)):
-            return -1 if self.wrong else None
-        return None if self.tried.is_none(off, self.pivot).all() else self.tried.score(f)
+            return UNFELT if self.wrong else None
+        if self.tried.is_none(off, self.pivot).all():
+            return None
+        is_pose = self._is_pose(off)
+        if self.was_pose and not is_pose:
+            return BENT
+        score = self.tried.score(f)
+        return score and score + (STRAIGHT if is_pose and not self.was_pose else 0)
+
+    def _is_pose(self, off):
+        """Whether the first wrong answer, with another deviation, is a pose."""
+        T = off + self.tried.calls[self.pivot][1]
+        R = T[:3, :3]
+        return bool(
+            np.allclose(T[3], [0, 0, 0, 1])
+            and np.abs(R @ R.T - np.eye(3)).max() < 1e-6
+            and np.linalg.det(R) > 0
+        )
+
+    @cached_property
+    def was_pose(self):
+        """Whether it is one as it stands."""
+        return self.off is not None and self._is_pose(self.off)
 
     @cached_property
     def off(self):
