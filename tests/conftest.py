@@ -190,6 +190,38 @@ def browser(chromium):
         browser.close()
 
 
+@pytest.fixture(scope="session")
+def packages(tmp_path_factory):
+    """A copy of the explorer's source with what its lock file names; skipped, saying so, where npm
+    is not there or has no registry.
+    """
+    if shutil.which("npm") is None:
+        _without("npm is not installed")
+    folder = tmp_path_factory.mktemp("npm") / "js"
+    shutil.copytree(
+        HERE.parent / "dhlab/view/explorer/js",
+        folder,
+        ignore=shutil.ignore_patterns("node_modules"),
+    )
+    done = subprocess.run(
+        ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        _without(f"npm ci failed: {done.stderr.strip().splitlines()[-1:]}")
+    return folder
+
+
+def _without(reason):
+    if os.environ.get("CI"):
+        pytest.fail(f"CI needs npm and a registry: {reason}")
+    pytest.skip(
+        f"{reason}, so the explorer's module was not built again and no page was checked with axe"
+    )
+
+
 @pytest.fixture(scope="module")
 def new_page(browser):
     """``new_page(…)`` is a page on which what is waited for has four minutes to happen: what takes

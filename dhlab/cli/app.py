@@ -22,6 +22,7 @@ from .ik import ik
 from .lab import lab
 from .paste import paste
 from .release import release
+from .review import review
 from .robots import list_robots
 from .to_urdf import to_urdf
 
@@ -50,6 +51,7 @@ def _top(
 app.command()(lab)
 app.command()(release)
 app.command()(grade)
+app.command()(review)
 app.add_typer(export, name="export")
 app.command()(doctor)
 app.command()(paste)

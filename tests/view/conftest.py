@@ -1,18 +1,11 @@
-"""Pages with explorers, opened in one Chromium; npm for the tests that build the module or listen
-as a screen reader would.
-"""
+"""Pages with explorers, opened in one Chromium."""
 
-import os
-import shutil
-import subprocess
 from functools import lru_cache
-from pathlib import Path
 
 import pytest
 
 from dhlab.view.explorer.widget import MODULE
 
-SOURCE = Path(MODULE).parent / "js"
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Explorers</title><main><h1>Explorers</h1>{}</main><script type="module">{}
 window.dhlab = {{ forward, frames, jacobian, reach, widget }};</script>"""
 
@@ -30,34 +23,6 @@ MODEL = """(state) => {
     };
     window.close = dhlab.widget.render({ model, el: document.querySelector('main') });
 }"""
-
-
-@pytest.fixture(scope="session")
-def packages(tmp_path_factory):
-    """A copy of the explorer's source with what its lock file names; skipped, saying so, where npm
-    is not there or has no registry.
-    """
-    if shutil.which("npm") is None:
-        _without("npm is not installed")
-    folder = tmp_path_factory.mktemp("npm") / "js"
-    shutil.copytree(SOURCE, folder, ignore=shutil.ignore_patterns("node_modules"))
-    done = subprocess.run(
-        ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-    )
-    if done.returncode:
-        _without(f"npm ci failed: {done.stderr.strip().splitlines()[-1:]}")
-    return folder
-
-
-def _without(reason):
-    if os.environ.get("CI"):
-        pytest.fail(f"CI needs npm and a registry: {reason}")
-    pytest.skip(
-        f"{reason}, so the explorer's module was not built again and no page was checked with axe"
-    )
 
 
 @pytest.fixture

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ...course.workspace import handed_out
 from ..intake.roster import Student
 from .alike import alike, answers
+from .answered import keep_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
 from .marks import Graded
@@ -26,7 +27,8 @@ LARGEST = 2_000_000
 def publish(
     planned: Plan, results: Sequence[Graded], roster: Sequence[Student], out: str | Path
 ) -> Path:
-    """Write ``feedback/<student>.html`` for everyone and ``class-report.html``.
+    """Write ``feedback/<student>.html`` for everyone and ``class-report.html``; keep what
+    everyone wrote, for the review.
 
     Parameters
     ----------
@@ -45,6 +47,9 @@ def publish(
     known = {student.student: student for student in roster}
     for graded in results:
         write_feedback(graded, known.get(graded.student, Student(graded.student)), folder)
+        if graded.student in planned.found:
+            mine = planned.found[graded.student].notebooks
+            keep_answers(graded, [(each.name, each.read()) for each in mine], out)
     codes = {student: _code(mine) for student, mine in planned.found.items() if mine.notebooks}
     given = {
         exercise: code

@@ -1,0 +1,1 @@
+"""The teacher's page: each answer beside its verdict, and what is decided about it."""

@@ -1,0 +1,161 @@
+"""What lies on the teacher's desk: the marks of a class, what was answered, what was decided."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ...course.exercises import exercises
+from ...course.kinds import Lettered
+from ..intake.roster import Student
+from ..results.answered import read_answers
+from ..results.decisions import MOST, NAME, Decided, read_decisions
+from ..results.decisions import Student as Of
+from ..results.gradebook import Gradebook
+from ..results.marks import ERROR, NOT_ALLOWED, NOT_HANDED_IN, TIMED_OUT, WRONG, Graded
+from .edit import decide, hold
+
+__all__ = ["Desk"]
+
+LONGEST = 4000  # letters of a comment
+
+
+class Desk:
+    """The folder that ``dhlab grade`` wrote to, as the review shows it.
+
+    Parameters
+    ----------
+    folder : str or path
+    roster : sequence of Student
+        For the names, and the order.
+
+    Raises
+    ------
+    ValueError
+        There are no marks in the folder, or the decisions cannot be read.
+    """
+
+    def __init__(self, folder: str | Path, roster: Sequence[Student] = ()) -> None:
+        self.folder, self.decisions = Path(folder), Path(folder) / NAME
+        book = Gradebook(folder)
+        known = {student: book.read(student) for student in book.students()}
+        order = [s.student for s in roster if s.student in known]
+        order += [student for student in known if student not in set(order)]
+        self.marks = {student: mine for student in order if (mine := known[student])}
+        if not self.marks:
+            raise ValueError(
+                f"{folder}: expected a folder that dhlab grade has written, found no marks in it;"
+                " give its --out"
+            )
+        self.names = {student.student: student.name for student in roster}
+        read_decisions(self.decisions)
+
+    def show(self) -> dict[str, Any]:
+        """The whole class for the page: titles of exercises, and each student's marks with what is
+        decided; no answers yet.
+        """
+        decided = read_decisions(self.decisions).students
+        titles = {
+            mark.exercise: exercises()[mark.exercise].title
+            for mine in self.marks.values()
+            for mark in mine.marks
+            if mark.exercise in exercises()
+        }
+        order = {key: place for place, key in enumerate(exercises())}
+        return {
+            "exercises": [
+                {"id": key, "title": titles[key]}
+                for key in sorted(titles, key=lambda key: order[key])
+            ],
+            "students": [
+                self._student(mine, decided.get(student, Of()))
+                for student, mine in self.marks.items()
+            ],
+        }
+
+    def answers(self, student: str) -> Mapping[str, str]:
+        """What a student wrote, by exercise; of an answer in letters also what it says."""
+        found = dict(read_answers(student, self.folder))
+        for mark in self.marks[student].marks:
+            known = exercises().get(mark.exercise)
+            if mark.chosen and isinstance(known, Lettered) and "?" not in mark.chosen:
+                letters, text = known.read_back(mark.chosen)
+                found[mark.exercise] = (
+                    f"{found.get(mark.exercise, '')}\n\n# {text} ({letters} in the lesson for all)"
+                ).strip()
+        return found
+
+    def save(self, given: Any) -> dict[str, Any]:
+        """Take a decision in: of an exercise its ``points`` (None: as graded) and ``comment``, or
+        of a student ``hold``, the reason; what is then decided of the student.
+
+        Raises
+        ------
+        ValueError
+            There is no such student or exercise, or points that are none.
+        """
+        mine = self.marks.get(given.get("student")) if isinstance(given, dict) else None
+        if mine is None:
+            raise ValueError(
+                "review: expected a student of whom there are marks; load the page anew"
+            )
+        if "hold" in given:
+            hold(self.decisions, mine.student, _text(given["hold"]))
+        else:
+            mark = {mark.exercise: mark for mark in mine.marks}.get(given.get("exercise"))
+            if mark is None:
+                raise ValueError("review: expected an exercise that is marked; load the page anew")
+            points = _points(given.get("points"), mark.of)
+            said = {"points": points, "comment": _text(given.get("comment", ""))}
+            was = None if points is None else mark.points
+            decide(self.decisions, mine.student, mark.exercise, said | {"was": was})
+        decided = read_decisions(self.decisions).students.get(mine.student, Of())
+        return self._student(mine, decided)
+
+    def _student(self, mine: Graded, decided: Of) -> dict[str, Any]:
+        return {
+            "id": mine.student,
+            "name": self.names.get(mine.student) or mine.student,
+            "status": mine.status,
+            "hold": decided.hold,
+            "notes": list(mine.notes),
+            "marks": {
+                mark.exercise: _mark(mark, decided.exercises.get(mark.exercise, Decided()))
+                for mark in mine.marks
+                if mark.status != NOT_HANDED_IN
+            },
+        }
+
+
+def _mark(mark, decided):
+    lines = {"Where": mark.place, "Why": mark.why, "Next": mark.next, "Note": mark.note}
+    return {
+        "status": mark.status,
+        "points": mark.points,
+        "of": mark.of,
+        "headline": mark.headline,
+        "lines": [[label, text] for label, text in lines.items() if text],
+        "file": mark.file,
+        "came": mark.handed_in,
+        # what a program cannot settle by itself
+        "look": mark.status in (ERROR, TIMED_OUT, NOT_ALLOWED)
+        or (mark.status == WRONG and mark.mistake is None and not mark.chosen),
+        "given": decided.points,
+        "comment": decided.comment,
+        "stale": decided.was is not None and abs(decided.was - mark.points) > 1e-9,
+    }
+
+
+def _text(value):
+    if not isinstance(value, str) or len(value) > LONGEST:
+        raise ValueError(
+            f"review: expected a text of at most {LONGEST} letters; write a shorter one"
+        )
+    return "".join(c if c.isprintable() or c == "\n" else " " for c in value).strip()
+
+
+def _points(value, of):
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= MOST:
+        raise ValueError(f"review: expected points from 0 to {of:g}, found none; write a number")
+    return float(value)

@@ -1,0 +1,135 @@
+"""The review as a page on this machine: nobody else can open it, and it asks nobody else."""
+
+import json
+import secrets
+import threading
+from collections.abc import Callable
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+from .desk import Desk
+
+__all__ = ["serve"]
+
+HERE = Path(__file__).parent
+PAGES = {
+    "": ("page.html", "text/html; charset=utf-8"),
+    "review.js": ("review.js", "text/javascript; charset=utf-8"),
+    "review.css": ("review.css", "text/css; charset=utf-8"),
+}
+LARGEST = 100_000  # bytes of a decision
+HEADERS = {
+    "Content-Security-Policy": (
+        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; base-uri"
+        " 'none'; form-action 'none'; frame-ancestors 'none'"
+    ),
+    "Cache-Control": "no-store",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+}
+
+
+def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
+    """(the server, the address to open): bound to this machine, with a token in the address that
+    nobody can guess. The caller runs ``serve_forever``.
+
+    Parameters
+    ----------
+    desk : Desk
+    port : int
+        One that is free when 0.
+    """
+    token = secrets.token_urlsafe(24)
+    lock = threading.Lock()  # one decision after the other
+
+    class Handler(_Handler):
+        def answer(self, name: str, given: Any = None) -> Any:
+            with lock:
+                return _answer(desk, name, given)
+
+    Handler.token = token
+    try:
+        server = ThreadingHTTPServer(("127.0.0.1", port), Handler)
+    except OSError as error:
+        raise ValueError(
+            f"review: expected a free port, found {port} in use ({error.strerror}); leave --port"
+            " out"
+        ) from None
+    server.daemon_threads = True
+    Handler.hosts = frozenset(f"{name}:{server.server_port}" for name in ("127.0.0.1", "localhost"))
+    return server, f"http://127.0.0.1:{server.server_port}/{token}/"
+
+
+def _answer(desk, name, given):
+    """What is asked for as JSON; None where there is no such thing."""
+    if given is not None:
+        return desk.save(given) if name == "save" else None
+    if name == "class":
+        return desk.show()
+    kind, _, student = name.partition("/")
+    return desk.answers(student) if kind == "answers" and student in desk.marks else None
+
+
+class _Handler(BaseHTTPRequestHandler):
+    token = ""
+    hosts: frozenset[str] = frozenset()
+    answer: Callable[..., Any]
+    timeout = 60
+    server_version, sys_version = "dhlab", ""
+
+    def do_GET(self) -> None:
+        name = self._name()
+        if name in PAGES:
+            file, kind = PAGES[name]
+            self._send(200, (HERE / file).read_bytes(), kind)
+        elif name is not None:
+            self._say(lambda: self.answer(name))
+
+    def do_POST(self) -> None:
+        name = self._name()
+        origin = self.headers.get("Origin", "")
+        length = self.headers.get("Content-Length", "")
+        if name is None:
+            return
+        if (
+            self.headers.get("Content-Type") != "application/json"
+            or (origin and origin.removeprefix("http://") not in self.hosts)
+            or not length.isdigit()
+            or int(length) > LARGEST
+        ):
+            self._send(400, b'{"error": "expected a decision from this page"}')
+            return
+        raw = self.rfile.read(int(length))
+        self._say(lambda: self.answer(name, json.loads(raw)))
+
+    def _name(self):
+        """What is asked for; None, and an answer, where the address is not this page's: another
+        site's page may know the port, and neither the token nor this machine's name.
+        """
+        token, _, name = self.path.removeprefix("/").partition("?")[0].partition("/")
+        known = secrets.compare_digest(token.encode(), self.token.encode())
+        if known and self.headers.get("Host") in self.hosts:
+            return unquote(name)
+        self._send(404, b'{"error": "there is nothing here"}')
+        return None
+
+    def _say(self, make):
+        try:
+            told = make()
+        except (ValueError, RecursionError) as error:
+            self._send(400, json.dumps({"error": str(error)}).encode())
+            return
+        status = 404 if told is None else 200
+        self._send(status, json.dumps(told).encode())
+
+    def _send(self, status, data, kind="application/json"):
+        self.send_response(status)
+        for name, value in {**HEADERS, "Content-Type": kind, "Content-Length": len(data)}.items():
+            self.send_header(name, str(value))
+        self.end_headers()
+        self.wfile.write(data)
+
+    def log_message(self, format: str, *args: Any) -> None:
+        """Nothing: the address has the token in it."""

@@ -1,0 +1,182 @@
+"""The teacher's page: what is decided there is in decisions.yaml and nothing else of it changes;
+nobody else gets in; by keyboard through a class of 120, and nothing for axe to find.
+"""
+
+import http.client
+import json
+import threading
+from urllib.parse import urlsplit
+
+import pytest
+
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.results.answered import keep_answers, own_code, read_answers
+from dhlab.grading.results.decisions import read_decisions
+from dhlab.grading.results.gradebook import Gradebook
+from dhlab.grading.results.marks import Graded, Mark
+from dhlab.grading.reviewing.desk import Desk
+from dhlab.grading.reviewing.edit import decide, hold
+from dhlab.grading.reviewing.server import serve
+
+HOSTILE = "<img src=x onerror=document.title='gone'></pre><script>1</script>\n"
+FILE = """# my decisions
+dropped: {"05.7": "the task was unclear"}     # counts for nobody
+students:
+    ada:   # a friend
+        due: {"05": 2030-11-25}                   # for her alone
+        exercises:
+            "05.4": {points: 1.5, comment: 'Right idea.', was: 0}
+        bonus: 1.50
+    bo:
+        due: {"05": 2030-11-25 12:00}   # at noon
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A class of 120; 05.4 is wrong and has no name for every tenth."""
+    book = Gradebook(tmp_path)
+    with book.alone():
+        for k in range(120):
+            marks = (
+                Mark("05.2", "right", 1, 1, file="a.ipynb"),
+                Mark("05.4", "wrong" if k % 10 == 0 else "right", 0 if k % 10 == 0 else 2, 2),
+            )
+            marks = (marks[0], Mark.from_dict(marks[1].to_dict() | {"file": "a.ipynb"}))
+            graded = Graded(f"s{k:03d}", "a.ipynb", "graded", marks)
+            book.write(graded)
+            cells = [{"source": f"{HOSTILE}x = {k}"}, {"source": 'check("05.4", x)'}]
+            notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
+            keep_answers(graded, [("a.ipynb", json.dumps(notebook).encode())], tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def address(folder):
+    server, address = serve(Desk(folder, [Student("s000", "<b>Ada</b>")]))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield address
+    server.shutdown()
+    server.server_close()
+
+
+def asked(address, path="", method="GET", body=None, **headers):
+    parts = urlsplit(address)
+    connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=10)
+    connection.request(method, path or parts.path, body, headers)
+    reply = connection.getresponse()
+    return reply.status, reply.read().decode(), dict(reply.getheaders())
+
+
+def test_a_decision_changes_nothing_else_in_the_file(tmp_path):
+    path = tmp_path / "decisions.yaml"
+    path.write_text(FILE, encoding="utf-8")
+    decide(path, "cy", "05.2", {"points": 0.5, "comment": 'so "it" is: #1\ntrue', "was": 1.0})
+    assert path.read_text(encoding="utf-8").startswith(FILE)
+    found = read_decisions(path).students["cy"].exercises["05.2"]
+    assert (found.points, found.comment, found.was) == (0.5, 'so "it" is: #1\ntrue', 1)
+    decide(path, "cy", "05.2", {"points": None, "comment": "", "was": None})
+    assert path.read_text(encoding="utf-8") == FILE, "a decision that is taken back leaves nothing"
+    hold(path, "ada", "we have to talk")
+    assert read_decisions(path).students["ada"].hold == "we have to talk"
+    assert "# a friend" in path.read_text(encoding="utf-8")
+
+
+def test_a_file_that_grading_refuses_is_left_as_it_is(tmp_path):
+    path = tmp_path / "decisions.yaml"
+    path.write_text("students: {ada: {points: 3}}  # mine\n", encoding="utf-8")
+    with pytest.raises(ValueError, match='line 1: .*unknown key "points"'):
+        hold(path, "bo", "why")
+    assert path.read_text(encoding="utf-8") == "students: {ada: {points: 3}}  # mine\n"
+    assert [each.name for each in tmp_path.iterdir()] == ["decisions.yaml"]
+
+
+def test_an_answer_is_what_its_student_wrote_and_stands_when_the_file_is_gone(folder):
+    code = read_answers("s010", folder)["05.4"]
+    assert code == f"{HOSTILE}x = 10"
+    keep_answers(Gradebook(folder).read("s010"), [], folder)
+    assert read_answers("s010", folder)["05.4"] == code
+    odd = [{}, {"cells": 3}, {"cells": [None, {"cell_type": "code", "source": 5}]}, []]
+    assert [own_code(notebook) for notebook in odd] == [{}] * 4
+
+
+def test_nobody_gets_in_without_the_token_or_from_another_site(address):
+    parts = urlsplit(address)
+    save = json.dumps({"student": "s000", "hold": "x"})
+    kind = {"Content-Type": "application/json"}
+    assert parts.hostname == "127.0.0.1" and len(parts.path) > 30
+    status, page, headers = asked(address)
+    assert status == 200 and "default-src 'none'" in headers["Content-Security-Policy"]
+    assert "http" not in page.replace("http-equiv", "")
+    assert asked(address, "/")[0] == asked(address, "/" + "a" * 32 + "/class")[0] == 404
+    assert asked(address, Host="evil.example")[0] == 404
+    to = parts.path + "save"
+    assert asked(address, to, "POST", save, Origin="http://evil.example", **kind)[0] == 400
+    assert asked(address, to, "POST", save, **{"Content-Type": "text/plain"})[0] == 400
+    assert asked(address, parts.path + "../../etc/passwd")[0] == 404
+    assert asked(address, parts.path + "answers/%2e%2e%2fx")[0] == 404
+
+
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        ({"student": "nobody", "hold": ""}, "expected a student"),
+        ({"student": "s000", "exercise": "05.9"}, "expected an exercise"),
+        ({"student": "s000", "exercise": "05.4", "points": "2"}, "expected points from 0 to 2"),
+        ({"student": "s000", "exercise": "05.4", "points": -1}, "expected points from 0 to 2"),
+        ({"student": "s000", "hold": 3}, "expected a text"),
+        ([], "expected a student"),
+    ],
+)
+def test_what_is_no_decision_is_refused_and_nothing_written(folder, given, words):
+    with pytest.raises(ValueError, match=words):
+        Desk(folder).save(given)
+    assert not (folder / "decisions.yaml").exists()
+
+
+def test_by_keyboard_through_a_class_of_120(folder, address, browser):
+    page, outside = shown(browser, address)
+    assert page.locator("#count").inner_text().startswith("1 of 12, 12 not")
+    page.keyboard.press("m")
+    page.keyboard.type("1,5")
+    page.keyboard.press("Enter")
+    for k in range(1, 12):
+        page.get_by_text(f"x = {10 * k}", exact=False).wait_for()
+        page.keyboard.press("h" if k == 11 else "c")
+        page.keyboard.type("Look again.")
+        page.keyboard.press("Control+Enter")
+    page.get_by_text("There is no other one").wait_for()
+    page.close()
+    assert outside == []
+    known = read_decisions(folder / "decisions.yaml").students
+    one = known["s000"].exercises["05.4"]
+    assert (one.points, one.was) == (1.5, 0)
+    assert [known[f"s{k:03d}"].exercises["05.4"].comment for k in range(10, 110, 10)] == [
+        "Look again."
+    ] * 10
+    assert known["s110"].hold == "Look again." and len(known) == 12
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(address, browser, packages, scheme):
+    page, outside = shown(browser, address, color_scheme=scheme)
+    page.locator("summary").click()
+    page.evaluate(
+        (packages / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+    )
+    found = page.evaluate(
+        "axe.run().then((r) => r.violations.map((v) => v.id + v.nodes.map((n) => n.html)))"
+    )
+    assert (found, outside, page.title()) == ([], [], "Review")
+    page.close()
+
+
+def shown(browser, address, **how):
+    """(the page with its first answer, what it asked of others or could not do)."""
+    page, outside = browser.new_page(**how), []
+    own = (address, f"http://{urlsplit(address).netloc}/favicon.ico")
+    page.on("request", lambda r: None if r.url.startswith(own) else outside.append(r.url))
+    page.on("pageerror", lambda e: outside.append(str(e)))
+    page.goto(address)
+    page.get_by_text("x = 0").wait_for()
+    return page, outside
