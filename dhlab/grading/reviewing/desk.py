@@ -93,7 +93,7 @@ class Desk:
         ValueError
             There is no such student or exercise, or points that are none.
         """
-        mine = self.marks.get(given.get("student")) if isinstance(given, dict) else None
+        mine = self.marks.get(str(given.get("student"))) if isinstance(given, dict) else None
         if mine is None:
             raise ValueError(
                 "review: expected a student of whom there are marks; load the page anew"
