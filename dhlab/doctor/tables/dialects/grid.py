@@ -51,6 +51,10 @@ def header(cells):
     if sum(_try(cell) is not None and _try(cell).is_constant for cell in cells) > 1:
         return None
     previous = any(was and role in ("a", "alpha", "r") for role, was, _ in found)
+    if {"a", "d", "r"} <= set(roles):  # Khalil and Kleinfinger; their a(j) is the link before
+        renamed = {"a": None, "d": "a", "r": "d"}
+        roles, previous = tuple(renamed.get(role, role) for role in roles), True
+        found = [(role, was, unit) for role, (_, was, unit) in zip(roles, found)]
     same = [re.search(r"[a-z_\s(\[{][ij][)\]}]*\s*$", _bare(cell)) for cell in cells]
     indexed = all(mark for mark, role in zip(same, roles) if role in (*ROLES, "r"))
     return (

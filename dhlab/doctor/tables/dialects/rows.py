@@ -103,7 +103,9 @@ def _numbers(source):
         ]
         width = 4
     fits = order if order and width in (4,) else None
-    if order and width > 4:
+    if order and width > 6:  # limits and the like stand behind
+        grid, fits = [(where, row[:4]) for where, row in grid], order
+    elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid])
     table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
     if convention:

@@ -31,6 +31,8 @@ def read(source, nominal=None):
     }
     deltas = {role: arrays.get(f"delta_{role}") for role in ROLES}
     n = next(len(values) for values in deltas.values() if values) if any(deltas.values()) else 0
+    if not all(deltas.values()) and nominal is None and _complete(arrays):
+        return None  # a table with some differences beside it: the table is read by its arrays
     base = _nominal(arrays, nominal, n)
     if base is None:
         raise ValueError(
@@ -60,6 +62,11 @@ def read(source, nominal=None):
         form="a Universal Robots calibration, added to the nominal table",
         length="m",
     )
+
+
+def _complete(arrays):
+    """Whether the text holds a whole table of its own, dh_a, dh_d, dh_alpha."""
+    return all(len(arrays.get(f"dh_{role}", ())) > 2 for role in ("a", "d", "alpha"))
 
 
 def _nominal(arrays, nominal, n):

@@ -21,22 +21,30 @@ ASSIGNED = re.compile(
 LISTED = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?\[([-+.\deE,\s]+)\]")
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
-    r"|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])",
+    r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
+    r"|модифиц|改进|修正|改進",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
-    r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh)(?![a-z])",
+    r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|est[aá]ndar|padrão"
+    r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
+    r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
+    r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準",
 }
 LENGTH_WORDS = {
     "mm": r"\b(mm|milli-?met(?:er|re)s?)\b",
     "cm": r"\b(cm|centi-?met(?:er|re)s?)\b",
-    "m": r"(?:\bmet(?:er|re)s?\b|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b)",
+    "in": r"\b(inch|inches|zoll|pulgadas|pouces)\b",
+    "m": r"(?:\bmet(?:er|re)s?\b|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b"
+    r"|=\s*-?\d*\.?\d+\s*m(?![\w/²^*]))",
 }
 ANGLE_WORDS = {
     "deg": r"(?<![*/.'\"])\b(deg|degrees?)\b(?!\s*(?:2|to|of freedom|[=(]))|[\[(]°[\])]",
     "rad": r"(?<![*/.'\"])\b(rad|radians?)\b(?!\s*(?:2|to|[=(]))",
 }
 DENIED = re.compile(
-    r"\b(?:not|non|no|isn't|instead of|rather than|unlike|(?:last|i|have|was|were|slightly))[ -]+"
-    r"(?:an?|the|in|using|use)?\s*(?:modified|standard|classic(?:al)?|craig|mm|degrees?|deg|radians?"
+    r"\b(?:not|non|no|isn't|instead of|rather than|unlike|nicht|kein\w*|pas|sin|не"
+    r"|(?:last|i|have|was|were|slightly))[ -]+"
+    r"(?:(?:an?|the|in|using|use|el|la|los|de|del|le|les|celle|der|die|das|nach|von|di)\s+){0,3}"
+    r"(?:modified|standard|classic(?:al)?|craig|mm|degrees?|deg|radians?"
     r"|rad)\b",
     re.IGNORECASE,
 )
