@@ -157,7 +157,7 @@ class CraigsMatrix(Function):
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
     ) -> Known | None:
-        values = "joint-values-unused", *map(value_mistake, COLUMNS)
+        values = "theta-unused", *map(value_mistake, COLUMNS)
         if mistake not in (None, "matrix-entry-mistyped", *values):
             return None
         for k, (name, move) in enumerate(zip(self.names, ("Rz(θ)", "Tz(d)", "Tx(a)", "Rx(α)"))):

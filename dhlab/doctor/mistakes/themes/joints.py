@@ -95,7 +95,11 @@ def other_hand():
 @mistake("joint-values-unused")
 def joint_values_unused():
     yield JointChange(lambda n: np.zeros((n, n)), reading="")
-    yield RowChange(scaled(theta=0), rows=(), argument="theta is not used")
+
+
+@mistake("theta-unused")
+def theta_unused():
+    yield RowChange(scaled(theta=0), rows=(), argument="")
 
 
 @mistake("joint-index-off-by-one")
