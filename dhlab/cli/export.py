@@ -14,6 +14,9 @@ Out = Annotated[Path, typer.Option("--out", metavar="FILE", help="A new file.")]
 Marks = Annotated[
     Path, typer.Argument(metavar="GRADED", help="The folder that dhlab grade wrote to.")
 ]
+ByLesson = Annotated[
+    bool, typer.Option("--by-lesson", help="A column for each lesson, and one for a bonus.")
+]
 
 export = typer.Typer(
     help="The course for nbgrader or Gradescope, the grades for Canvas or Moodle.",
@@ -56,27 +59,27 @@ def gradescope(out: Out, roster: Roster = "", course: Course = "", key: Key = ""
 
 
 @export.command()
-def canvas(marks: Marks, out: Out, roster: Roster = "") -> None:
+def canvas(marks: Marks, out: Out, roster: Roster = "", by_lesson: ByLesson = False) -> None:
     """A CSV for the import of Canvas's gradebook."""
     from ..grading.exports.gradebooks import canvas_csv
 
-    _write_grades(canvas_csv, marks, out, roster)
+    _write_grades(canvas_csv, marks, out, roster, by_lesson)
 
 
 @export.command()
-def moodle(marks: Marks, out: Out, roster: Roster = "") -> None:
+def moodle(marks: Marks, out: Out, roster: Roster = "", by_lesson: ByLesson = False) -> None:
     """A CSV for the grade import of Moodle."""
     from ..grading.exports.gradebooks import moodle_csv
 
-    _write_grades(moodle_csv, marks, out, roster)
+    _write_grades(moodle_csv, marks, out, roster, by_lesson)
 
 
-def _write_grades(as_csv, marks, out, roster):
+def _write_grades(as_csv, marks, out, roster, by_lesson):
     from ..formats import files
-    from ..grading.exports.gradebooks import WITH_MARK, read_marks
+    from ..grading.exports.gradebooks import WITH_MARK, read_marks, settled
 
-    found, students = read_marks(marks), class_of(roster)
-    files.write_text(out, as_csv(found, students))
+    (found, waiting), students = settled(read_marks(marks)), class_of(roster)
+    files.write_text(out, as_csv(found, students, by_lesson))
     strangers = sorted(found.keys() - {student.student for student in students}) if students else []
     empty = sum(
         student not in found or found[student].status not in WITH_MARK
@@ -89,5 +92,9 @@ def _write_grades(as_csv, marks, out, roster):
             f" Left out, since they are not on the roster: {', '.join(strangers)}."
             if strangers
             else ""
+        )
+        + "".join(
+            f" {exercise} does not count yet, for anybody: {count} to be marked in dhlab review."
+            for exercise, count in waiting.items()
         )
     )

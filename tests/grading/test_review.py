@@ -2,6 +2,7 @@
 nobody else gets in; by keyboard through a class of 120, and nothing for axe to find.
 """
 
+import base64
 import http.client
 import json
 import threading
@@ -9,14 +10,21 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from dhlab.course.exercises import exercises
+from dhlab.course.kinds import Explain
+from dhlab.grading.exports.gradebooks import read_marks, settled
+from dhlab.grading.grade import grade
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.answered import keep_answers, own_code, read_answers
+from dhlab.grading.results.answered import keep_answers, own_answers, read_answers
 from dhlab.grading.results.decisions import read_decisions
+from dhlab.grading.results.feedback import feedback_page
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import Graded, Mark
+from dhlab.grading.results.publish import publish
 from dhlab.grading.reviewing.desk import Desk
 from dhlab.grading.reviewing.edit import decide, hold
 from dhlab.grading.reviewing.server import serve
+from dhlab.grading.settings import Lesson, Settings
 
 HOSTILE = "<img src=x onerror=document.title='gone'></pre><script>1</script>\n"
 FILE = """# my decisions
@@ -92,12 +100,12 @@ def test_a_file_that_grading_refuses_is_left_as_it_is(tmp_path):
 
 
 def test_an_answer_is_what_its_student_wrote_and_stands_when_the_file_is_gone(folder):
-    code = read_answers("s010", folder)["05.4"]
+    code = read_answers("s010", folder)["05.4"].code
     assert code == f"{HOSTILE}x = 10"
     keep_answers(Gradebook(folder).read("s010"), [], folder)
-    assert read_answers("s010", folder)["05.4"] == code
+    assert read_answers("s010", folder)["05.4"].code == code
     odd = [{}, {"cells": 3}, {"cells": [None, {"cell_type": "code", "source": 5}]}, []]
-    assert [own_code(notebook) for notebook in odd] == [{}] * 4
+    assert [own_answers(notebook) for notebook in odd] == [{}] * 4
 
 
 def test_nobody_gets_in_without_the_token_or_from_another_site(address):
@@ -180,3 +188,69 @@ def shown(browser, address, **how):
     page.goto(address)
     page.get_by_text("x = 0").wait_for()
     return page, outside
+
+
+EXPLAIN = Explain(
+    id="05.99",
+    title="Why",
+    points=3,
+    question="Why?",
+    rubric=(("names the seal", 1), ("names the pressure", 2)),
+)
+PIXEL = (
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAA"
+    "DUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+)
+
+
+def handed_in(answer, picture=False):
+    """A notebook with an explanation."""
+    photo = {"cell_type": "markdown", "metadata": {}, "source": "![](p.png)"}
+    photo["attachments"] = {"p.png": {"image/png": PIXEL, "image/svg+xml": "<svg/>"}}
+    cells = [
+        {"cell_type": "code", "metadata": {}, "source": source, "outputs": [], "id": f"c{k}"}
+        for k, source in enumerate(
+            ("from dhlab.course import check", f"why = {answer}", 'check("05.99", why)')
+        )
+    ]
+    cells[2:2] = [photo] if picture else []
+    told = {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+    return json.dumps(told).encode()
+
+
+@pytest.mark.cage
+def test_an_explanation_counts_when_it_is_marked_and_never_for_another_answer(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setitem(exercises(), "05.99", EXPLAIN)
+    answers = {"ada": ('"Air presses."', False), "bo": ("...", True), "cy": ("...", False)}
+    settings = Settings({"05": Lesson(points={})}, cage="")
+
+    def run():
+        for student, given in answers.items():
+            (tmp_path / "in" / student).mkdir(parents=True, exist_ok=True)
+            (tmp_path / "in" / student / "05.ipynb").write_bytes(handed_in(*given))
+        results, planned = grade(tmp_path / "in", tmp_path / "out", settings=settings)
+        publish(planned, results, (), tmp_path / "out")
+        found = read_marks(tmp_path / "out")
+        return found, {k: {m.exercise: m for m in g.marks}["05.99"] for k, g in found.items()}
+
+    found, marks = run()
+    assert [marks[k].status for k in answers] == ["to be marked", "to be marked", "not attempted"]
+    assert found["ada"].of == found["cy"].of - 3 and settled(found)[1] == {"05.99": 2}
+    assert len({graded.of for graded in settled(found)[0].values()}) == 1
+    desk = Desk(tmp_path / "out")
+    text, pictures = desk.answers("ada")["05.99"]
+    assert text.endswith('why = "Air presses."') and pictures == []
+    assert desk.answers("bo")["05.99"][1] == ["image/png"]
+    assert desk.picture("bo", "05.99", 0) == ("image/png", base64.b64decode(PIXEL))
+    assert desk.picture("bo", "05.99", 1) is None
+    for student, points in (("ada", 2), ("bo", 3)):
+        desk.save({"student": student, "exercise": "05.99", "points": points, "comment": "Seen."})
+    found, marks = run()
+    assert [marks[k].points for k in answers] == [2, 3, 0] and settled(found)[1] == {}
+    assert "Marked by your teacher" in feedback_page(found["ada"])
+    answers["ada"] = ('"Another text."', False)
+    found, marks = run()
+    assert marks["ada"].status == "to be marked" and found["bo"].points == 3
+    assert Desk(tmp_path / "out").show()["students"][0]["marks"]["05.99"]["given"] is None

@@ -4,6 +4,7 @@ answer.
 
 from .chosen import Choice, OneOf, Order, Prediction, PreTest
 from .exercise import Exercise, Known, Mistakes, Said, untouched
+from .explained import Explain
 from .functions import CASES, Function
 from .lettered import UNDECIDED, Lettered, Option
 from .reading import as_numbers, is_array_of, plain
@@ -15,6 +16,7 @@ __all__ = [
     "UNDECIDED",
     "Choice",
     "Exercise",
+    "Explain",
     "Function",
     "Known",
     "Lettered",

@@ -3,15 +3,18 @@ mark stays an empty cell, never a silent 0.
 """
 
 import json
+from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ...formats.files import read_text
 from ..intake.roster import Student
 from ..results.csvtext import csv_text
-from ..results.marks import GRADED, NOT_ATTEMPTED, TIMED_OUT, Graded
+from ..results.marks import GRADED, HELD, NOT_ATTEMPTED, NOT_HANDED_IN, TIMED_OUT, TO_MARK, Graded
+from ..results.standing import lateness
 
-__all__ = ["read_marks", "canvas_csv", "moodle_csv"]
+__all__ = ["read_marks", "settled", "canvas_csv", "moodle_csv"]
 
 WITH_MARK = (GRADED, NOT_ATTEMPTED, TIMED_OUT)
 
@@ -53,25 +56,66 @@ def _read(path):
         ) from None
 
 
-def canvas_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> str:
-    """Canvas's gradebook import: its five columns of names and ids, a row of possible points, one
-    column of points after lateness.
+def settled(marks: Mapping[str, Graded]) -> tuple[dict[str, Graded], dict[str, int]]:
+    """(the marks without exercises that are still to be marked for somebody, how many each such
+    exercise waits for): what counts for one counts for all.
+
+    Examples
+    --------
+    >>> from dhlab.grading.results.marks import Graded, Mark
+    >>> marks = Mark("05.1", "right", 1, 1), Mark("05.2", "marked", 2, 2)
+    >>> ada = Graded("ada", "", "graded", marks)
+    >>> bo = Graded("bo", "", "graded", (Mark("05.2", "to be marked", 0, 2),))
+    >>> found, waiting = settled({"ada": ada, "bo": bo})
+    >>> found["ada"].total, found["ada"].of, waiting
+    (1.0, 1, {'05.2': 1})
+    """
+    waiting = Counter(
+        mark.exercise
+        for graded in marks.values()
+        for mark in graded.marks
+        if mark.status == TO_MARK and graded.status != HELD
+    )
+    if not waiting:
+        return dict(marks), {}
+    return {
+        student: _of_these(graded, [mark for mark in graded.marks if mark.exercise not in waiting])
+        for student, graded in marks.items()
+    }, dict(waiting)
+
+
+def _of_these(graded, marks, bonus=None):
+    days, penalty = lateness(marks)
+    bonus = graded.bonus if bonus is None else bonus
+    return replace(graded, marks=tuple(marks), late_days=days, penalty=penalty, bonus=bonus)
+
+
+def canvas_csv(
+    marks: Mapping[str, Graded], roster: Sequence[Student] = (), by_lesson: bool = False
+) -> str:
+    """Canvas's gradebook import: its five columns of names and ids, a row of possible points, and
+    the points after lateness, in one column or in one for each lesson.
 
     Canvas finds a student by the SIS id or the login; the roster's ``student`` is given as both.
 
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
-    >>> marks = Mark("05.1", "right", 1, 1), Mark("05.2", "wrong", 0, 2)
-    >>> print(canvas_csv({"ada": Graded("ada", "", "graded", marks)}), end="")
-    Student,ID,SIS User ID,SIS Login ID,Section,dhlab 05
+    >>> marks = Mark("05.1", "right", 1, 1), Mark("06.2", "wrong", 0, 2)
+    >>> ada, roster = Graded("ada", "", "graded", marks), [Student("ada", "Ada", section="B")]
+    >>> print(canvas_csv({"ada": ada}, roster), end="")
+    Student,ID,SIS User ID,SIS Login ID,Section,dhlab 05 06
     Points Possible,,,,,3
-    ada,,ada,ada,,1
+    Ada,,ada,ada,B,1
+    >>> print(canvas_csv({"ada": ada}, roster, by_lesson=True), end="")
+    Student,ID,SIS User ID,SIS Login ID,Section,dhlab 05,dhlab 06
+    Points Possible,,,,,1,2
+    Ada,,ada,ada,B,1,0
     """
-    title, of = _column(marks)
+    columns = _columns(marks, by_lesson)
     rows = [
-        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", title],
-        ["Points Possible", "", "", "", "", of],
+        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", *(each[0] for each in columns)],
+        ["Points Possible", "", "", "", "", *(each[1] for each in columns)],
     ]
     rows += [
         [
@@ -79,17 +123,19 @@ def canvas_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> s
             "",
             student.student,
             student.student,
-            "",
-            _points(marks.get(student.student)),
+            student.section,
+            *(points.get(student.student) for _, _, points in columns),
         ]
         for student in _students(marks, roster)
     ]
     return csv_text(rows)
 
 
-def moodle_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> str:
-    """Moodle's grade import: id number, e-mail, name, points after lateness; the teacher maps the
-    columns on Moodle's own page.
+def moodle_csv(
+    marks: Mapping[str, Graded], roster: Sequence[Student] = (), by_lesson: bool = False
+) -> str:
+    """Moodle's grade import: id number, e-mail, name, points after lateness, in one column or in
+    one for each lesson; the teacher maps the columns on Moodle's own page.
 
     Examples
     --------
@@ -99,10 +145,15 @@ def moodle_csv(marks: Mapping[str, Graded], roster: Sequence[Student] = ()) -> s
     ID number,Email address,Full name,dhlab 05
     ada,ada@example.org,Ada,
     """
-    title, _ = _column(marks)
-    rows = [["ID number", "Email address", "Full name", title]]
+    columns = _columns(marks, by_lesson)
+    rows = [["ID number", "Email address", "Full name", *(each[0] for each in columns)]]
     rows += [
-        [student.student, student.email, student.name, _points(marks.get(student.student))]
+        [
+            student.student,
+            student.email,
+            student.name,
+            *(points.get(student.student) for _, _, points in columns),
+        ]
         for student in _students(marks, roster)
     ]
     return csv_text(rows)
@@ -115,18 +166,41 @@ def _students(marks, roster):
     return roster or [Student(student) for student in marks]
 
 
-def _column(marks):
-    """What the column is called, after the lessons in it, and the possible points."""
-    lessons = sorted(
-        {mark.exercise.partition(".")[0] for graded in marks.values() for mark in graded.marks}
-    )
-    return f"dhlab {' '.join(lessons)}", _number(
-        max((graded.of for graded in marks.values()), default=0)
-    )
+def _columns(marks, by_lesson):
+    """(what a column is called, the possible points, the points of each student who has some)."""
+    lessons = sorted({mark.lesson for graded in marks.values() for mark in graded.marks})
+    if not by_lesson:
+        parts = [(f"dhlab {' '.join(lessons)}", marks)]
+    else:
+        parts = [(f"dhlab {lesson}", _lesson(marks, lesson)) for lesson in lessons]
+        bonus = {student: _of_these(graded, ()) for student, graded in marks.items()}
+        if any(graded.bonus for graded in marks.values()):
+            parts.append(("dhlab bonus", bonus))
+    return [
+        (
+            title,
+            _number(max((graded.of for graded in found.values()), default=0)),
+            {
+                student: _number(graded.total)
+                for student, graded in found.items()
+                if graded.status in WITH_MARK
+            },
+        )
+        for title, found in parts
+    ]
 
 
-def _points(graded):
-    return _number(graded.total) if graded is not None and graded.status in WITH_MARK else None
+def _lesson(marks, lesson):
+    """The marks of one lesson, without bonus, of those who handed it in."""
+    found = {
+        student: _of_these(graded, [mark for mark in graded.marks if mark.lesson == lesson], 0)
+        for student, graded in marks.items()
+    }
+    return {
+        student: graded
+        for student, graded in found.items()
+        if any(mark.status != NOT_HANDED_IN for mark in graded.marks)
+    }
 
 
 def _number(value):

@@ -1,5 +1,5 @@
 """The roster: who is in the class, from a CSV file with a column ``student`` and, where known,
-``name``, ``email`` and ``language``.
+``name``, ``email``, ``language`` and ``section``.
 """
 
 import csv
@@ -14,7 +14,7 @@ from ...formats.files import read_text
 
 __all__ = ["Student", "read_roster"]
 
-COLUMNS = ("student", "name", "email", "language")
+COLUMNS = ("student", "name", "email", "language", "section")
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
 # what names no file on Windows
 RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE)
@@ -23,18 +23,21 @@ LANGUAGE = re.compile(r"[a-z]{2,3}(_[A-Z][A-Za-z]{1,3})?\Z")
 
 @dataclass(frozen=True)
 class Student:
-    """One line of the roster: the id, and what a person is called, written to and read by."""
+    """One line of the roster: the id, what a person is called, written to and read by, and the
+    section of the class.
+    """
 
     student: str
     name: str = ""
     email: str = ""
     language: str = "en"
+    section: str = ""
 
 
 def read_roster(path: str | Path) -> tuple[Student, ...]:
     """The students of a CSV file, in its order.
 
-    Commas or semicolons separate the cells (spreadsheets write either); other columns than the four
+    Commas or semicolons separate the cells (spreadsheets write either); other columns than the five
     known ones are passed over, but for one whose name is so like a known one that it must be a
     typing mistake.
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 from ...course.kinds import Function, Table
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
-from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
+from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
 from ..inside.wire import DECODED, decode, error_name
 from ..intake.notebooks import numbers_of
-from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, Mark
+from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -147,7 +147,7 @@ def _compared(exercise, answer, number, settings, worth):
         return Mark(exercise.id, ERROR, 0, worth, headline=headline, note=note)
     return Mark(
         exercise.id,
-        verdict.status,
+        TO_MARK if verdict.status == RECORDED else verdict.status,
         round(_share(exercise, verdict, settings) * worth, 4),
         worth,
         verdict.mistake,

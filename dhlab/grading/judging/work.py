@@ -11,6 +11,7 @@ from datetime import datetime, tzinfo
 from multiprocessing import util
 from typing import Any
 
+from ...course.kinds import Explain
 from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
 from ..intake.notebooks import lessons_of
@@ -28,6 +29,7 @@ from ..results.marks import (
 from ..results.standing import NO_FILE, lateness
 from .asking import Asked, ask
 from .borrowed import borrowed_from
+from .explained import explained
 from .judge import Answers, mark, without_marks
 from .questions import Course, call_request, handed_out_checks, request, warm_modules
 
@@ -120,7 +122,7 @@ def _work(task, course):
         answers, notes, trouble, skipped = _run_all(cage, task, course, variant)
         programs = _Programs(task, course, variant, skipped)
         found = [
-            _mark(exercise, answers, variant, course.settings, programs.ask)
+            _mark(exercise, answers, variant, course.settings, programs.ask, task.notebooks)
             for exercise in course.exercises
         ]
     marks, said = _by_lesson(found, task.notebooks)
@@ -253,9 +255,11 @@ def _run(cage, handed, course, variant, answers):
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
 
-def _mark(exercise, answers, variant, settings, ask_program):
+def _mark(exercise, answers, variant, settings, ask_program, notebooks):
     """The mark of an exercise, with the file it comes from and what its lateness costs."""
     found, handed = mark(exercise, answers, variant, settings, ask_program)
+    if isinstance(exercise, Explain):
+        found, handed = explained(found, handed, notebooks)
     if handed is None:
         return found
     days, penalty = settings.lateness(found.lesson, handed.when)

@@ -1,27 +1,49 @@
 """What each student wrote for each exercise, kept beside the marks for whoever reads them."""
 
 import json
+import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+from ...course.exercises import exercises
+from ...course.kinds import Explain
 from ...course.workspace import handed_out
 from ...formats import files
 from .alike import CHECK
 from .marks import Graded
 from .names import marks_stem
 
-__all__ = ["keep_answers", "own_code", "read_answers"]
+__all__ = ["Answer", "Picture", "keep_answers", "own_answers", "read_answers", "read_notebook"]
 
-LARGEST = 4_000_000  # bytes of a notebook that is read outside the cage; a lesson has a tenth of it
+LARGEST = 16_000_000  # bytes of a notebook that is read outside the cage; photos are large
 MOST = 20_000  # characters of one answer that are kept
+MOST_PICTURES = 3  # of one answer
+KINDS = ("image/png", "image/jpeg", "image/gif", "image/webp")
 FOLDER = "answers"
+BASE64 = re.compile(r"[A-Za-z0-9+/=\s]+\Z")
 
 
-def own_code(notebook: Any) -> dict[str, str]:
-    """The student's own code for each exercise: the cells between its check and the one before,
-    without those that are still as they were handed out.
+class Picture(NamedTuple):
+    """A picture that was put into a Markdown cell: its kind, such as "image/png", and its bytes
+    in base64.
+    """
+
+    kind: str
+    data: str
+
+
+class Answer(NamedTuple):
+    """What a student wrote for one exercise, and the pictures above its check."""
+
+    code: str = ""
+    pictures: tuple[Picture, ...] = ()
+
+
+def own_answers(notebook: Any) -> dict[str, Answer]:
+    """The student's own answer to each exercise: the code cells between its check and the one
+    before, without those that are still as they were handed out, and the pictures between them.
 
     Parameters
     ----------
@@ -30,19 +52,23 @@ def own_code(notebook: Any) -> dict[str, str]:
 
     Returns
     -------
-    dict of str to str
+    dict of str to Answer
 
     Examples
     --------
     >>> cells = [{"source": "rule = 'a'"}, {"source": ['check("05.2", ', "rule)"]}]
-    >>> own_code({"cells": [{"cell_type": "code", **cell} for cell in cells]})
-    {'05.2': "rule = 'a'"}
+    >>> own_answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
+    {'05.2': Answer(code="rule = 'a'", pictures=())}
     """
-    found: dict[str, str] = {}
+    found: dict[str, Answer] = {}
     mine: list[str] = []
+    pictures: list[Picture] = []
     cells = notebook.get("cells") if isinstance(notebook, dict) else None
     for cell in cells if isinstance(cells, list) else []:
-        if not isinstance(cell, dict) or cell.get("cell_type") != "code":
+        if not isinstance(cell, dict):
+            continue
+        pictures += _pictures(cell)
+        if cell.get("cell_type") != "code":
             continue
         source = cell.get("source", "")
         source = "".join(map(str, source)) if isinstance(source, list) else str(source)
@@ -51,10 +77,20 @@ def own_code(notebook: Any) -> dict[str, str]:
         if code and code not in _handed_out_cells():
             mine.append(code)
         if checked:
-            if mine:
-                found[checked[1]] = "\n\n".join(mine)[:MOST]
-            mine = []
+            if mine or pictures:
+                own = "\n\n".join(mine)[:MOST]
+                found[checked[1]] = Answer(own, tuple(pictures[:MOST_PICTURES]))
+            mine, pictures = [], []
     return found
+
+
+def _pictures(cell):
+    """The pictures of a Markdown cell."""
+    attached = cell.get("attachments")
+    for by_kind in attached.values() if isinstance(attached, dict) else ():
+        for kind, data in by_kind.items() if isinstance(by_kind, dict) else ():
+            if kind in KINDS and isinstance(data, str) and BASE64.match(data):
+                yield Picture(kind, "".join(data.split()))
 
 
 @cache
@@ -68,7 +104,7 @@ def _handed_out_cells():
 
 
 def keep_answers(graded: Graded, notebooks: Iterable[tuple[str, bytes]], out: str | Path) -> None:
-    """Write ``answers/<student>.json``: for each mark the code of the notebook that it comes from.
+    """Write ``answers/<student>.json``: for each mark the answer in the notebook it comes from.
     Where that notebook is not among what is graded now, what was kept before stands.
 
     Parameters
@@ -79,23 +115,28 @@ def keep_answers(graded: Graded, notebooks: Iterable[tuple[str, bytes]], out: st
     out : str or path
         The folder of the marks.
     """
-    codes = {name: _code(raw) for name, raw in notebooks}
+    codes = {name: read_notebook(raw) for name, raw in notebooks}
     before = read_answers(graded.student, out)
-    kept = {
-        mark.exercise: codes.get(mark.file, before).get(mark.exercise, "") for mark in graded.marks
-    }
-    kept = {exercise: code for exercise, code in kept.items() if code}
-    if kept != before:
+    kept = {mark.exercise: codes.get(mark.file, before).get(mark.exercise) for mark in graded.marks}
+    found = {key: _slim(key, answer) for key, answer in kept.items() if answer}
+    if found != before:
         path = _path(graded.student, out)
         path.parent.mkdir(exist_ok=True)
-        text = json.dumps(kept, ensure_ascii=False, indent=1)
+        told = {key: [own.code, own.pictures] for key, own in found.items()}
+        text = json.dumps(told, ensure_ascii=False, indent=1)
         files.write_bytes(path, text.encode("utf-8", "replace"), overwrite=True)
 
 
-def _code(raw):
-    """The own code in a notebook's bytes; none where it cannot be read."""
+def _slim(key, answer):
+    """Pictures are kept where they are the answer."""
+    explains = isinstance(exercises().get(key), Explain)
+    return answer if explains else answer._replace(pictures=())
+
+
+def read_notebook(raw: bytes) -> dict[str, Answer]:
+    """The own answers in a notebook's bytes; none where it cannot be read or is too large."""
     try:
-        return own_code(json.loads(raw)) if len(raw) <= LARGEST else {}
+        return own_answers(json.loads(raw)) if len(raw) <= LARGEST else {}
     except (ValueError, RecursionError):
         return {}
 
@@ -104,15 +145,18 @@ def _path(student, out):
     return Path(out) / FOLDER / f"{marks_stem(student)}.json"
 
 
-def read_answers(student: str, out: str | Path) -> Mapping[str, str]:
-    """What was kept of a student: code by exercise; nothing where nothing was kept."""
+def read_answers(student: str, out: str | Path) -> Mapping[str, Answer]:
+    """What was kept of a student, by exercise; nothing where nothing was kept."""
     path = _path(student, out)
     if not path.exists():
         return {}
     try:
-        known = json.loads(files.read_text(path, "a student's answers"))
-        return {str(key): str(code) for key, code in known.items()}
-    except (json.JSONDecodeError, AttributeError):
+        known = json.loads(files.read_text(path, "a student's answers", 10 * LARGEST))
+        return {
+            key: Answer(code, tuple(Picture(*picture) for picture in pictures))
+            for key, (code, pictures) in known.items()
+        }
+    except (json.JSONDecodeError, AttributeError, TypeError):
         raise ValueError(
             f"{path}: expected answers that dhlab grade kept, found something else; delete it and"
             " grade again"

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from ...course.exercises import exercises
 from ...formats import plainyaml
 from ..settings import Settings, moment
-from .marks import HELD, Graded, Mark
+from .marks import HELD, MARKED, TO_MARK, Graded, Mark
 from .standing import lateness
 
 if TYPE_CHECKING:
@@ -28,12 +28,14 @@ MOST = 1000  # points
 @dataclass(frozen=True)
 class Decided:
     """What was decided of one exercise of one student: points (None: as graded), a comment, and
-    what it had earned when that was decided (None: not said).
+    what it had earned when that was decided (None: not said); of an explanation which answer it is
+    about (empty: any).
     """
 
     points: float | None = None
     comment: str = ""
     was: float | None = None
+    answer: str = ""
 
 
 @dataclass(frozen=True)
@@ -136,11 +138,14 @@ def _exercise(key, item):
 
 
 def _decided(key, item):
-    known = plainyaml.fields(item, key, required=set(), allowed={"points", "comment", "was"})
+    known = plainyaml.fields(
+        item, key, required=set(), allowed={"points", "comment", "was", "answer"}
+    )
     return Decided(
         _points(known["points"], f"{key}: points") if "points" in known else None,
         plainyaml.text(known["comment"], f"{key}: comment") if "comment" in known else "",
         _points(known["was"], f"{key}: was") if "was" in known else None,
+        plainyaml.text(known["answer"], f"{key}: answer") if "answer" in known else "",
     )
 
 
@@ -187,6 +192,8 @@ def _stale(graded, mine, settings):
         where = f"{NAME}: {graded.student}, {key}"
         if key not in earned:
             yield f"{where}: there is no such mark"
+        elif of_another(decided, earned[key]):
+            yield f"{where}: marked before another answer was handed in: mark it again"
         elif decided.was is not None and abs(decided.was - earned[key].points) > 1e-9:
             yield (
                 f"{where}: decided when it had earned {decided.was:g}; it earns"
@@ -197,6 +204,11 @@ def _stale(graded, mine, settings):
     for lesson in mine.due:
         if lesson not in settings.lessons or settings.lessons[lesson].due is None:
             yield f"{NAME}: {graded.student}: lesson {lesson} has no due date in course.yaml"
+
+
+def of_another(decided: Decided, mark: Mark) -> bool:
+    """Whether a decision is about an answer that has been replaced since."""
+    return bool(decided.answer and mark.answer) and decided.answer != mark.answer
 
 
 def _one(graded, mine, dropped, settings):
@@ -225,8 +237,11 @@ def _mark(mark: Mark, mine: Student, dropped: Mapping[str, str], settings: Setti
         days, penalty = settings.late_after(mine.due[mark.lesson], came)
         mark = replace(mark, late_days=days, penalty=penalty)
     decided = mine.exercises.get(mark.exercise)
-    if decided is None:
+    if decided is None or of_another(decided, mark):
         return mark
+    if mark.answer:
+        status = TO_MARK if decided.points is None else MARKED
+        return replace(mark, status=status, points=decided.points or 0, comment=decided.comment)
     points = mark.points if decided.points is None else decided.points
     changed = abs(points - mark.points) > 1e-9
     note = f"by the teacher; the grader gave {mark.points:g}" if changed else ""

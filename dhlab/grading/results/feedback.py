@@ -14,12 +14,14 @@ from ..intake.roster import Student
 from .marks import (
     ERROR,
     HELD,
+    MARKED,
     MISSING,
     NOT_ALLOWED,
     NOT_ATTEMPTED,
     NOT_HANDED_IN,
     RIGHT,
     TIMED_OUT,
+    TO_MARK,
     UNREADABLE,
     WRONG,
     Graded,
@@ -38,6 +40,8 @@ SYMBOLS = {
     ERROR: "✗",
     TIMED_OUT: "✗",
     NOT_ALLOWED: "✗",
+    TO_MARK: "○",
+    MARKED: "•",
 }
 # then the program's own words, in which it may tell what it was called with
 STOPS = re.compile(r"(the (?:function|cell) stops with )([^:]*)")

@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from ...formats import files
 from ..intake.roster import Student
 from .csvtext import csv_text
-from .marks import HELD, NOT_HANDED_IN, Graded
+from .marks import HELD, NOT_HANDED_IN, TO_MARK, Graded
 from .names import marks_stem, page_stem
 from .pages import OURS
 
@@ -168,8 +168,8 @@ class Gradebook:
 
     @staticmethod
     def _row(graded, names, exercises, bonus):
-        points = {
-            mark.exercise: _plain(mark.points)
+        points: dict[str, int | float | str] = {
+            mark.exercise: TO_MARK if mark.status == TO_MARK else _plain(mark.points)
             for mark in graded.marks
             if mark.status != NOT_HANDED_IN and graded.status != HELD
         }

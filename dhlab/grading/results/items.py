@@ -8,9 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, WRONG, Graded
+from .marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, TO_MARK, WRONG, Graded
 
 __all__ = ["Item", "items"]
+
+NOT_COUNTED = (NOT_HANDED_IN, TO_MARK)
 
 ENOUGH = 10  # students; with fewer, a correlation is noise
 ENOUGH_WRONG = 3  # who did not get it right; with fewer, one student makes the figure
@@ -102,7 +104,7 @@ def items(results: Sequence[Graded]) -> list[Item]:
         mark.exercise
         for graded in looked_at
         for mark in graded.marks
-        if mark.status != NOT_HANDED_IN
+        if mark.status not in NOT_COUNTED
     )
     return [
         _item(exercise, looked_at)
@@ -115,7 +117,7 @@ def _item(exercise, looked_at):
         (mark, graded)
         for graded in looked_at
         for mark in graded.marks
-        if mark.exercise == exercise and mark.status != NOT_HANDED_IN
+        if mark.exercise == exercise and mark.status not in NOT_COUNTED
     ]
     marks = [mark for mark, _ in pairs]
     shares = np.array(
@@ -133,7 +135,7 @@ def _item(exercise, looked_at):
 
 def _share_of_others(mark, graded):
     """The share of the points of all other exercises that were handed in."""
-    of = sum(other.of for other in graded.marks if other.status != NOT_HANDED_IN) - mark.of
+    of = sum(other.of for other in graded.marks if other.status not in NOT_COUNTED) - mark.of
     return (graded.points - mark.points) / of if of else 0.0
 
 

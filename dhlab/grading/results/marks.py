@@ -16,6 +16,8 @@ __all__ = [
     "TIMED_OUT",
     "NOT_ALLOWED",
     "NOT_HANDED_IN",
+    "TO_MARK",
+    "MARKED",
     "GRADED",
     "UNREADABLE",
     "MISSING",
@@ -31,8 +33,19 @@ RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED = (
     "not allowed",
 )
 NOT_HANDED_IN = "not handed in"
+TO_MARK, MARKED = "to be marked", "marked"  # by the teacher, of what no program can judge
 GRADED, UNREADABLE, MISSING, HELD = "graded", "unreadable", "missing", "on hold"
-OF_MARK = (RIGHT, WRONG, NOT_ATTEMPTED, ERROR, TIMED_OUT, NOT_ALLOWED, NOT_HANDED_IN)
+OF_MARK = (
+    RIGHT,
+    WRONG,
+    NOT_ATTEMPTED,
+    ERROR,
+    TIMED_OUT,
+    NOT_ALLOWED,
+    NOT_HANDED_IN,
+    TO_MARK,
+    MARKED,
+)
 OF_STUDENT = (GRADED, NOT_ATTEMPTED, UNREADABLE, TIMED_OUT, MISSING, HELD)
 
 
@@ -46,7 +59,8 @@ class Mark:
         Its id, such as "05.2".
     status : str
         "right", "wrong", "not attempted", "error", "timed out", "not allowed" (it calls what it was
-        to write) or "not handed in" (no file of its lesson).
+        to write), "not handed in" (no file of its lesson); of an explanation "to be marked"
+        and, by the teacher, "marked".
     points, of : float
         Earned, and possible.
     mistake : str or None
@@ -64,6 +78,8 @@ class Mark:
         Of an answer in letters: the ids of the options chosen, or "?".
     comment : str
         The teacher's own words, from decisions.yaml.
+    answer : str
+        Of an explanation: a short name of what was written, another one when that changes.
 
     Examples
     --------
@@ -88,6 +104,7 @@ class Mark:
     penalty: float = 0.0
     chosen: tuple[str, ...] = ()
     comment: str = ""
+    answer: str = ""
 
     @property
     def lesson(self) -> str:
@@ -194,8 +211,8 @@ class Graded:
 
     @property
     def of(self) -> float:
-        """The sum possible."""
-        return sum(mark.of for mark in self.marks)
+        """The sum possible; what is still to be marked is not counted yet."""
+        return sum(mark.of for mark in self.marks if mark.status != TO_MARK)
 
     @property
     def total(self) -> float:

@@ -1,17 +1,18 @@
 """What lies on the teacher's desk: the marks of a class, what was answered, what was decided."""
 
+import base64
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from ...course.exercises import exercises
-from ...course.kinds import Lettered
+from ...course.kinds import Explain, Lettered
 from ..intake.roster import Student
 from ..results.answered import read_answers
-from ..results.decisions import MOST, NAME, Decided, read_decisions
+from ..results.decisions import MOST, NAME, Decided, of_another, read_decisions
 from ..results.decisions import Student as Of
 from ..results.gradebook import Gradebook
-from ..results.marks import ERROR, NOT_ALLOWED, NOT_HANDED_IN, TIMED_OUT, WRONG, Graded
+from ..results.marks import ERROR, NOT_ALLOWED, NOT_HANDED_IN, TIMED_OUT, TO_MARK, WRONG, Graded
 from .edit import decide, hold
 
 __all__ = ["Desk"]
@@ -63,7 +64,7 @@ class Desk:
         order = {key: place for place, key in enumerate(exercises())}
         return {
             "exercises": [
-                {"id": key, "title": titles[key]}
+                {"id": key, "title": titles[key]} | _asked(exercises()[key])
                 for key in sorted(titles, key=lambda key: order[key])
             ],
             "students": [
@@ -72,9 +73,12 @@ class Desk:
             ],
         }
 
-    def answers(self, student: str) -> Mapping[str, str]:
-        """What a student wrote, by exercise; of an answer in letters also what it says."""
-        found = dict(read_answers(student, self.folder))
+    def answers(self, student: str) -> Mapping[str, list]:
+        """What a student wrote, by exercise, as [text, the kinds of its pictures]; of an answer in
+        letters also what it says.
+        """
+        kept = read_answers(student, self.folder)
+        found = {key: own.code for key, own in kept.items()}
         for mark in self.marks[student].marks:
             known = exercises().get(mark.exercise)
             if mark.chosen and isinstance(known, Lettered) and "?" not in mark.chosen:
@@ -82,7 +86,16 @@ class Desk:
                 found[mark.exercise] = (
                     f"{found.get(mark.exercise, '')}\n\n# {text} ({letters} in the lesson for all)"
                 ).strip()
-        return found
+        kinds = {key: [picture.kind for picture in own.pictures] for key, own in kept.items()}
+        return {key: [text, kinds.get(key, [])] for key, text in found.items()}
+
+    def picture(self, student: str, exercise: str, place: int) -> tuple[str, bytes] | None:
+        """(kind, bytes) of a picture of an answer; None where there is none."""
+        answer = read_answers(student, self.folder).get(exercise)
+        if student not in self.marks or answer is None or place >= len(answer.pictures):
+            return None
+        kind, data = answer.pictures[place]
+        return kind, base64.b64decode(data)
 
     def save(self, given: Any) -> dict[str, Any]:
         """Take a decision in: of an exercise its ``points`` (None: as graded) and ``comment``, or
@@ -106,8 +119,9 @@ class Desk:
                 raise ValueError("review: expected an exercise that is marked; load the page anew")
             points = _points(given.get("points"), mark.of)
             said = {"points": points, "comment": _text(given.get("comment", ""))}
-            was = None if points is None else mark.points
-            decide(self.decisions, mine.student, mark.exercise, said | {"was": was})
+            was = None if points is None or mark.answer else mark.points
+            about = {"was": was, "answer": mark.answer if points is not None else None}
+            decide(self.decisions, mine.student, mark.exercise, said | about)
         decided = read_decisions(self.decisions).students.get(mine.student, Of())
         return self._student(mine, decided)
 
@@ -126,7 +140,16 @@ class Desk:
         }
 
 
+def _asked(exercise):
+    """The question and what earns points, where a person marks."""
+    if not isinstance(exercise, Explain):
+        return {}
+    return {"question": exercise.question, "rubric": exercise.rubric}
+
+
 def _mark(mark, decided):
+    if of_another(decided, mark):
+        decided = Decided()
     lines = {"Where": mark.place, "Why": mark.why, "Next": mark.next, "Note": mark.note}
     return {
         "status": mark.status,
@@ -137,7 +160,7 @@ def _mark(mark, decided):
         "file": mark.file,
         "came": mark.handed_in,
         # what a program cannot settle by itself
-        "look": mark.status in (ERROR, TIMED_OUT, NOT_ALLOWED)
+        "look": mark.status in (ERROR, TIMED_OUT, NOT_ALLOWED, TO_MARK)
         or (mark.status == WRONG and mark.mistake is None and not mark.chosen),
         "given": decided.points,
         "comment": decided.comment,

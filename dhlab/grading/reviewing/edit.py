@@ -36,7 +36,7 @@ def decide(
         ``decisions.yaml``; read anew each time, so that what was written by hand meanwhile stays.
     student, exercise : str
     said : mapping
-        ``points``, ``comment`` and ``was``, as in the file.
+        ``points``, ``comment``, ``was`` and ``answer``, as in the file.
 
     Raises
     ------

@@ -67,19 +67,46 @@ async function show() {
   $("what").textContent = [`${exercise} ${title}`, mark.file, mark.came].filter(Boolean).join(" · ");
   verdict(student, mark);
   $("of").textContent = `of ${mark.of}; the grader gave ${mark.points}`;
+  asked(exercises.find((one) => one.id === exercise), mark);
   $("points").value = mark.given === null ? "" : mark.given;
   $("points").placeholder = mark.points;
   $("comment").value = mark.comment;
   $("hold").value = student.hold;
   answers[student.id] ??= ask("answers/" + encodeURIComponent(student.id));
   $("answer").textContent = "";
+  $("pictures").replaceChildren();
   try {
     const own = await answers[student.id];
-    if (item === here()) $("answer").textContent = own[exercise] || "(nothing was written here)";
+    if (item !== here()) return;
+    const [text, pictures] = own[exercise] || ["", []];
+    $("answer").textContent = text || "(nothing was written here)";
+    pictures.forEach((_, k) => {
+      const picture = element("img", "", $("pictures"));
+      picture.alt = `Picture ${k + 1} of the answer`;
+      picture.src = ["picture", student.id, exercise, k].map(encodeURIComponent).join("/");
+    });
   } catch (error) {
     delete answers[student.id];
     say(error.message);
   }
+}
+
+/** The question that a person marks, and its rubric: keys 1 to 9 tick a line, the points add up. */
+function asked({ question, rubric = [] }, mark) {
+  const box = $("rubric"), sum = rubric.reduce((all, [, points]) => all + points, 0);
+  $("question").textContent = question || "";
+  box.hidden = !rubric.length;
+  box.replaceChildren(box.firstElementChild);
+  const ticks = rubric.map(([text, points], k) => {
+    const label = element("label", "", box), tick = element("input", "", label);
+    tick.type = "checkbox";
+    label.append(` ${k + 1}: ${text} (${points})`);
+    return tick;
+  });
+  box.onchange = () => {
+    const earned = ticks.reduce((all, tick, k) => all + (tick.checked ? rubric[k][1] : 0), 0);
+    $("points").value = Math.round((100 * earned * mark.of) / sum) / 100;
+  };
 }
 
 function verdict(student, mark) {
@@ -175,6 +202,8 @@ document.addEventListener("keydown", (event) => {
   } else if (!field && !event.ctrlKey && !event.metaKey && !event.altKey && $("keys").checked && KEYS[event.key]) {
     event.preventDefault();
     KEYS[event.key]();
+  } else if (!field && $("keys").checked && /^[1-9]$/.test(event.key)) {
+    $("rubric").querySelectorAll("input")[event.key - 1]?.click();
   }
 });
 $("form").addEventListener("submit", (event) => {

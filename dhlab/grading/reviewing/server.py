@@ -22,7 +22,8 @@ PAGES = {
 LARGEST = 100_000  # bytes of a decision
 HEADERS = {
     "Content-Security-Policy": (
-        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; base-uri"
+        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self';"
+        " connect-src 'self'; base-uri"
         " 'none'; form-action 'none'; frame-ancestors 'none'"
     ),
     "Cache-Control": "no-store",
@@ -68,6 +69,9 @@ def _answer(desk, name, given):
         return desk.save(given) if name == "save" else None
     if name == "class":
         return desk.show()
+    if name.startswith("picture/"):
+        _, student, exercise, place = (name.split("/") + 4 * [""])[:4]
+        return desk.picture(student, exercise, int(place)) if place.isdecimal() else None
     kind, _, student = name.partition("/")
     return desk.answers(student) if kind == "answers" and student in desk.marks else None
 
@@ -120,6 +124,9 @@ class _Handler(BaseHTTPRequestHandler):
             told = make()
         except (ValueError, RecursionError) as error:
             self._send(400, json.dumps({"error": str(error)}).encode())
+            return
+        if isinstance(told, tuple):
+            self._send(200, told[1], told[0])
             return
         status = 404 if told is None else 200
         self._send(status, json.dumps(told).encode())
