@@ -23,6 +23,7 @@ from pathlib import Path
 
 import jupytext
 import nbformat
+from finishing import finish
 from library import library, linked, with_arms
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
@@ -31,34 +32,18 @@ from sphinx.cmd.build import main as sphinx
 
 from dhlab.view.explorer import without_widgets
 
-__all__ = ["accessible", "build", "executed", "pages"]
+__all__ = ["build", "executed", "pages"]
 
 DOCS = Path(__file__).resolve().parent
 ROOT = DOCS.parent
 NOTE = """:::{admonition} Read it here, do it in Jupyter
 :class: tip
 This is the lesson as it is handed out: nothing is filled in, so every check says *Not attempted
-yet*. To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin.
+yet*. To work in it, type `make lab`; [Set up](../index.md#set-up) says how to begin. Or take
+<a href="{name}.ipynb" download>the notebook</a> to a Jupyter of your own that has dhlab.
 :::"""
+ALIASES = {"02-parameters": "! atan2, ! arctan2"}  # what the search finds a lesson by as well
 PARTS = ("", "reference/", "benchmarks/", "bench/")  # where pages, and what pages include, stand
-# what furo leaves to be named, so that somebody who listens to the page can tell its parts
-LANDMARKS = [
-    (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),
-    (
-        r'<aside class="toc-drawer( no-toc)?">',
-        r'<aside class="toc-drawer\1" aria-label="This page">',
-    ),
-    (
-        r'<div class="content-icon-container">',
-        '<div class="content-icon-container" role="navigation" aria-label="View">',
-    ),
-    (r'(<a href="#" class="back-to-top.*?</a>)', r'<nav aria-label="Top">\1</nav>'),
-    (r'<p class="caption" role="heading">', '<p class="caption" role="heading" aria-level="2">'),
-    (r"<pre\b", '<pre tabindex="0"'),
-    (r'<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
-    (r'<div id="search-results">', '<h1>Search</h1><div id="search-results">'),
-    (r'<a href="([\w-]+)\.ipynb">', r'<a href="\1.html">'),  # the map on top of a lesson
-]
 
 
 def build(out):
@@ -88,8 +73,9 @@ def build(out):
             str(html),
         ]
     )
-    for path in html.rglob("*.html"):
-        _write(path, accessible(path.read_text(encoding="utf-8")))
+    for path in (ROOT / "lessons").glob("*.ipynb"):  # to be downloaded
+        shutil.copy(path, html / "lessons")
+    finish(html)
     return status
 
 
@@ -110,7 +96,7 @@ def pages(cache):
         else:
             plain[path.relative_to(DOCS).as_posix()] = filled_in(text)
     for path in sorted((ROOT / "lessons").glob("*.ipynb")):
-        notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4))
+        notebooks[f"lessons/{path.stem}"] = with_note(nbformat.read(path, as_version=4), path.stem)
     plain["arms.md"] = linked(plain["arms.md"])
     plain["lessons/glossary.md"] = (ROOT / "lessons" / "glossary.md").read_text(encoding="utf-8")
     with ThreadPoolExecutor(2) as pool:
@@ -135,10 +121,13 @@ def _relinked(text, runs):
     return re.sub(rf"\]\(((?:\.\./)?(?:{names}))\.md", r"](\1.ipynb", text)
 
 
-def with_note(notebook):
+def with_note(notebook, name):
     """A lesson with a line under its title that says where it is worked through."""
     title, _, rest = notebook.cells[0].source.partition("\n")
-    notebook.cells[0].source = f"{title}\n\n{NOTE}\n{rest}"
+    note = NOTE.replace("{name}", name)
+    if name in ALIASES:
+        note = f"```{{index}} {ALIASES[name]}\n```\n\n{note}"
+    notebook.cells[0].source = f"{title}\n\n{note}\n{rest}"
     return notebook
 
 
@@ -192,15 +181,6 @@ def _run(name, notebook):
         for output in noise:
             print(f"{name}, {cell.id}, to stderr: {output.text.strip()}", file=sys.stderr)
             cell.outputs.remove(output)
-
-
-def accessible(html):
-    """A page with furo's landmarks named, what scrolls within reach of the keyboard, a heading on
-    the search page, and lessons that lead to each other's pages.
-    """
-    for found, wanted in LANDMARKS:
-        html = re.sub(found, wanted, html, flags=re.DOTALL)
-    return html
 
 
 def main():

@@ -61,10 +61,12 @@ html_domain_indices = False
 
 
 def setup(app):
-    """The explorer's module goes to the pages that show one."""
+    """Scripts go to the pages that need them."""
     app.connect("html-page-context", with_explorer)
 
 
 def with_explorer(app, pagename, templatename, context, doctree):
     if 'class="dhlab-explorer"' in context.get("body", ""):
         app.add_js_file("explorer.js", type="module")
+    if "cell_output" in context.get("body", ""):
+        app.add_js_file("reading.js", loading_method="defer")

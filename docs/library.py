@@ -109,6 +109,7 @@ def _page(one, q, measured):
     arm, name = _best(one), next(iter(one.tables))
     parts = [
         "---\norphan: true\n---",
+        f"```{{index}} {', '.join(f'! {name}' for name in sorted(_called(one)))}\n```",
         f"# {one.name}",
         _lead(one, arm),
         f"```{{raw}} html\n{_explorer(one, arm, q)}\n```",
@@ -127,6 +128,12 @@ def _page(one, q, measured):
         "[All arms](index.md) · [How the arms were checked](../arms.md)",
     ]
     return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _called(one):
+    """What the site's search finds the page by, besides its words."""
+    names = {one.key, one.name, _short(one), one.key.replace("_", " "), *one.also}
+    return {re.sub(r"[,;:!]", "", name) for name in names}
 
 
 def _lead(one, arm):
@@ -178,10 +185,7 @@ def _table(*arms):
 def _grid(arm):
     rates = arm.sign if arm.coupling is None else arm.coupling * arm.sign
     ends = "".join(f"<p>{line}</p>" for line in _ends(arm))
-    return (
-        f'<div class="arm-table" tabindex="0" role="group" aria-label="DH table">'
-        f"{table_html(arm.table, rates)}{ends}</div>"
-    )
+    return f'<div class="arm-table" tabindex="0">{table_html(arm.table, rates)}{ends}</div>'
 
 
 def _ends(arm):

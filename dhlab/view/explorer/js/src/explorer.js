@@ -38,6 +38,16 @@ export function mount(element, host) {
   layout.addEventListener("keydown", (event) => { // what is typed into a field is no command of the notebook around it
     if (event.target.matches("input") && !event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
   });
+  const print = () => { // what was not in sight yet is drawn, on paper's ground
+    layout.dataset.theme = stage.paperTheme = "light";
+    stage.draw(performance.now());
+  };
+  const printed = () => {
+    stage.paperTheme = null;
+    dress();
+  };
+  addEventListener("beforeprint", print);
+  addEventListener("afterprint", printed);
   dress();
   const undress = watchTheme(dress);
   let timer = 0;
@@ -50,6 +60,8 @@ export function mount(element, host) {
   return () => {
     clearTimeout(timer);
     deafen();
+    removeEventListener("beforeprint", print);
+    removeEventListener("afterprint", printed);
     undress();
     mode.close?.();
     stage.close();

@@ -17,6 +17,7 @@ const STYLE = `
   .numbers input::-webkit-inner-spin-button { display: none; }
   @container (max-width: 480px) { .numbers input { width: 4.7em; padding: 3px 2px; min-width: 0 !important; } .numbers td, .numbers th { padding: 2px 1px; } }
   .give { display: flex; flex-wrap: wrap; gap: 6px; align-items: center; }
+  @media print { .give, .edit:not([open]) { display: none; } }
   .give p { color: var(--quiet); font-size: 12.5px; flex-basis: 100%; }
   @media (pointer: coarse) { .numbers input { min-height: 44px; } }`;
 

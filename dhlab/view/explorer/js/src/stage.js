@@ -72,7 +72,7 @@ export class Stage {
     this.stale = false;
     const { clientWidth, clientHeight } = this.canvas;
     if (!clientWidth || !clientHeight || !renderer().works) return;
-    const scene = new Scene(COLORS[theme()], this.mode.size);
+    const scene = new Scene(COLORS[this.paperTheme ?? theme()], this.mode.size);
     scene.time = time;
     scene.metres = this.mode.metres; // the unit that is named
     scene.lowest = this.lowest ?? 0;

@@ -1,0 +1,109 @@
+"""What is done to the pages once Sphinx has made them: landmarks, pictures in files of their own,
+descriptions, and the whole site as one file.
+"""
+
+import base64
+import hashlib
+import io
+import re
+import zipfile
+from html import escape, unescape
+from pathlib import Path
+
+from PIL import Image
+
+__all__ = ["accessible", "finish"]
+
+ARCHIVE = "dhlab-site.zip"
+# what furo leaves to be named, so that somebody who listens to the page can tell its parts
+LANDMARKS = [
+    (r'<aside class="sidebar-drawer">', '<aside class="sidebar-drawer" aria-label="Site">'),
+    (
+        r'<aside class="toc-drawer( no-toc)?">',
+        r'<aside class="toc-drawer\1" aria-label="This page">',
+    ),
+    (
+        r'<div class="content-icon-container">',
+        '<div class="content-icon-container" role="navigation" aria-label="View">',
+    ),
+    (r'(<a href="#" class="back-to-top.*?</a>)', r'<nav aria-label="Top">\1</nav>'),
+    (r'<p class="caption" role="heading">', '<p class="caption" role="heading" aria-level="2">'),
+    (r"<pre\b", '<pre tabindex="0"'),
+    (r'<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
+    (r'<div id="search-results">', '<h1>Search</h1><div id="search-results">'),
+    (r'<th class="head"><p></p></th>', '<td class="head"></td>'),  # a corner is no heading
+    (r'<th scope="col"></th>', "<td></td>"),
+    (r'(<nav aria-label="The course)(">.*?)\1"', r'\1\2\1, once more"'),
+    (r'<a href="([\w-]+)\.ipynb">', r'<a href="\1.html">'),  # the map on top of a lesson
+]
+STILL = re.compile(r'src="data:image/png;base64,([^"]+)" width="(\d+)"')
+BOXES = re.compile(r'<div class="admonition.*?</div>', re.DOTALL)
+LONGEST = 200  # letters of a description
+HEAD = (
+    '<meta name="description" content="{words}"><meta property="og:title" content="{title}">'
+    '<meta property="og:description" content="{words}"><meta property="og:type" content="article">'
+    '<meta property="og:image" content="{root}_static/card.png">'
+    '<meta name="twitter:card" content="summary_large_image">'
+)
+
+
+def finish(html):
+    """Every page in the folder ``html``, and the archive."""
+    for path in sorted(html.rglob("*.html")):
+        root = "../" * (len(path.relative_to(html).parts) - 1)
+        text = accessible(path.read_text(encoding="utf-8"))
+        text = _described(_with_stills(text, html, root), root)
+        path.write_text(text, encoding="utf-8", newline="\n")
+    _archive(html)
+
+
+def accessible(html):
+    """A page with furo's landmarks named, what scrolls within reach of the keyboard, a heading on
+    the search page, and lessons that lead to each other's pages.
+    """
+    for found, wanted in LANDMARKS:
+        html = re.sub(found, wanted, html, flags=re.DOTALL)
+    return html
+
+
+def _with_stills(text, html, root):
+    """A page whose pictures are files, fetched when they come into sight."""
+
+    def still(found):
+        data = base64.b64decode(found[1])
+        name = f"_images/{hashlib.sha256(data).hexdigest()[:16]}.webp"
+        image = Image.open(io.BytesIO(data)).convert("RGB")
+        if not (html / name).exists():
+            (html / name).parent.mkdir(exist_ok=True)
+            image.save(html / name, lossless=True, method=4)
+        height = round(int(found[2]) * image.height / image.width)
+        size = f'width="{found[2]}" height="{height}"'
+        return f'src="{root}{name}" {size} loading="lazy" decoding="async"'
+
+    return STILL.sub(still, text)
+
+
+def _described(text, root):
+    """A page with what it is about, for those who find it in a list or are sent its link."""
+    title = re.search(r"<h1>(.*?)<a|<h1>(.*?)</h1>", text, re.DOTALL)
+    body = BOXES.sub("", text[title.end() :]) if title else ""
+    first = re.search(r"<p>(.*?)</p>", body, re.DOTALL)
+    if first is None:
+        return text
+    words = " ".join(unescape(re.sub(r"<[^>]+>", "", first[1])).split())
+    if len(words) > LONGEST:
+        words = words[:LONGEST].rpartition(" ")[0] + " …"
+    name = unescape(re.sub(r"<[^>]+>", "", title[1] or title[2]))
+    head = HEAD.format(words=escape(words), title=escape(name), root=root)
+    return text.replace("</head>", f"{head}</head>", 1)
+
+
+def _archive(html):
+    """The site in one file, to be read without a network; the same pages give the same bytes."""
+    target = html / ARCHIVE
+    target.unlink(missing_ok=True)
+    files = sorted(path for path in html.rglob("*") if path.is_file() and "live" not in path.parts)
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in files:
+            name = Path("dhlab", path.relative_to(html)).as_posix()
+            archive.writestr(zipfile.ZipInfo(name), path.read_bytes(), zipfile.ZIP_DEFLATED)
