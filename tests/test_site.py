@@ -305,6 +305,34 @@ def test_an_arm_is_changed_shared_and_saved_on_its_page(new_page, address, tmp_p
     assert page.get_by_role("spinbutton", name="a of row 2, millimetres").input_value() == "-425"
 
 
+def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(new_page, address):
+    page, arm = new_page(), dh.load("irb2400")
+    page.goto(f"{address}/robots/irb2400.html#q=40,20,-20,30,-50,60")
+    page.get_by_text("Play a motion").click()
+    keep = page.get_by_role("button", name="Keep this pose")
+    explorer = "document.querySelector('.dhlab-explorer').explorer"
+    page.evaluate(
+        f"q => {explorer}.host.set('q', q)", np.deg2rad([-40, 0, 0, 30, -60, 60]).tolist()
+    )
+    keep.click()
+    hand, joints = (
+        np.array(page.evaluate(f"{explorer}.motion.ways.{way}.qs")) for way in ("hand", "joints")
+    )
+    np.testing.assert_allclose(np.diff(joints, 2, axis=0), 0, atol=1e-12)
+    points = arm.forward(hand)[:, :3, 3]
+    line = np.linspace(points[0], points[-1], len(points))
+    assert np.abs(points - line).max() < 2e-4 * np.linalg.norm(points[0])
+    np.testing.assert_allclose(arm.forward(hand[-1]), arm.forward(joints[-1]), atol=2e-3)
+    page.get_by_role("radio", name="Both").check(force=True)
+    said = page.locator(".motion [role=status]")
+    assert "followed all the way" in said.inner_text()
+    page.get_by_role("button", name="Play", exact=True).click()
+    page.wait_for_function(f"{explorer}.motion.shown === 90")
+    page.evaluate(f"q => {explorer}.host.set('q', q)", np.deg2rad([170, 0, 0, 0, 0, 0]).tolist())
+    keep.click()
+    assert "With the hand straight: from pose 2 to 3" in said.inner_text()
+
+
 def test_links_inside_the_site_resolve(site):
     texts = {
         path.relative_to(site).as_posix(): path.read_text(encoding="utf-8")

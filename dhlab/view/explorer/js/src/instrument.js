@@ -4,6 +4,7 @@ import { button, choice } from "./controls.js";
 import { h, write } from "./dom.js";
 import { read, written } from "./instrument/address.js";
 import { converted } from "./instrument/convert.js";
+import { Motion } from "./instrument/motion.js";
 import { NumbersTable } from "./instrument/numbers.js";
 import { picture, save, yaml } from "./instrument/out.js";
 
@@ -21,13 +22,15 @@ const STYLE = `
   .give p { color: var(--quiet); font-size: 12.5px; flex-basis: 100%; }
   @media (pointer: coarse) { .numbers input { min-height: 44px; } }`;
 
-export function instrument({ stage, mode, host }) {
-  const { arm } = host.data, first = structuredClone(arm), start = host.get("q"), root = stage.canvas.getRootNode();
+export function instrument(explorer) {
+  const { stage, mode, host } = explorer, { arm } = host.data, first = structuredClone(arm), start = host.get("q"), root = stage.canvas.getRootNode();
   const said = h("p", { role: "status" }), convention = choice("Convention", "convention", [["standard", "Standard"], ["craig", "Craig's"]], arm.convention, change);
-  const numbers = new NumbersTable(arm, first, edited), back = button("Back to the published table", reset);
+  const motion = new Motion({ stage, mode, host }, nameOf), numbers = new NumbersTable(arm, first, edited), back = button("Back to the published table", reset);
+  explorer.motion = motion;
   let timer = 0;
   root.querySelector(".below").append(
     h("details", { class: "edit" }, h("summary", {}, "Change the table"), h("div", { class: "below" }, convention.element, numbers.element, back)),
+    motion.element,
     h("div", { class: "give" }, button("Copy a link to this", link), button("Save the picture", () => picture(stage, nameOf())),
       button("Save the table", () => save(`${nameOf()}.yaml`, "application/yaml", yaml(arm, changed()))), said));
   root.querySelector(".explorer").append(h("style", {}, STYLE));
@@ -47,6 +50,7 @@ export function instrument({ stage, mode, host }) {
 
   function edited() {
     mode.rework();
+    motion.plan();
     note();
   }
 
@@ -89,5 +93,6 @@ export function instrument({ stage, mode, host }) {
     convention.set(arm.convention);
     numbers.show(converted(first, arm.convention));
     mode.rework();
+    motion.forget();
   }
 }

@@ -104,6 +104,7 @@ export function armMode(host, redraw) {
     if (touched?.kind === "tip") scene.ring(along(origin(end), axis(end, touched.column), REACH * scene.size), 9, { color: "error", pixels: 2 });
     if (typeof light.on === "number") drawRow(scene, arm, chain, light.on);
     else if (light.on) drawVelocity(scene, arm, chain, end, Number(light.on.slice(1)));
+    mode.extra?.(scene); // what an instrument adds
     if (shown.trace && trace.length > 1) scene.line([...trace, origin(end)], { color: "trace", pixels: 2, alpha: 0.85 });
   }
 
