@@ -91,7 +91,7 @@ def fixed_rows(table, columns, right):
     kinds = table.kinds or ("",) * n
     labels = table.labels or ("",) * n
     moves = [
-        kinds[i] in ("R", "P")
+        (kinds[i] or _by_number(columns, i)) in ("R", "P")
         or not columns["theta"][i].is_constant
         or columns["d"][i].variable in ("d", "q", "?")
         for i in range(n)

@@ -133,7 +133,9 @@ def _known_form(source):
     if re.search(r"robot\.DH\.\w+|\bARTE\b", source.text):
         return {"form": "ARTE", "convention": "standard", "because": "as ARTE has it"}
     if re.search(
-        r"^\s*\[DH\]|\bdh_theta\s*[:=]\s*\[[^,\]]*\]|joint_checksum", source.text, re.MULTILINE
+        r"\bdelta_(?:theta|d|a|alpha)\b|^\s*\[DH\]|\bdh_theta\s*[:=]\s*\[[^,\]]*\]|joint_checksum",
+        source.text,
+        re.MULTILINE,
     ):
         return {
             "form": "a Universal Robots controller's file",

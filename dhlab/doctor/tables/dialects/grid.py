@@ -200,6 +200,8 @@ def _row(cells, roles, where, source):
     if roles is not None and roles[0] == "label" and len(cells) > len(roles):
         spare = len(cells) - len(roles)
         cells = [" ".join(map(str, cells[: spare + 1])), *cells[spare + 1 :]]
+    if roles is not None and len(cells) == len(roles) - 1 and roles[-1] not in KEPT:
+        cells = [*cells, ""]  # an empty last cell is often lost
     if roles is not None and len(cells) != len(roles):
         raise ValueError(
             f"recognise_table: {where}: expected as many cells as the header has, {len(roles)},"

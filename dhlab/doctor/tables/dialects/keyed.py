@@ -67,8 +67,8 @@ def _pairs(line, source):
             found["type"] = {"r": "R", "p": "P", "f": "fixed"}.get(word[:1], "")
             continue
         value = source.value(match[3] + (f" {match[4]}" if match[4] else ""))
-        if value is None and match[4]:
-            value = source.value(match[3])
+        if value is None:  # without what follows it: a unit, or a remark in brackets
+            value = source.value(re.sub(r"\s*\([^()]*[a-z]{3}[^()]*\)\s*$", "", match[3]))
         if role in NAMES and value is not None and role not in found:
             found[role] = cell_of(value, match[3].strip())
             found["index"] = match[2]

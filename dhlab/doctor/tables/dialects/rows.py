@@ -31,6 +31,7 @@ MAKERS = {
     "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
     "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
 }
+LAST_ROW = ["0", "0", "0", "1"]
 NAMED = (
     (r"[\"']mdh[\"']|modified", "craig"),
     (r"[\"']dh[\"']|[\"'](normal|standard)[\"']", "standard"),
@@ -81,7 +82,13 @@ def _dictionaries(source):
 def _numbers(source):
     found = groups(source.code)
     grid = max(
-        (*map(_matrix, found), _one_a_call(found), _one_a_name(found), *_streams(source.code)),
+        (
+            *(rows for rows in map(_matrix, found) if _is_table(rows, source)),
+            _one_a_call(found),
+            _one_a_name(found),
+            *_streams(source.code),
+            *_listed(source.code),
+        ),
         key=_size,
         default=None,
     )
@@ -133,6 +140,8 @@ def _without_theta(table, source):
 def _with_more(order, rows):
     """The order where an index or a name stands before the four, or sigma and an offset after."""
     first, width = [str(row[0]).strip("'\" ") for row in rows], len(rows[0])
+    if all(word.upper() in ("R", "P", "REVOLUTE", "PRISMATIC") for word in first):
+        return ("type", *order, *("sigma", "offset")[: width - 5])
     if first == [str(k) for k in range(1, len(rows) + 1)] or not re.match(r"[-\d.]", first[0]):
         return ("label", *order, *("sigma", "offset")[: width - 5])
     return (*order, *("sigma", "offset")[: width - 4])
@@ -210,6 +219,27 @@ def _with_beside(table, source):
             notes=(*table.notes, f"{name} is added to theta"),
         )
     return table
+
+
+def _is_table(rows, source):
+    """Whether rows are no matrix of formulas, nor the last row of one."""
+    read = all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
+    last = len(rows) == 1 and [str(cell).strip() for cell in rows[0][1]] == LAST_ROW
+    return read and bool(rows) and not last
+
+
+def _listed(code):
+    """Rows one below the other, as YAML has them: ``- [0, 0.4, 0, 90]``."""
+    rows: list = []
+    for number, line in enumerate([*code.split("\n"), ""], 1):
+        found = re.fullmatch(r"\s*-\s*\[([^\[\]]*)\]\s*,?\s*", line)
+        cells = cells_in(found[1]) if found else []
+        if cells and (not rows or len(cells) == len(rows[0][1])):
+            rows.append((f"line {number}", cells))
+            continue
+        if len(rows) > 1 and 4 <= len(rows[0][1]) <= 8:
+            yield rows
+        rows = [(f"line {number}", cells)] if cells else []
 
 
 def _one_a_call(found):

@@ -13,7 +13,7 @@ from .roles import ROLES, role_of, unit_in
 
 __all__ = ["convention_in", "order_in", "order_of_names"]
 
-NAME = re.compile(r"[A-Za-z][\w.]*(?:\(i-1\)|_\{?i-1\}?)?")
+NAME = re.compile(r"[A-Za-z][\w.]*(?:\(i-1\)|_\{?i-1\}?|(?<=_i)-1)?")
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
@@ -65,6 +65,7 @@ def order_of_names(text, in_code=False):
             run, last = ([] if len(run) < 4 else run), match.end()
             continue
         role = role_of(match[0])[0]
+        role = "theta" if role == "offset" and "theta" not in run else role
         unit = unit_in("x (" + match[0] + ")") if match[0] not in ("d", "a") else ""
         if (unit and run and "(" in gap) or (unit and "[" in gap and run):
             units[run[-1]] = unit

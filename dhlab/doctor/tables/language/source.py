@@ -24,7 +24,8 @@ WORDS_FOR = {
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
     r"|модифиц|改进|修正|改進",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
-    r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|est[aá]ndar|padrão"
+    r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|std\.?(?= d-?h)"
+    r"|est[aá]ndar|padrão"
     r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準",
