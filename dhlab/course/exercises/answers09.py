@@ -176,7 +176,16 @@ def unrepaired() -> Mistakes:
         "alpha-value",
         Said(
             "nothing is changed yet",
-            next="Ask dh.diagnose about typed first: which number does it name?",
+            next="Ask dh.diagnose about sheet first: which number does it name?",
         ),
         Arm(DHTable.craig(typed, angle="deg"), sign=load("ar4").sign),
+    )
+    carried = [*MAKERS[:4], [*MAKERS[4][:3], -90], typed[5]]
+    yield (
+        "a-alpha-from-previous-row",
+        Said(
+            "row 5 of the maker's table was right, and row 6 is still wrong",
+            next="The doctor spoke of a standard row 5. In which of Craig's rows stands its α?",
+        ),
+        Arm(DHTable.craig(carried, angle="deg"), sign=load("ar4").sign),
     )

@@ -101,10 +101,10 @@ EXERCISES = [
             " another."
         ),
         hints=(
-            "Read the poses, call dh.diagnose as before, and read its first two lines.",
+            "Call dh.diagnose with sheet, as the comment says, and read its first two lines.",
             (
-                "It names a row and a number of that row. Is the convention's row 6 what you think"
-                " it is?"
+                "It names the α of a link by the standard row. A Craig row begins with a and α of"
+                " the link before its joint."
             ),
         ),
     ),

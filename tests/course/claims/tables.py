@@ -807,7 +807,16 @@ MAKERS = [
     (
         r"nothing is changed yet",
         is_arm(lambda g, f: degrees_of(right_of(g)) + 270 * np.outer(np.eye(6)[5], np.eye(4)[3])),
-    )
+    ),
+    (
+        r"row 5 of the maker's table was right, and row 6 is still wrong",
+        is_arm(
+            lambda g, f: (
+                degrees_of(right_of(g))
+                + np.outer(270 * np.eye(6)[5] - 180 * np.eye(6)[4], np.eye(4)[3])
+            )
+        ),
+    ),
 ]
 EVERY = [*UNITS, *ANOTHER, *DOCTOR]
 REFUSED = [(r"expected .+, found .+", lambda a, g, f: True)]
