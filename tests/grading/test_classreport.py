@@ -16,7 +16,7 @@ from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
 from dhlab.grading.intake.roster import Student
 from dhlab.grading.results.alike import Pair, alike, answers
-from dhlab.grading.results.classreport import class_report
+from dhlab.grading.results.classreport import class_report, write_class_report
 from dhlab.grading.results.items import items
 from dhlab.grading.results.marks import Graded, Mark
 from dhlab.grading.results.sections import (
@@ -302,3 +302,15 @@ def test_where_and_what_to_ask():
     assert (
         all(section_of_mistake(mistake) for mistake in catalogue()) and sheet_question("99") == ""
     )
+
+
+def test_each_section_has_a_report_of_its_own_and_the_missing_stand_in_one_line(tmp_path):
+    roster = [Student(name, section=section) for name, section in ("aA", "bB", "cB", "dB")]
+    marks = (Mark("05.1", "right", 1, 1),)
+    results = [Graded(name, "", "graded" if name in "ab" else "missing", marks) for name in "abcd"]
+    write_class_report(results, roster, tmp_path)
+    pages = {path.name: path.read_text(encoding="utf-8") for path in tmp_path.iterdir()}
+    assert sorted(pages) == [f"class-report{end}.html" for end in ("-A", "-B", "")]
+    whole, own = pages["class-report.html"], pages["class-report-B.html"]
+    assert 'href="class-report-B.html"' in whole and "<b>Nothing handed in (2)</b>: c, d" in whole
+    assert "3 on the roster" in own and "feedback/b.html" in own and "feedback/a.html" not in own

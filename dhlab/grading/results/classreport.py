@@ -17,12 +17,12 @@ from ..intake.roster import Student
 from .alike import Pair
 from .chosen import chosen_answers
 from .items import items
-from .marks import ERROR, GRADED, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
-from .names import page_stem
+from .marks import ERROR, GRADED, MISSING, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
+from .names import marks_stem, page_stem
 from .pages import duration, render, words
 from .sections import question, section_of_exercise, section_of_mistake, sheet_question
 
-__all__ = ["class_report", "write_class_report", "headcount"]
+__all__ = ["class_report", "write_class_report", "headcount", "reports_of_sections"]
 
 NAME = "class-report.html"
 # mistakes of the class as a whole, and of one exercise before the rest is folded away
@@ -32,7 +32,10 @@ MOST_NAMES = 8  # of students whose mistake has no name
 
 
 def class_report(
-    results: Sequence[Graded], roster: Sequence[Student] = (), pairs: Iterable[Pair] = ()
+    results: Sequence[Graded],
+    roster: Sequence[Student] = (),
+    pairs: Iterable[Pair] = (),
+    section: str = "",
 ) -> str:
     """The page for the teacher, as HTML that stands alone.
 
@@ -43,6 +46,8 @@ def class_report(
         For the names.
     pairs : sequence of Pair
         From :func:`dhlab.grading.results.alike.alike`.
+    section : str
+        Whose results these are; the whole class when empty.
 
     Returns
     -------
@@ -65,7 +70,9 @@ def class_report(
         lang="en",
         shown=SHOWN,
         looked_at=len(looked_at),
-        counted=headcount(results, roster),
+        section=section,
+        sections={} if section else reports_of_sections(roster),
+        counted=headcount(results, [s for s in roster if section in ("", s.section)]),
         statuses=Counter(graded.status for graded in results).most_common(),
         cages=sorted({RISKS.get(graded.cage, graded.cage) for graded in results if graded.cage}),
         top=_top(looked_at),
@@ -113,15 +120,39 @@ def write_class_report(
     folder: str | Path,
     pairs: Iterable[Pair] = (),
 ) -> Path:
-    """Write ``class-report.html`` into a folder, over the one of an earlier run.
+    """Write ``class-report.html`` into a folder, over the one of an earlier run, and one for each
+    section of the roster.
 
     Returns
     -------
     Path
     """
     path = Path(folder) / NAME
+    pairs = list(pairs)
     write_text(path, class_report(results, roster, pairs), overwrite=True)
+    for section, name in reports_of_sections(roster).items():
+        own = [student for student in roster if student.section == section]
+        ids = {student.student for student in own}
+        page = class_report(
+            [graded for graded in results if graded.student in ids],
+            roster,
+            [pair for pair in pairs if ids & set(pair.students)],
+            section,
+        )
+        write_text(Path(folder) / name, page, overwrite=True)
     return path
+
+
+def reports_of_sections(roster: Iterable[Student]) -> dict[str, str]:
+    """The file of each section's report.
+
+    Examples
+    --------
+    >>> reports_of_sections([Student("ada", section="B/1"), Student("bo")])
+    {'B/1': 'class-report-B%2F1.html'}
+    """
+    sections = sorted({student.section for student in roster if student.section})
+    return {section: f"class-report-{marks_stem(section)}.html" for section in sections}
 
 
 def _called(student, names):
@@ -231,11 +262,20 @@ def _exercise(item, looked_at, names):
 
 
 def _attention(results, names):
-    """(who, what) for each student whose work a person should look at."""
+    """(who, what) for each student whose work a person should look at; those of whom there is
+    nothing in one line.
+    """
+    missing = [
+        _called(graded.student, names)
+        for graded in results
+        if graded.status == MISSING and (not names or graded.student in names)
+    ]
+    if missing:
+        yield f"Nothing handed in ({len(missing)})", ", ".join(missing)
     for graded in results:
         if names and graded.student not in names:
             yield _called(graded.student, names), "; ".join(graded.notes) or "not on the roster"
-        elif graded.status != GRADED:
+        elif graded.status not in (GRADED, MISSING):
             yield (
                 _called(graded.student, names),
                 ": ".join([graded.status, *filter(None, ["; ".join(graded.notes)])]),

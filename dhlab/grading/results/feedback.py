@@ -3,6 +3,8 @@ tests.
 """
 
 import re
+from collections.abc import Mapping
+from itertools import groupby
 from pathlib import Path
 
 from ...course.exercises import exercises
@@ -11,6 +13,7 @@ from ...doctor import catalogue
 from ...formats.files import write_text
 from ..inside.wire import error_name
 from ..intake.roster import Student
+from .answered import Answer
 from .marks import (
     ERROR,
     HELD,
@@ -29,6 +32,7 @@ from .marks import (
 )
 from .names import page_stem
 from .pages import duration, render, words
+from .sections import section_of_exercise, title_of_lesson
 
 __all__ = ["feedback_page", "write_feedback", "headline"]
 
@@ -48,7 +52,9 @@ STOPS = re.compile(r"(the (?:function|cell) stops with )([^:]*)")
 A_CALL = "seen at "  # how the check names the numbers it called with: an input of the tests
 
 
-def feedback_page(graded: Graded, student: Student | None = None) -> str:
+def feedback_page(
+    graded: Graded, student: Student | None = None, answers: Mapping[str, Answer] | None = None
+) -> str:
     """The page of one student, as HTML that stands alone: no script, nothing fetched, every text
     escaped.
 
@@ -60,6 +66,8 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     graded : Graded
     student : Student, optional
         For the name and the language.
+    answers : mapping, optional
+        What the student wrote, by exercise; shown beside the verdict.
 
     Returns
     -------
@@ -76,7 +84,11 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     student = student or Student(graded.student)
     said = words(student.language)
     held = graded.status == HELD  # then nothing is given out
-    cards = [] if held else [_card(mark, said) for mark in graded.marks]
+    cards = (
+        []
+        if held
+        else [_card(mark, said, (answers or {}).get(mark.exercise)) for mark in graded.marks]
+    )
     no_file = (
         sorted({mark.lesson for mark in graded.marks if mark.status == NOT_HANDED_IN})
         if graded.status not in (MISSING, HELD)
@@ -97,6 +109,7 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
         held=held,
         name=student.name or graded.student,
         cards=cards,
+        lessons=_lessons(cards),
         sentence=sentence,
         no_file=no_file,
         late=duration(graded.late_days, said) if graded.penalty else "",
@@ -104,7 +117,12 @@ def feedback_page(graded: Graded, student: Student | None = None) -> str:
     )
 
 
-def write_feedback(graded: Graded, student: Student | None, folder: str | Path) -> Path:
+def write_feedback(
+    graded: Graded,
+    student: Student | None,
+    folder: str | Path,
+    answers: Mapping[str, Answer] | None = None,
+) -> Path:
     """Write ``<student>.html`` into a folder, over the page of an earlier run.
 
     Returns
@@ -112,7 +130,7 @@ def write_feedback(graded: Graded, student: Student | None, folder: str | Path) 
     Path
     """
     path = Path(folder) / f"{page_stem(graded.student)}.html"
-    write_text(path, feedback_page(graded, student), overwrite=True)
+    write_text(path, feedback_page(graded, student, answers), overwrite=True)
     return path
 
 
@@ -131,9 +149,18 @@ def headline(mark: Mark) -> str:
     return stops[1] + error_name(stops[2]) if stops else mark.headline
 
 
-def _card(mark, said):
+def _lessons(cards):
+    """(title, points, possible points, cards) of each lesson."""
+    for lesson, own in groupby(cards, key=lambda card: card["mark"].lesson):
+        mine = list(own)
+        marks = [card["mark"] for card in mine]
+        of = sum(mark.of for mark in marks if mark.status != TO_MARK)
+        yield title_of_lesson(lesson), sum(mark.points for mark in marks), of, mine
+
+
+def _card(mark, said, answer):
     known = exercises().get(mark.exercise)
-    answer = known.read_back(mark.chosen)[1] if isinstance(known, Lettered) and mark.chosen else ""
+    chosen = known.read_back(mark.chosen)[1] if isinstance(known, Lettered) and mark.chosen else ""
     mistake = catalogue().get(mark.mistake)
     place = "" if mark.place.startswith(A_CALL) else mark.place
     lines = [
@@ -146,7 +173,9 @@ def _card(mark, said):
         "headline": headline(mark),
         "title": known.title if known else "",
         "symbol": SYMBOLS[mark.status],
-        "answer": answer,
+        "answer": chosen,
+        "code": answer.code if answer else "",
+        "section": section_of_exercise(mark.exercise) if mark.status != RIGHT else "",
         "lines": lines,
         "lesson": mistake.lesson if mistake and mark.status != RIGHT else "",
     }

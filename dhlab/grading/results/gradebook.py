@@ -110,7 +110,7 @@ class Gradebook:
         sheet, pages = (
             self.folder / "grades.csv",
             [
-                self.folder / "class-report.html",
+                *self.folder.glob("class-report*.html"),
                 *(self.folder / "feedback" / f"{page_stem(student)}.html" for student in students),
             ],
         )

@@ -101,7 +101,7 @@ def words(language: str) -> dict[str, Any]:
     Examples
     --------
     >>> words("en")["wrong"], words("zh_CN")["lang"], words("fr")["lang"]
-    ('Not yet', 'zh-CN', 'en')
+    ('Not right', 'zh-CN', 'en')
     """
     known = plainyaml.read(HERE / "words.yaml", "the words of the feedback").plain()
     found = language if language in known else "en"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...course.workspace import handed_out
 from ..intake.roster import Student
 from .alike import alike, answers
-from .answered import keep_answers
+from .answered import keep_answers, read_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
 from .marks import Graded
@@ -46,10 +46,11 @@ def publish(
     folder.mkdir(exist_ok=True)
     known = {student.student: student for student in roster}
     for graded in results:
-        write_feedback(graded, known.get(graded.student, Student(graded.student)), folder)
         if graded.student in planned.found:
             mine = planned.found[graded.student].notebooks
             keep_answers(graded, [(each.name, each.read()) for each in mine], out)
+        student = known.get(graded.student, Student(graded.student))
+        write_feedback(graded, student, folder, read_answers(graded.student, out))
     codes = {student: _code(mine) for student, mine in planned.found.items() if mine.notebooks}
     given = {
         exercise: code

@@ -13,7 +13,13 @@ from ...course.workspace import handed_out
 from ...doctor import catalogue
 from ...formats import plainyaml
 
-__all__ = ["question", "section_of_exercise", "section_of_mistake", "sheet_question"]
+__all__ = [
+    "question",
+    "section_of_exercise",
+    "section_of_mistake",
+    "sheet_question",
+    "title_of_lesson",
+]
 
 DISCUSSION = Path(__file__).parents[2] / "course" / "discussion.yaml"
 CALL = re.compile(r'^check\("([^"]+)"', re.MULTILINE)
@@ -58,6 +64,18 @@ def section_of_exercise(exercise: str) -> str:
     return ""
 
 
+def title_of_lesson(lesson: str) -> str:
+    """The title of a lesson's first sitting; its number where there is no such lesson.
+
+    Examples
+    --------
+    >>> title_of_lesson("05")
+    '05 The link matrix: four moves, one formula'
+    """
+    titles = [title for name, (title, _, _) in _lessons().items() if name.startswith(f"{lesson}-")]
+    return titles[0] if titles else lesson
+
+
 def section_of_mistake(mistake: str) -> str:
     """The heading under which a mistake is refuted, or the title of the lesson that treats it.
 
@@ -70,8 +88,8 @@ def section_of_mistake(mistake: str) -> str:
         if mistake in mistakes:
             return f"{title}, “{mistakes[mistake]}”"
     lesson = catalogue()[mistake].lesson
-    titles = [title for name, (title, _, _) in _lessons().items() if name.startswith(f"{lesson}-")]
-    return titles[0] if titles else f"lesson {lesson}"
+    title = title_of_lesson(lesson)
+    return title if title != lesson else f"lesson {lesson}"
 
 
 def question(exercise: Exercise | None, mistake: str) -> str:
