@@ -333,6 +333,26 @@ def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(new_page, addres
     assert "With the hand straight: from pose 2 to 3" in said.inner_text()
 
 
+def test_the_real_robot_stands_where_its_urdf_says(new_page, address):
+    yourdfpy = pytest.importorskip("yourdfpy")
+    model = Path(pytest.importorskip("pybullet_data").getDataPath()) / "kuka_iiwa" / "model.urdf"
+    page, q = new_page(), [40, 20, -20, 30, -50, 60, 10]
+    page.goto(f"{address}/robots/iiwa14.html#q={','.join(map(str, q))}")
+    page.get_by_text("Show the real robot").click()
+    files = [model, *sorted(model.parent.glob("meshes/*.stl"))]
+    page.locator("input[type=file]").set_input_files(files)
+    body = "document.querySelector('.dhlab-explorer').explorer.body"
+    page.wait_for_function(f"{body}.parts.length === 8")
+    assert page.evaluate(f"{body}.said.textContent") == "8 parts are drawn."
+    found = page.evaluate(f"{body}.parts.map(({{ frame, pose }}) => [frame, pose])")
+    robot = yourdfpy.URDF.load(model, load_meshes=False, build_scene_graph=True)
+    robot.update_cfg(np.deg2rad(q))
+    frames = dh.load("iiwa14").frames(np.deg2rad(q))
+    for frame, pose in found:  # no visual has a place of its own in this file
+        wanted = robot.get_transform(f"lbr_iiwa_link_{frame}")
+        np.testing.assert_allclose(frames[frame] @ np.reshape(pose, (4, 4)), wanted, atol=2e-3)
+
+
 def test_links_inside_the_site_resolve(site):
     texts = {
         path.relative_to(site).as_posix(): path.read_text(encoding="utf-8")

@@ -3,6 +3,7 @@
 import { button, choice } from "./controls.js";
 import { h, write } from "./dom.js";
 import { read, written } from "./instrument/address.js";
+import { Body } from "./instrument/body.js";
 import { converted } from "./instrument/convert.js";
 import { Motion } from "./instrument/motion.js";
 import { NumbersTable } from "./instrument/numbers.js";
@@ -25,12 +26,17 @@ const STYLE = `
 export function instrument(explorer) {
   const { stage, mode, host } = explorer, { arm } = host.data, first = structuredClone(arm), start = host.get("q"), root = stage.canvas.getRootNode();
   const said = h("p", { role: "status" }), convention = choice("Convention", "convention", [["standard", "Standard"], ["craig", "Craig's"]], arm.convention, change);
-  const motion = new Motion({ stage, mode, host }, nameOf), numbers = new NumbersTable(arm, first, edited), back = button("Back to the published table", reset);
+  const body = new Body({ stage, mode, host }), motion = new Motion({ stage, mode, host }, nameOf), numbers = new NumbersTable(arm, first, edited), back = button("Back to the published table", reset);
   explorer.motion = motion;
+  explorer.body = body;
+  mode.extra = (scene) => {
+    body.draw(scene);
+    motion.draw(scene);
+  };
   let timer = 0;
   root.querySelector(".below").append(
     h("details", { class: "edit" }, h("summary", {}, "Change the table"), h("div", { class: "below" }, convention.element, numbers.element, back)),
-    motion.element,
+    motion.element, body.element,
     h("div", { class: "give" }, button("Copy a link to this", link), button("Save the picture", () => picture(stage, nameOf())),
       button("Save the table", () => save(`${nameOf()}.yaml`, "application/yaml", yaml(arm, changed()))), said));
   root.querySelector(".explorer").append(h("style", {}, STYLE));
@@ -51,6 +57,7 @@ export function instrument(explorer) {
   function edited() {
     mode.rework();
     motion.plan();
+    body.place();
     note();
   }
 

@@ -66,27 +66,30 @@ export class Renderer {
     gl.enable(gl.CULL_FACE);
     this.view = gl.getUniformLocation(this.program, "view");
     this.turn = gl.getUniformLocation(this.program, "turn");
+    this.own = new Map(); // meshes that somebody brought, as they are drawn
     this.meshes = Object.fromEntries(Object.entries(MESHES).map(([name, mesh]) => [name, this.upload(mesh)]));
   }
 
-  upload({ corners, triangles }) {
+  upload({ corners, triangles = null }) { // without triangles, every three corners are one
     const { gl } = this, array = gl.createVertexArray(), instances = gl.createBuffer();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners.flat()), gl.STATIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, corners instanceof Float32Array ? corners : new Float32Array(corners.flat()), gl.STATIC_DRAW);
     for (const k of [0, 1]) {
       gl.enableVertexAttribArray(k);
       gl.vertexAttribPointer(k, 3, gl.FLOAT, false, 24, 12 * k);
     }
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(triangles), gl.STATIC_DRAW);
+    if (triangles) {
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(triangles), gl.STATIC_DRAW);
+    }
     gl.bindBuffer(gl.ARRAY_BUFFER, instances);
     for (let k = 0; k < 5; k++) {
       gl.enableVertexAttribArray(2 + k);
       gl.vertexAttribPointer(2 + k, 4, gl.FLOAT, false, 4 * STRIDE, 16 * k);
       gl.vertexAttribDivisor(2 + k, 1);
     }
-    return { array, instances, count: triangles.length };
+    return { array, instances, indexed: Boolean(triangles), count: triangles ? triangles.length : corners.length / 6 };
   }
 
   // Draw layers of solids {mesh, matrix, color, gloss} over each other for a camera, and copy the whole onto a 2D canvas of this many device pixels.
@@ -111,7 +114,9 @@ export class Renderer {
   draw(solids) {
     const { gl } = this;
     gl.clear(gl.DEPTH_BUFFER_BIT);
-    for (const [name, mesh] of Object.entries(this.meshes)) {
+    const brought = [...new Set(solids.map((solid) => solid.mesh).filter((mesh) => typeof mesh === "object"))];
+    for (const mesh of brought) if (!this.own.has(mesh)) this.own.set(mesh, this.upload(mesh));
+    for (const [name, mesh] of [...Object.entries(this.meshes), ...brought.map((one) => [one, this.own.get(one)])]) {
       const own = solids.filter((solid) => solid.mesh === name);
       if (!own.length) continue;
       const numbers = new Float32Array(own.length * STRIDE);
@@ -119,7 +124,8 @@ export class Renderer {
       gl.bindVertexArray(mesh.array);
       gl.bindBuffer(gl.ARRAY_BUFFER, mesh.instances);
       gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
-      gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, gl.UNSIGNED_SHORT, 0, own.length);
+      if (!mesh.indexed) gl.drawArraysInstanced(gl.TRIANGLES, 0, mesh.count, own.length);
+      else gl.drawElementsInstanced(gl.TRIANGLES, mesh.count, gl.UNSIGNED_SHORT, 0, own.length);
     }
   }
 }
@@ -128,8 +134,8 @@ export class Renderer {
 function covered(solids, camera, width, height) {
   const dots = width / camera.width, box = [Infinity, Infinity, -Infinity, -Infinity];
   for (const { mesh, matrix: m } of solids) {
-    const round = camera.scale * Math.max(Math.hypot(m[0], m[1], m[2]), Math.hypot(m[4], m[5], m[6])) + 2;
-    for (const end of mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]) {
+    const round = typeof mesh === "object" ? camera.scale * mesh.radius : camera.scale * Math.max(Math.hypot(m[0], m[1], m[2]), Math.hypot(m[4], m[5], m[6])) + 2;
+    for (const end of typeof mesh === "object" ? [0] : mesh === "cylinder" || mesh === "cone" ? [0, 1] : [-1, 1]) {
       const [x, y] = camera.flat([m[12] + end * m[8], m[13] + end * m[9], m[14] + end * m[10]]);
       box.splice(0, 4, Math.min(box[0], x - round), Math.min(box[1], y - round), Math.max(box[2], x + round), Math.max(box[3], y + round));
     }

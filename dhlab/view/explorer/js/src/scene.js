@@ -75,6 +75,11 @@ export class Scene {
     return tip;
   }
 
+  // A mesh that somebody brought, {corners, radius}, at a pose.
+  shape(mesh, T, color) {
+    this.solid(mesh, [0, 1, 2, 3].map((k) => [T[k], T[4 + k], T[8 + k]]), color, 0.1);
+  }
+
   keep(...points) {
     this.kept.push(...points);
   }

@@ -24,7 +24,6 @@ export class Motion {
     this.element = h("details", { class: "edit motion" }, h("summary", {}, "Play a motion"), h("div", { class: "below" },
       h("p", { class: "hint" }, "Move the arm and keep the pose, as often as you like; then play."),
       h("div", { class: "give" }, button("Keep this pose", () => this.keep()), button("Forget the poses", () => this.forget()), this.playing, this.video), ways.element, this.said));
-    mode.extra = (scene) => this.draw(scene);
     this.plan();
   }
 
