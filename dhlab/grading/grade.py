@@ -16,6 +16,7 @@ from .intake.roster import Student
 from .judging.questions import Course, seed
 from .judging.work import Handed, Task, close, work
 from .plan import Plan, plan
+from .results.changes import changes
 from .results.decisions import NAME, apply, read_decisions
 from .results.gradebook import Gradebook
 from .results.marks import Graded
@@ -24,6 +25,7 @@ from .settings import Settings
 
 __all__ = ["grade"]
 
+SHOWN = 10  # marks that a regrade has changed
 LOST = 3  # how often a worker may die
 
 
@@ -90,6 +92,7 @@ def grade(
             " grade without --exercise first"
         )
     with book.alone():
+        earlier = book.decided()
         todo, kept = _todo(planned, book, key)
         done = len(kept)
         progress(done, len(planned.found))
@@ -106,7 +109,17 @@ def grade(
         for graded, with_decisions in zip(results, decided):
             book.write(graded, with_decisions)
         book.write_grades(decided, roster)
-    return decided, replace(planned, notes=(*planned.notes, *stale))
+        changed = changes(earlier, decided)
+        book.write_changes(changed)
+    return decided, replace(planned, notes=(*planned.notes, *stale, *_told(changed)))
+
+
+def _told(changed):
+    """What a regrade changed, in a few sentences; all of it is in a file."""
+    for each in changed[:SHOWN]:
+        yield f"{each.student}, {each.exercise}: {each.before} before, {each.now} now: {each.why}"
+    if len(changed) > SHOWN:
+        yield f"and {len(changed) - SHOWN} more marks have changed; all are in changes.csv"
 
 
 def _todo(planned, book, key):

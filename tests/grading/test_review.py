@@ -248,6 +248,8 @@ def test_an_explanation_counts_when_it_is_marked_and_never_for_another_answer(
     for student, points in (("ada", 2), ("bo", 3)):
         desk.save({"student": student, "exercise": "05.99", "points": points, "comment": "Seen."})
     found, marks = run()
+    changed = (tmp_path / "out" / "changes.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert 'ada,05.99,to be marked,"2 of 3, marked",your decision' in changed and len(changed) == 5
     assert [marks[k].points for k in answers] == [2, 3, 0] and settled(found)[1] == {}
     assert "Marked by your teacher" in feedback_page(found["ada"])
     answers["ada"] = ('"Another text."', False)

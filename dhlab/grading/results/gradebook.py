@@ -11,6 +11,7 @@ from urllib.parse import unquote
 
 from ...formats import files
 from ..intake.roster import Student
+from .changes import Change
 from .csvtext import csv_text
 from .marks import HELD, NOT_HANDED_IN, TO_MARK, Graded
 from .names import marks_stem, page_stem
@@ -19,6 +20,7 @@ from .pages import OURS
 __all__ = ["Gradebook"]
 
 
+CHANGES = "changes.csv"
 HEAD = ["student", "name", "status", "total", "points", "of", "late_days", "penalty"]
 
 
@@ -103,6 +105,21 @@ class Gradebook:
                 " away, and run again to grade this student anew"
             ) from None
 
+    def decided(self) -> dict[str, Graded]:
+        """Everybody's marks after the run before, with what the teacher had decided then."""
+        found = {}
+        for student in self.students():
+            if self.read(student) is not None:
+                told = json.loads(files.read_text(self.path(student), "a student's marks"))
+                found[student] = Graded.from_dict(told.get("decided", told))
+        return found
+
+    def write_changes(self, found: Sequence[Change]) -> None:
+        """``changes.csv``: what the last run changed; a run that changes nothing leaves it."""
+        if found:
+            text = csv_text([list(Change._fields), *map(list, found)])
+            files.write_text(self.folder / CHANGES, text, overwrite=True)
+
     def check_ours(self, students: Iterable[str]) -> None:
         """ValueError when a file stands in the way that dhlab did not write; nothing has been
         written then.
@@ -114,7 +131,8 @@ class Gradebook:
                 *(self.folder / "feedback" / f"{page_stem(student)}.html" for student in students),
             ],
         )
-        for path, sign in [(sheet, ",".join(HEAD)), *((page, OURS) for page in pages)]:
+        changed = (self.folder / CHANGES, ",".join(Change._fields))
+        for path, sign in [(sheet, ",".join(HEAD)), changed, *((page, OURS) for page in pages)]:
             if path.exists() and sign not in self._beginning(path):
                 raise ValueError(
                     f"grade: {path}: expected a place for what dhlab writes, found a file that it"
