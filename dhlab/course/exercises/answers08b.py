@@ -159,7 +159,7 @@ class Reaches(Value):
                 "degrees-for-radians",
                 place=Said("these are degrees, and q is in radians", next="np.deg2rad(q)."),
             )
-        words = f"the hand is {1000 * metres:.3g} mm and {degrees:.3g}° away from the pose"
+        words = f"the hand is {_short(1000 * metres)} mm and {_short(degrees)}° away from the pose"
         if metres <= 1e-3:
             return self.wrong(
                 "only-position-checked",
@@ -173,3 +173,8 @@ def _off(q, T_goal):
     T = load("ur5e").forward(q)
     turn = Rotation.from_matrix(T_goal[:3, :3] @ T[:3, :3].T).magnitude()
     return float(np.linalg.norm(T[:3, 3] - T_goal[:3, 3])), float(np.rad2deg(turn))
+
+
+def _short(x):
+    """A number in three digits, without a power of ten where it is large."""
+    return f"{x:.0f}" if x >= 100 else f"{x:.3g}"

@@ -9,13 +9,15 @@ import numpy as np
 NAMES = ("theta", "d", "a", "alpha")
 DEG = 180 / math.pi
 STANDARD, CRAIG = ("Rz", "Tz", "Tx", "Rx"), ("Rx", "Tx", "Rz", "Tz")
-MOVES = {"Rz": "theta", "Tz": "d", "Tx": "a", "Rx": "alpha"}
+MOVES = {"Rz": "theta", "Tz": "d", "Tx": "a", "Rx": "alpha", "Rytheta": "theta", "Ryalpha": "alpha"}
 
 
 def move(name, by):
     T, c, s = np.eye(4), math.cos(by), math.sin(by)
     if name == "Rz":
         T[:2, :2] = [[c, -s], [s, c]]
+    elif name.startswith("Ry"):
+        T[0, [0, 2]], T[2, [0, 2]] = [c, s], [-s, c]
     elif name == "Rx":
         T[1:3, 1:3] = [[c, -s], [s, c]]
     else:
@@ -244,6 +246,14 @@ def in_some_quadrants(p, place):
     return np.allclose(p.call(rows, q), p.pose(rows, q))
 
 
+def without_last_link(p, place):
+    def kept(rows, q):
+        rows[-1, 2:] = 0
+        return rows, q
+
+    return p.fits(kept)
+
+
 def mirrored(p, place):
     """A column of every link has the other sign; or two entries of a turn."""
     for k in range(3):
@@ -335,6 +345,11 @@ CLAIMS = {
     "product-from-zeros": lambda p, place: not p.given.any(),
     "product-stops-early": fewer,
     "product-starts-late": fewer,
+    "last-link-by-half": without_last_link,
+    "turn-about-y": lambda p, place: p.gives(
+        [p.pose(rows, q, ["Ry" + named(place)[0] if MOVES[m] == named(place)[0] and m[0] == "R"
+                          else m for m in p.order]) for rows, q in p.cases]
+    ),
     "link-counted-twice": lambda p, place: any(
         p.of_links(lambda links, k=k: [*links[:k], links[k], *links[k:]])
         for k in range(len(p.cases[0][1]))

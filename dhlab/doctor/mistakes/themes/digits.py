@@ -23,13 +23,13 @@ def pi_rounded():
         yield in_programs(names, lambda x: _nearest(x, np.pi / 2), f"{place}, to multiples of 90°")
         yield in_programs(names, lambda x: _nearest(x, 1 / DEG), f"{place}, to whole degrees")
         for digits in (0, 1, 2, 3):
-            yield in_programs(names, _to(digits), f"{place}, {digits} decimals")
+            yield in_programs(names, _to(digits), f"{place}, {_decimals(digits)}")
     for name in LENGTHS:
         for digits in (1, 2, 3):
-            yield in_programs((name,), _to(digits), f"{name}, {digits} decimals")
+            yield in_programs((name,), _to(digits), f"{name}, {_decimals(digits)}")
     for digits in (1, 2, 3, 4, 5):
-        yield PoseChange(_to(digits), f"{digits} decimals")
-        yield Slip("product", f"the running product, {digits} decimals", running(_to(digits)))
+        yield PoseChange(_to(digits), _decimals(digits))
+        yield Slip("product", f"the running product, {_decimals(digits)}", running(_to(digits)))
     yield Symptom(_a_little_turned, explains=True)
 
 
@@ -37,6 +37,10 @@ def _a_little_turned(answers, right):
     """A rounded angle turns the pose a little; a wrong length alone does not."""
     off = np.abs(answers - right)
     return "" if off.max() < ROUNDED and off[:, :3, :3].max() > 1e-7 else None
+
+
+def _decimals(digits):
+    return f"{digits} decimal{'' if digits == 1 else 's'}"
 
 
 def _to(digits):

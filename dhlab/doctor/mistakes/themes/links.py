@@ -3,7 +3,7 @@
 import numpy as np
 
 from ....kinematics import link_matrices
-from ....transform import rot_x, rot_z, trans_x, trans_z
+from ....transform import rot_x, rot_y, rot_z, trans_x, trans_z
 from ..changes import ArmChange, RowChange, Slip, Symptom, of_numbers
 from ..entries import typed, wrong_entries
 from ..registry import mistake
@@ -42,6 +42,24 @@ def shift_not_turned_by_theta():
 @mistake("alpha-before-d")
 def alpha_before_d():
     yield in_another_order(ALPHA_BEFORE_D)
+
+
+@mistake("turn-about-y")
+def turn_about_y():
+    for name, turn in (("alpha", "Rx"), ("theta", "Rz")):
+        order = tuple("Ry" if move == turn else move for move in STANDARD)
+        yield Slip("link", f"the turn by {name}", _about_y(order, name))
+
+
+def _about_y(order, name):
+    column = THETA if name == "theta" else ALPHA
+
+    def link(*row):
+        moves = {**MOVES, "Ry": lambda row: rot_y(row[column])}
+        first, second, third, fourth = (moves[move](row) for move in order)
+        return first @ second @ third @ fourth
+
+    return link
 
 
 @mistake("sin-cos-exchanged")

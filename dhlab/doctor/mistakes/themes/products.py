@@ -152,6 +152,18 @@ def product_stops_early():
     yield _of(slice(None, None, 2), "every second row is left out")
 
 
+@mistake("last-link-by-half")
+def last_link_by_half():
+    yield Slip("reading", "", _without_its_link)
+
+
+def _without_its_link(rows, q):
+    """The last row without its a and alpha."""
+    kept = np.ones(rows.shape[-2:])
+    kept[-1, 2:] = 0
+    return rows * kept, q
+
+
 @mistake("product-starts-late")
 def product_starts_late():
     yield _of(slice(1, None), "the first row")
