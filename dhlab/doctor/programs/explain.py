@@ -95,6 +95,8 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True):
             else ()
         )
     answers, expected = np.array(answers), np.array(expected, dtype=float)
+    if not answers.any() and not _same(answers, expected, tolerance):
+        return (find("product-from-zeros"),)
     if answers.dtype.kind in "iub":
         return (find("integer-arrays"),)
     if _same(answers, expected, tolerance):

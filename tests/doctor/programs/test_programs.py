@@ -210,3 +210,9 @@ def test_a_program_may_be_right_for_another_arm(f, mistake, place):
         assert answer.verdict == mistake and not answer.findings
     else:
         assert answer.findings[0].mistake == mistake and place in answer.findings[0].place
+
+
+def test_zeros_are_no_whole_numbers():
+    """A matrix that is filled by adding to zeros and never added to."""
+    answer = diagnose_function(lambda theta, d, a, alpha: np.zeros((4, 4), int), "dh_transform")
+    assert [finding.mistake for finding in answer.findings] == ["product-from-zeros"]
