@@ -10,10 +10,13 @@ SymPy, as an object of a class, in float32, as np.matrix and from programs that 
 Wrong values are the exercise's own mistakes and slips of the hand, and mistakes that no list
 foresees; wrong programs are the doctor's wrong versions of the family; wrong tables its wrong
 tables that move the arm; of an order up to 120 others. Whether a sentence is true is decided by the
-predicates of tests/course/claims: of numbers, tables and orders. What is said of programs is
-measured by benchmarks/doctor_programs.py.
+predicates of tests/course/claims: of numbers, tables and orders, and of programs for a link or a
+chain. Other programs are measured by benchmarks/doctor_programs.py. The last line says how long a
+check takes: the median is to be 0.3 s at most and the longest 1 s, SymPy apart. numba, which a
+learner seldom has and which is loaded once in a process, is left out.
 """
 
+import os
 import sys
 from pathlib import Path
 from statistics import median
@@ -22,9 +25,11 @@ from time import process_time
 import numpy as np
 
 TESTS = Path(__file__).parents[1] / "tests"
+os.environ.setdefault("DHLAB_NUMBA", "0")
 sys.path[:0] = [str(TESTS), str(TESTS / "course")]
 
 from claims import judged  # noqa: E402
+from claims import programs as of_programs  # noqa: E402
 from wrong_answers import unforeseen, wrong_answers  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
@@ -46,6 +51,8 @@ HEADINGS = (
     "median (s)",
     "longest (s)",
 )
+OF_POSES = ("dh_transform", "craig_transform", "forward_kinematics")
+MEDIAN, LONGEST = 0.3, 1.0  # s of the processor that a check may take
 SYMBOLIC = "SymPy"  # its own arithmetic takes its time, and is timed apart
 
 
@@ -192,12 +199,23 @@ def measured(exercise):
                 continue
             named = verdict.mistake is not None
             count[[2, 4 if named else 5]] += 1
-            if isinstance(exercise, (Value, Table, Order)):
-                true = judged(exercise, verdict, answer, variant)
+            if isinstance(exercise, (Value, Table, Order)) or _is_of_poses(exercise, named):
+                true = _is_true(exercise, verdict, answer, variant)
                 count[6] += not true
                 if not true:
                     print(f"not true: {exercise.id} {verdict} of {answer}", file=sys.stderr)
     return count, times
+
+
+def _is_of_poses(exercise, named):
+    """Whether there are predicates for what is said of a program."""
+    return named and getattr(exercise, "family", "") in OF_POSES
+
+
+def _is_true(exercise, verdict, answer, variant):
+    if isinstance(exercise, Function):
+        return of_programs.judged(verdict, answer, exercise.family)
+    return judged(exercise, verdict, answer, variant)
 
 
 def main():
@@ -212,6 +230,11 @@ def main():
         total, every = total + count, every + times
         row(key, kind.__name__.lower(), count, times)
     row("all", "", total, every)
+    slow = sum(seconds > LONGEST for seconds in every)
+    print(
+        f"\n{len(every)} checks, SymPy apart: median {median(every):.3f} s (at most {MEDIAN}),"
+        f" longest {max(every):.2f} s (at most {LONGEST}); {slow} longer than that"
+    )
 
 
 def row(key, kind, count, times):

@@ -29,8 +29,8 @@ def _turns():
     yield "converted-to-radians-twice", "", lambda al: rot_x(al / DEG)
     yield "rotation-block-misread", "this turns about z", rot_z
     yield "rotation-block-misread", "this turns about z, the other way", lambda al: rot_z(-al)
-    yield "rotation-block-misread", "this turns about y", rot_y
-    yield "rotation-block-misread", "this turns about y, the other way", lambda al: rot_y(-al)
+    yield "turn-about-y", "", rot_y
+    yield "turn-about-y", "and the other way round", lambda al: rot_y(-al)
     yield "sin-cos-exchanged", "", lambda al: rot_x(np.pi / 2 - al)
     yield "mirror", "the minus before one sine is lost", lambda al: _other_sign(al, -np.sin(al))
     yield "mirror", "a minus too many before a sine", lambda al: _other_sign(al, np.sin(al))
