@@ -56,8 +56,9 @@ def rooms(code):
         ),
         ("from dhlab import view", "numpy matplotlib scipy anywidget"),
         ("from dhlab.doctor import catalogue; catalogue()", "numpy scipy matplotlib"),
+        ("from dhlab.course import check; check('05.2', [1, 2])", "scipy matplotlib anywidget"),
     ],
-    ids=["import", "table", "forward", "poses", "view", "catalogue"],
+    ids=["import", "table", "forward", "poses", "view", "catalogue", "check"],
 )
 def test_nothing_is_loaded_before_it_is_needed(code, absent):
     assert rooms(code) & set(absent.split()) == set()

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from ...arm import Arm
 from ...doctor.programs.wrong.links import standard
@@ -84,6 +83,8 @@ def _points(rng, arm, q, noise):
 
 
 def _poses(rng, arm, q, noise, turn):
+    from scipy.spatial.transform import Rotation
+
     T = arm.forward(q)
     T[:, :3, 3] += rng.normal(0, noise, (len(q), 3))
     T[:, :3, :3] = T[:, :3, :3] @ Rotation.from_rotvec(rng.normal(0, turn, (len(q), 3))).as_matrix()

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from ...doctor.programs.wrong.products import product
 from ...robots import load
@@ -41,6 +40,8 @@ FRAME = Said(
 
 def draw_two_poses(rng: np.random.Generator) -> tuple:
     """A pose and a goal, turned against it by less than half a turn."""
+    from scipy.spatial.transform import Rotation
+
     T, turned = random_pose(rng), np.eye(4)
     turned[:3, :3] = Rotation.from_rotvec(general(rng, 0.2, 1.2, 3)).as_matrix()
     T_goal = turned @ T
@@ -50,6 +51,8 @@ def draw_two_poses(rng: np.random.Generator) -> tuple:
 
 def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
     """The broken pose error of 08.4."""
+    from scipy.spatial.transform import Rotation
+
     return np.concatenate(
         [T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(T[:3, :3].T @ T_goal[:3, :3]).as_rotvec()]
     )
@@ -170,6 +173,8 @@ class Reaches(Value):
 
 def _off(q, T_goal):
     """(metres, degrees) from the end of the UR5e at q to a pose."""
+    from scipy.spatial.transform import Rotation
+
     T = load("ur5e").forward(q)
     turn = Rotation.from_matrix(T_goal[:3, :3] @ T[:3, :3].T).magnitude()
     return float(np.linalg.norm(T[:3, 3] - T_goal[:3, 3])), float(np.rad2deg(turn))

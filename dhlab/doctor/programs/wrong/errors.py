@@ -5,7 +5,6 @@ Each entry of :data:`WRONG_ERRORS` is ``(mistake, place, function)``, a function
 """
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ....transform import from_xyz_rpy
 from .versions import Versions
@@ -28,6 +27,8 @@ def pose_error(T, T_goal):
 
 
 def _vector(R):
+    from scipy.spatial.transform import Rotation
+
     return Rotation.from_matrix(R).as_rotvec()
 
 
@@ -56,17 +57,26 @@ def _skew(A):
 
 def _quaternion(R):
     """Its vector part, with w positive."""
+    from scipy.spatial.transform import Rotation
+
     x, y, z, w = Rotation.from_matrix(R).as_quat()
     return np.array([x, y, z]) * (1 if w >= 0 else -1)
 
 
 def _angles(order):
-    return lambda R, R_goal: (
-        Rotation.from_matrix(R_goal).as_euler(order) - Rotation.from_matrix(R).as_euler(order)
-    )
+    def differ(R, R_goal):
+        from scipy.spatial.transform import Rotation
+
+        return Rotation.from_matrix(R_goal).as_euler(order) - Rotation.from_matrix(R).as_euler(
+            order
+        )
+
+    return differ
 
 
 def _angles_of_the_turn(R, R_goal):
+    from scipy.spatial.transform import Rotation
+
     return Rotation.from_matrix(R_goal @ R.T).as_euler("xyz")
 
 

@@ -6,7 +6,6 @@ Each entry of :data:`WRONG_JACOBIANS` is ``(mistake, place, function)``, a funct
 """
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from .errors import pose_error
 from .versions import Versions
@@ -256,6 +255,8 @@ _ALL = [
 
 
 def _sample():
+    from scipy.spatial.transform import Rotation
+
     rng = np.random.default_rng(8)
     frames = np.tile(np.eye(4), (6, 1, 1))
     frames[:, :3, :3], frames[:, :3, 3] = (
