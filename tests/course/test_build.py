@@ -229,7 +229,7 @@ def misspelt(exercise):
         ),
         (
             "05.5",
-            lambda e: replace(e, mistakes=lambda **row: [("lenght-unit", "", [1, 2, 3])]),
+            lambda e: replace(e, mistakes=lambda **row: [("lenght-unit", "", [1, 2, 3])] * 5),
             "did you mean 'length-unit'?",
         ),
         (
@@ -243,6 +243,19 @@ def misspelt(exercise):
             "did you mean 'length-unit'?",
         ),
         ("05.4", lambda e: replace(e, family="dh_transfrom"), "found 'dh_transfrom'"),
+        ("05.5", lambda e: replace(e, hints=("a")), "found one text, 'a'; brackets alone make no"),
+        ("05.8", lambda e: replace(e, hints=("a",)), "expected two hints, each a text, found ('a'"),
+        ("05.3", lambda e: replace(e, praise=" "), "expected praise, found none"),
+        (
+            "05.5",
+            lambda e: replace(e, mistakes=lambda **row: list(e.mistakes(**row))[:1] * 4),
+            "with 5 wrong values or more, found 4",
+        ),
+        (
+            "05.5",
+            lambda e: replace(e, mistakes=lambda **row: [(None, "", e.answer(**row))] * 9),
+            "with 5 wrong values or more, found 0",
+        ),
     ],
 )
 def test_an_exercise_that_would_fail_a_student_is_refused(
@@ -253,7 +266,7 @@ def test_an_exercise_that_would_fail_a_student_is_refused(
     found = said(source(tmp_path, "Press *Play all*", "Press *Play all*"))
     assert (
         words in found
-        and found.startswith(f"dhlab/course/exercises/lesson05.py, {key}: ")
+        and re.match(rf"dhlab/course/exercises/lesson05\.py(, line \d+)?, {key}: ", found)
         and "\n" not in found
     )
 
@@ -390,8 +403,8 @@ def clone(tmp_path_factory):
             'correct="tool"',
             'correct="b"',
             (
-                "dhlab/course/exercises/lesson10.py, 10.2: expected correct= one of table, tool,"
-                " base, found 'b'"
+                "dhlab/course/exercises/lesson10.py, line 40, 10.2: expected correct= one of table,"
+                " tool, base, found 'b'"
             ),
         ),
         (

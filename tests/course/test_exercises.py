@@ -80,7 +80,7 @@ def test_values_right_in_any_dress(key, variant):
     for answer in (
         right,
         right.tolist(),
-        tuple(right.tolist()),
+        tuple(right.tolist()) if right.ndim else float(right),
         right.astype(np.float32),
         right + 1e-12,
         np.asmatrix(right) if right.ndim == 2 else right,

@@ -147,6 +147,14 @@ HONEST = {
     "redefined after its check": lambda notebook, facts: notebook["cells"].append(
         corpus.code("def dh_closed(*row): return 0\ndef dh_transform(*row): return None")
     ),
+    "its helper's name taken by the lesson afterwards": lambda notebook, facts: (
+        corpus.answer(
+            "05.6",
+            "def frames(*row): return dh_transform(*row)\n"
+            "def dh_closed(theta, d, a, alpha): return frames(theta, d, a, alpha)",
+        )(notebook, facts),
+        notebook["cells"].append(corpus.code("frames = 3\nprint(frames)")),
+    ),
     "checked in one line": lambda notebook, facts: next(
         cell for cell in notebook["cells"] if cell["source"] == 'check("05.6", dh_closed)'
     ).update(source="mine = dh_closed\nfor key, f in [('05.6', mine)]: check(key, f)"),

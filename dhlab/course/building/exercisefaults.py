@@ -4,17 +4,22 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
+import numpy as np
+
 from ...doctor import catalogue
 from ...doctor.programs.explain import WRONG_VERSIONS
-from ..kinds import Exercise, Function, Lettered, OneOf, Option, Order, Value
+from ..kinds import Exercise, Explain, Function, Lettered, OneOf, Option, Order, Prediction, Value
 
 __all__ = ["exercise_faults"]
 
+FEWEST = 5  # wrong values that a Value names
 ID = re.compile(r"(?=..)[a-z0-9]+(-[a-z0-9]+)*")
 
 
 def exercise_faults(exercise: Exercise) -> Iterator[str]:
     """What is wrong with an exercise, a sentence for each thing."""
+    if not isinstance(exercise, Prediction):
+        yield from _said(exercise)
     if isinstance(exercise, Lettered):
         yield from _lettered(exercise)
     if isinstance(exercise, OneOf) and exercise.correct not in exercise.options:
@@ -35,10 +40,45 @@ def exercise_faults(exercise: Exercise) -> Iterator[str]:
             " correct them"
         )
         return
+    if isinstance(exercise, Value):
+        yield from _wrong_values(exercise)
     for mistake in sorted(named - catalogue().keys()):
         near = get_close_matches(mistake, catalogue(), 1)
         yield f"expected the id of a mistake in dhlab/doctor/catalogue.yaml, found {mistake!r}" + (
             f"; did you mean {near[0]!r}?" if near else "; take one that is there"
+        )
+
+
+def _said(exercise):
+    """What is wrong with hints and praise."""
+    hints = exercise.hints
+    if isinstance(hints, str):
+        yield (
+            f"expected two hints in brackets, found one text, {hints!r}; brackets alone make no"
+            ' list: write hints=("where to look", "which way to go")'
+        )
+    elif len(hints) != 2 or not all(isinstance(hint, str) and hint.strip() for hint in hints):
+        yield (
+            f"expected two hints, each a text, found {hints!r}; the first says where to look, the"
+            " second which way to go"
+        )
+    if not isinstance(exercise, (OneOf, Explain)) and not exercise.praise.strip():
+        yield "expected praise, found none; write praise= with what a right answer shows"
+
+
+def _wrong_values(exercise):
+    """Whether enough wrong answers have a name; one that is the right answer is none."""
+    given = exercise.given(0)
+    right = np.asarray(exercise.answer(**given), dtype=float)
+    named = [
+        mistake
+        for mistake, _, value in exercise.mistakes(**given)
+        if np.shape(value) != right.shape or exercise.differs(np.asarray(value), right).any()
+    ]
+    if len(named) < FEWEST:
+        yield (
+            f"expected mistakes= with {FEWEST} wrong values or more, found {len(named)}; think of"
+            " what a student confuses, leaves out or turns round"
         )
 
 

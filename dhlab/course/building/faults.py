@@ -15,6 +15,7 @@ from .reading import lines_of, read_source, sitting_of
 
 __all__ = ["refuse", "refuse_sources"]
 
+EXERCISES = Path(__file__).parents[1] / "exercises"
 CHECKED = re.compile(r'check\("([^"]+)"')  # at the beginning of a cell
 
 
@@ -46,9 +47,16 @@ def _faults(path):
     yield from (f"{name}: {words}" for words in _missing(notebook, number))
     for exercise in _of(number):
         yield from (
-            f"dhlab/course/exercises/lesson{number}.py, {exercise.id}: {words}"
-            for words in exercise_faults(exercise)
+            f"{_where(number, exercise.id)}: {words}" for words in exercise_faults(exercise)
         )
+
+
+def _where(number, key):
+    """File, line and id of an exercise; no line where its id is not written out there."""
+    file = EXERCISES / f"lesson{number}.py"
+    lines = file.read_text("utf-8").splitlines() if file.is_file() else []
+    at = [k for k, line in enumerate(lines, 1) if f'id="{key}"' in line]
+    return f"dhlab/course/exercises/{file.name}{f', line {at[0]}' if at else ''}, {key}"
 
 
 def _of(number, predictions=True):
