@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from itertools import chain
 from typing import NamedTuple
 
-from .marks import HELD, TO_MARK, Graded, Mark
+from .marks import HELD, MARKED, TO_MARK, Graded, Mark
 
 __all__ = ["Change", "changes"]
 
@@ -79,7 +79,7 @@ def _why(old, new):
         return "the exercise is dropped, or counts again"
     if (old.file, old.handed_in, old.answer) != (new.file, new.handed_in, new.answer):
         return "another file"
-    if (old.note, old.comment) != (new.note, new.comment):
+    if MARKED in (old.status, new.status) or (old.note, old.comment) != (new.note, new.comment):
         return "your decision"
     if old.of != new.of:
         return "other points in course.yaml"
