@@ -27,7 +27,7 @@ from .task import KINDS, RIGHT, Task
 
 __all__ = ["diagnose_function"]
 
-SECONDS = 1.7  # of the processor, for everything; the lines that must change get what is left
+SECONDS = 1.55  # of the processor, for everything; the lines that must change get what is left
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
