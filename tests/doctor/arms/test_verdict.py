@@ -170,3 +170,14 @@ def test_another_model_and_a_bent_link_and_a_flange(turned):
     q = general(panda, 4)
     answer = diagnose(panda, q, hand.forward(q))
     assert answer.verdict == "explained" and "flange-frame" in told(answer)
+
+
+def test_rough_positions_with_free_ends_give_no_clean_bill():
+    """Fifteen numbers, of which the ends take nine: a wrong offset would hide in them."""
+    arm = dh.load("article-6r")
+    q = np.random.default_rng(3).uniform(-2, 2, (5, 6))
+    p = arm.forward(q)[:, :3, 3].round(3)
+    answer = diagnose(arm, q, p, base="free", tool="free")
+    assert answer.verdict == "undecided" and not answer.findings
+    assert "5 positions with a free base and tool cannot tell" in answer.headline
+    assert diagnose(arm, q, p).verdict == "agrees"

@@ -12,12 +12,14 @@ from ..search.fitting import jacobian
 from ..search.signs import entries_of
 from .weighing import level_left
 
-__all__ = ["Agreement", "FEW", "agreement", "only_scatter", "possible"]
+__all__ = ["Agreement", "FEW", "agreement", "only_scatter", "possible", "too_free"]
 
 CHANCE = 0.006  # how often right data may be doubted
 CHANCE_OF_FEW = 0.05  # the same where too few poses would show a mistake
 FEW = 5  # poses; fewer do not tell what the noise is
 CHANCE_OF_ANOTHER = 1e-4  # how often a second mistake may be suspected beside the right repair
+ENOUGH = 15  # numbers that are measured beyond those of the free ends
+FINE = 1e-5  # of the reach; exact poses agree by chance with no wrong table
 HIDDEN = 1e-9  # share of a number's effect that is left when the free ends have taken theirs
 # the largest noise to suppose where none is stated (m for an arm of 1 m, rad)
 COARSE = (3e-3, 6e-3)
@@ -47,7 +49,7 @@ def agreement(now, data):
     misfit itself shows, if it is no larger than people measure and nothing but scatter is in it.
     """
     spare = _kinds(data) - now.fitted
-    if spare <= 0:
+    if spare <= 0 or too_free(now, data):
         return Agreement(False, data.noise, shown=False)
     few = distinct(data.q) < FEW
     if data.stated:
@@ -61,6 +63,15 @@ def agreement(now, data):
         data, spare = replace(data, R=None), spare // 2  # rotations without noise tell no scatter
     agrees = plausible and not few and not _doubted(now, data, level, spare, 3 * CHANCE)
     return Agreement(agrees, level)
+
+
+def too_free(now, data):
+    """Whether rough poses with a free end have too few numbers to spare for a clean bill: what one
+    number of the table does, the free ends take up all but a few times the noise of it.
+    """
+    free = data.base_free or data.tool_free
+    rough = data.noise[0] > FINE * data.reach
+    return free and rough and _kinds(data) - now.fitted < ENOUGH
 
 
 def only_scatter(found, data, level):

@@ -8,7 +8,7 @@ from ....printing import number
 from ...diagnosis import UNDECIDED, Diagnosis
 from ..given import distinct
 from ..words.ranking import differs, named, telling_pose
-from .agreement import FEW, possible
+from .agreement import FEW, possible, too_free
 from .weighing import as_it_is, largest
 
 __all__ = ["may_be_noise", "undecided"]
@@ -29,7 +29,7 @@ def undecided(data, now, fitting, notes, budget):
     pose = telling_pose([now.arm, *(w.explanation.fit.arm for w in candidates)])
     return Diagnosis(
         UNDECIDED,
-        _headline(kinds, len(fits), may_be_noise(before, data), data),
+        _headline(kinds, len(fits), may_be_noise(before, data), data, too_free(now, data)),
         before=before,
         notes=said,
         next_pose=pose,
@@ -37,13 +37,13 @@ def undecided(data, now, fitting, notes, budget):
     )
 
 
-def _headline(kinds, fits, may_be_right, data):
+def _headline(kinds, fits, may_be_right, data, free):
     what = ("pose" if data.R is not None else "position") + ("s" if kinds > 1 else "")
     if data.base_free or data.tool_free:
         what += " with a free " + " and ".join(
             end for end in ("base", "tool") if getattr(data, f"{end}_free")
         )
-    if kinds >= FEW:
+    if kinds >= FEW and not free:
         return "A little more misfit than the noise makes, and nothing that is sure to be wrong."
     if fits:
         return f"{kinds} {what} cannot tell: each of these fits."
