@@ -28,6 +28,12 @@ SPECIAL = {
         (7.9, 0.2, -0.3, 0.8),
         (-3.7, 0.1, 0.2, -0.6),
         (1.2, -2.3, 1.8, 0.5),
+        # of this one and the next four, one number is another: a cache must know all four
+        (0.7, 0.1, 0.3, 0.4),
+        (1.9, 0.1, 0.3, 0.4),
+        (0.7, 0.45, 0.3, 0.4),
+        (0.7, 0.1, -0.25, 0.4),
+        (0.7, 0.1, 0.3, 1.3),
     ),
     "forward_kinematics": (
         (_ROWS, np.zeros(3)),
@@ -37,6 +43,7 @@ SPECIAL = {
         (_LARGE[:1], np.array([0.6])),
         (_FOLDED, np.array([0.4, -1.2, 0.8])),
         (_FOLDED, np.array([7.1, -3.9, 4.4])),
+        (_FOLDED[::-1], np.array([0.4, -1.2, 0.8])),
         (_LARGE, np.array([-0.7, 2.1])),
         (_SEVEN, np.array([0.3, -0.5, 0.7, -0.9, 1.1, -1.3, 1.5])),
     ),

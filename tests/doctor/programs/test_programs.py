@@ -216,3 +216,17 @@ def test_zeros_are_no_whole_numbers():
     """A matrix that is filled by adding to zeros and never added to."""
     answer = diagnose_function(lambda theta, d, a, alpha: np.zeros((4, 4), int), "dh_transform")
     assert [finding.mistake for finding in answer.findings] == ["product-from-zeros"]
+
+
+def test_a_cache_that_leaves_an_argument_out_is_seen():
+    kept = {}
+
+    def cached(theta, d, a, alpha):
+        return kept.setdefault((d, a, alpha), standard(theta, d, a, alpha))
+
+    assert not diagnose_function(cached, "dh_transform")
+
+
+def test_lengths_that_are_left_out_are_no_whole_numbers():
+    answer = diagnose_function(lambda t, d, a, alpha: standard(t, 0, 0, alpha), "dh_transform")
+    assert not answer and "integer-arrays" not in {f.mistake for f in answer.findings}

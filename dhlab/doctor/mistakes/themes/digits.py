@@ -69,14 +69,20 @@ def _right_angle(x):
 
 @mistake("integer-arrays")
 def integer_arrays():
-    for place, names in (*angles(), ("d and a", LENGTHS)):
+    for place, names in angles():
         yield in_programs(names, np.trunc, place)
+    yield in_programs(LENGTHS, _cut_lengths, "d and a")
     whole = of_numbers((*LENGTHS, *ANGLES), np.trunc)
     yield RowChange(whole, rows=(), reading="the table")
     yield Slip("reading", "q", lambda rows, q: (rows, np.trunc(q)))
     yield Slip("reading", "the sums of offset and q", _whole_sums)
     yield PoseChange(np.trunc)
     yield Slip("product", "the running product", running(np.trunc))
+
+
+def _cut_lengths(x):
+    """Whole metres; nothing that fits where all would be 0, as when lengths are left out."""
+    return np.trunc(x) if np.trunc(x).any() else x + 1e3
 
 
 def _whole_sums(rows, q):
