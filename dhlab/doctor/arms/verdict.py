@@ -7,7 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
+from ...transform import trans
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
+from ..mistakes.remade import with_parts
 from ..mistakes.themes.models import which_model
 from .given import distinct
 from .judging.agreement import FEW, agreement
@@ -27,6 +29,7 @@ __all__ = ["decide", "explained"]
 DOUBT = 8.0  # nats by which mistakes must explain a small misfit better than a calibration does
 RIVAL = 4.0  # nats dearer, and still as good where the poses are few
 FOR_PAIRS = 0.35  # share of the time that the search for two mistakes may take
+TOOLS = 0.2  # of the reach; so far off a tool point is sought as well
 CHEAPEST_PAIR = 10.0  # nats; where two mistakes could not convince, they are not looked for
 MANY_NUMBERS = 2  # that nobody would have guessed: too many for few poses to prove
 CLEAR = 4.0  # nats by which a calibration must be better than the table as it is
@@ -34,7 +37,7 @@ CLEAR = 4.0  # nats by which a calibration must be better than the table as it i
 
 def decide(arm, data, notes, budget):
     """The verdict, with the time that there is."""
-    now = misfit(arm, data)
+    now = _as_it_stands(arm, data)
     seen = agreement(now, data)
     if seen.agrees:
         words = "The table agrees with the measurements."
@@ -63,6 +66,18 @@ def decide(arm, data, notes, budget):
         return undecided(data, now, choice.fitting, notes, budget)
     words = "No one or two mistakes explain these measurements."
     return Diagnosis(UNEXPLAINED, words, before=largest(now.arm, data), notes=notes)
+
+
+def _as_it_stands(arm, data):
+    """The Fit of the table as it is. With both ends free and positions alone, the ends are sought
+    from several tools: from the first alone they may stop where no pose fits.
+    """
+    now = misfit(arm, data)
+    if data.R is not None or not (data.base_free and data.tool_free) or now.explains(data):
+        return now
+    far = TOOLS * data.reach * np.vstack([np.eye(3), -np.eye(3)])
+    others = [misfit(with_parts(arm, tool=arm.tool @ trans(x)), data) for x in far]
+    return min([now, *others], key=lambda one: one.chi2)
 
 
 def _settles(choice, whole):

@@ -52,10 +52,10 @@ def agreement(now, data):
     if spare <= 0 or too_free(now, data):
         return Agreement(False, data.noise, shown=False)
     few = distinct(data.q) < FEW
+    chance = CHANCE_OF_FEW if few else CHANCE
     if data.stated:
-        chance = CHANCE_OF_FEW if few else CHANCE
         return Agreement(not _doubted(now, data, data.noise, np.inf, chance), data.noise)
-    if not _doubted(now, data, data.floor, np.inf, CHANCE):
+    if not _doubted(now, data, data.floor, np.inf, chance):
         return Agreement(True, data.floor)
     level = level_left(now.arm, data, now.fitted)
     plausible = all(s <= most for s, most in zip(level, possible(data)))
