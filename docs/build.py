@@ -58,6 +58,9 @@ def build(out):
         _write(source / name, text)
     for picture in DOCS.glob("benchmarks/*.svg"):
         shutil.copy(picture, source / "benchmarks")
+    (source / "_static").mkdir()
+    for picture in DOCS.glob("_static/*.png"):
+        shutil.copy(picture, source / "_static")
     status = sphinx(
         [
             "-W",
