@@ -1,8 +1,8 @@
 """A lesson that runs in its page: by hand, in Chromium, from the files that the site serves."""
 
+import importlib.util
 import json
 import shutil
-import sys
 import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -12,11 +12,16 @@ import nbformat
 import pytest
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "docs" / "live"))
-import gather  # noqa: E402
-
 LESSON = "05-link-matrix"
 RAN = '[data-live="ran"]'
+
+
+def gathered():
+    """The module docs/live/gather.py, by its file: beside it stands another anywidget."""
+    spec = importlib.util.spec_from_file_location("gather", ROOT / "docs" / "live" / "gather.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +29,7 @@ def address(site, tmp_path_factory):
     """Where the site with its Python is served."""
     folder = tmp_path_factory.mktemp("live") / "html"
     shutil.copytree(site, folder)
-    gather.into(folder)
+    gathered().into(folder)
     handler = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
     with ThreadingHTTPServer(("127.0.0.1", 0), partial(handler, directory=folder)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
