@@ -21,7 +21,7 @@ from dhlab.course.exercises import exercises
 from dhlab.grading.exports.gradebooks import canvas_csv, read_marks
 from dhlab.grading.grade import grade
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.publish import publish
+from dhlab.grading.reports.publish import publish
 from dhlab.grading.settings import read_settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "grading"))

@@ -33,8 +33,8 @@ from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.release import key_of, release
 from dhlab.grading.handing_out.variants import variants
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.items import items
-from dhlab.grading.results.publish import publish
+from dhlab.grading.reports.items import items
+from dhlab.grading.reports.publish import publish
 from dhlab.grading.settings import read_settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "doctor" / "programs"))

@@ -72,7 +72,7 @@ def grade(
     from ..grading.grade import grade as grade_all
     from ..grading.handing_out.variants import read_key
     from ..grading.plan import plan
-    from ..grading.results.publish import publish
+    from ..grading.reports.publish import publish
 
     students = class_of(roster)
     common: dict[str, Any] = {
@@ -171,7 +171,7 @@ def _when(mine, course):
     """
     from ..grading.intake.notebooks import lessons_of
     from ..grading.judging.work import handed_in
-    from ..grading.results.pages import duration, words
+    from ..grading.reports.pages import duration, words
 
     told = []
     for notebook in mine.notebooks:
@@ -190,7 +190,7 @@ def _when(mine, course):
 
 def _summary(results, planned, report, roster):
     from ..grading.cage.cage import RISKS
-    from ..grading.results.classreport import headcount
+    from ..grading.reports.classreport import headcount
 
     counted = ", ".join(
         f"{count} {status}"

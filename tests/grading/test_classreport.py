@@ -15,16 +15,16 @@ from test_feedback import HOSTILE, Page
 from dhlab.course.exercises import exercises
 from dhlab.doctor import catalogue
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.alike import Pair, alike, answers
-from dhlab.grading.results.classreport import class_report, write_class_report
-from dhlab.grading.results.items import items
-from dhlab.grading.results.marks import Graded, Mark
-from dhlab.grading.results.sections import (
+from dhlab.grading.reports.alike import Pair, alike, answers
+from dhlab.grading.reports.classreport import class_report, write_class_report
+from dhlab.grading.reports.items import items
+from dhlab.grading.reports.sections import (
     question,
     section_of_exercise,
     section_of_mistake,
     sheet_question,
 )
+from dhlab.grading.results.marks import Graded, Mark
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import classroom

@@ -11,8 +11,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from dhlab.grading.exports.gradebooks import read_marks
+from dhlab.grading.reports.feedback import feedback_page
 from dhlab.grading.results.decisions import apply, read_decisions
-from dhlab.grading.results.feedback import feedback_page
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import Graded, Mark
 from dhlab.grading.settings import Lesson, Settings

@@ -9,9 +9,9 @@ import pytest
 
 from dhlab.course.exercises import exercises
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.feedback import feedback_page, write_feedback
+from dhlab.grading.reports.feedback import feedback_page, write_feedback
+from dhlab.grading.reports.pages import words
 from dhlab.grading.results.marks import OF_MARK, OF_STUDENT, Graded, Mark
-from dhlab.grading.results.pages import words
 
 HOSTILE = [
     "<script>alert(1)</script>",

@@ -21,7 +21,7 @@ import corpus
 
 from dhlab.grading import grade
 from dhlab.grading.cage import cage
-from dhlab.grading.results import publish
+from dhlab.grading.reports import publish
 from dhlab.grading.settings import Limits, Settings
 
 LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)

@@ -21,9 +21,9 @@ from dhlab.grading.handing_out.variants import variant
 from dhlab.grading.intake.roster import Student, read_roster
 from dhlab.grading.intake.submissions import submissions
 from dhlab.grading.plan import plan
-from dhlab.grading.results.classreport import class_report
-from dhlab.grading.results.feedback import feedback_page
-from dhlab.grading.results.items import items
+from dhlab.grading.reports.classreport import class_report
+from dhlab.grading.reports.feedback import feedback_page
+from dhlab.grading.reports.items import items
 from dhlab.grading.results.marks import Graded, Mark
 from dhlab.grading.results.standing import together
 from dhlab.grading.settings import Lesson, Settings

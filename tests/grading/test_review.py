@@ -15,12 +15,12 @@ from dhlab.course.kinds import Explain
 from dhlab.grading.exports.gradebooks import read_marks, settled
 from dhlab.grading.grade import grade
 from dhlab.grading.intake.roster import Student
-from dhlab.grading.results.answered import keep_answers, own_answers, read_answers
+from dhlab.grading.reports.answered import keep_answers, own_answers, read_answers
+from dhlab.grading.reports.feedback import feedback_page
+from dhlab.grading.reports.publish import publish
 from dhlab.grading.results.decisions import read_decisions
-from dhlab.grading.results.feedback import feedback_page
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import Graded, Mark
-from dhlab.grading.results.publish import publish
 from dhlab.grading.reviewing.desk import Desk
 from dhlab.grading.reviewing.edit import decide, hold
 from dhlab.grading.reviewing.server import serve

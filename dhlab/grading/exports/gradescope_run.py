@@ -17,9 +17,9 @@ from ..intake.notebooks import numbers_of
 from ..intake.submissions import submissions
 from ..judging.questions import Course, seed
 from ..judging.work import Handed, Task, work
-from ..results.feedback import headline
+from ..reports.feedback import headline
+from ..reports.pages import words
 from ..results.marks import RIGHT
-from ..results.pages import words
 from ..settings import Settings, read_settings
 
 __all__ = ["results"]

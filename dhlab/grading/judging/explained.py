@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ..results.answered import read_notebook
+from ..reports.answered import read_notebook
 from ..results.marks import TO_MARK, Mark
 
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""What became of a submission and of a class: marks, the gradebook, feedback, the report."""
+"""What a submission and a class are worth: marks, decisions, standing, the gradebook."""

@@ -14,8 +14,7 @@ from ..intake.roster import Student
 from .changes import Change
 from .csvtext import csv_text
 from .marks import HELD, NOT_HANDED_IN, TO_MARK, Graded
-from .names import marks_stem, page_stem
-from .pages import OURS
+from .names import OURS, marks_stem, page_stem
 
 __all__ = ["Gradebook"]
 

@@ -1,11 +1,15 @@
 """What the files of a student are called: after the student, and never longer than a file system
-takes.
+takes; and what tells our pages from others.
 """
 
 import hashlib
 from urllib.parse import quote
 
-__all__ = ["marks_stem", "page_stem"]
+__all__ = ["OURS", "marks_stem", "page_stem"]
+
+OURS = (  # in every page, so that no other is ever overwritten
+    '<meta name="generator" content="dhlab">'
+)
 
 MOST = 200  # bytes; a temporary file beside it has a longer name
 

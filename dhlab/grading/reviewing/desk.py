@@ -8,7 +8,7 @@ from typing import Any
 from ...course.exercises import exercises
 from ...course.kinds import Explain, Lettered
 from ..intake.roster import Student
-from ..results.answered import read_answers
+from ..reports.answered import read_answers
 from ..results.decisions import MOST, NAME, Decided, of_another, read_decisions
 from ..results.decisions import Student as Of
 from ..results.gradebook import Gradebook

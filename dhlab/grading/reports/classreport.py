@@ -14,11 +14,11 @@ from ...doctor import catalogue
 from ...formats.files import write_text
 from ..cage.cage import RISKS
 from ..intake.roster import Student
+from ..results.marks import ERROR, GRADED, MISSING, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
+from ..results.names import marks_stem, page_stem
 from .alike import Pair
 from .chosen import chosen_answers
 from .items import items
-from .marks import ERROR, GRADED, MISSING, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
-from .names import marks_stem, page_stem
 from .pages import duration, render, words
 from .sections import question, section_of_exercise, section_of_mistake, sheet_question
 
@@ -45,7 +45,7 @@ def class_report(
     roster : sequence of Student
         For the names.
     pairs : sequence of Pair
-        From :func:`dhlab.grading.results.alike.alike`.
+        From :func:`dhlab.grading.reports.alike.alike`.
     section : str
         Whose results these are; the whole class when empty.
 

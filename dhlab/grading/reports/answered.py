@@ -11,9 +11,9 @@ from ...course.exercises import exercises
 from ...course.kinds import Explain
 from ...course.workspace import handed_out
 from ...formats import files
-from .alike import CHECK
-from .marks import Graded
-from .names import marks_stem
+from ..results.marks import Graded
+from ..results.names import marks_stem
+from .cells import cells, code_and_check
 
 __all__ = ["Answer", "Picture", "keep_answers", "own_answers", "read_answers", "read_notebook"]
 
@@ -64,23 +64,16 @@ def own_answers(notebook: Any) -> dict[str, Answer]:
     found: dict[str, Answer] = {}
     mine: list[str] = []
     pictures: list[Picture] = []
-    cells = notebook.get("cells") if isinstance(notebook, dict) else None
-    for cell in cells if isinstance(cells, list) else []:
-        if not isinstance(cell, dict):
-            continue
+    for cell in cells(notebook):
         pictures += _pictures(cell)
-        if cell.get("cell_type") != "code":
-            continue
-        source = cell.get("source", "")
-        source = "".join(map(str, source)) if isinstance(source, list) else str(source)
-        checked = CHECK.search(source)
-        code = (source[: checked.start()] if checked else source).strip()
+        code, exercise = code_and_check(cell) or ("", None)
+        code = code.strip()
         if code and code not in _handed_out_cells() and not code.startswith(NUMBERS):
             mine.append(code)
-        if checked:
+        if exercise:
             if mine or pictures:
                 own = "\n\n".join(mine)[:MOST]
-                found[checked[1]] = Answer(own, tuple(pictures[:MOST_PICTURES]))
+                found[exercise] = Answer(own, tuple(pictures[:MOST_PICTURES]))
             mine, pictures = [], []
     return found
 

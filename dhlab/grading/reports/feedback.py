@@ -13,8 +13,7 @@ from ...doctor import catalogue
 from ...formats.files import write_text
 from ..inside.wire import error_name
 from ..intake.roster import Student
-from .answered import Answer
-from .marks import (
+from ..results.marks import (
     ERROR,
     HELD,
     MARKED,
@@ -30,7 +29,8 @@ from .marks import (
     Graded,
     Mark,
 )
-from .names import page_stem
+from ..results.names import page_stem
+from .answered import Answer
 from .pages import duration, render, words
 from .sections import section_of_exercise, title_of_lesson
 

@@ -8,13 +8,14 @@ changes nothing. What was handed out, and what many in the class write, is no ev
 
 import io
 import keyword
-import re
 import tokenize
 from collections import Counter, defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
+
+from .cells import cells, code_and_check
 
 __all__ = ["Pair", "alike", "answers"]
 
@@ -24,7 +25,6 @@ FEW, MANY = 0.1, 10
 # rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
 ENOUGH, SHARE = 40, 0.8
 LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
-CHECK = re.compile(r"""^[ \t]*check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE)
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 
 
@@ -58,17 +58,13 @@ def answers(notebook: Any) -> dict[str, str]:
     {'05.1': 'x = 1\\n'}
     """
     found, code = {}, ""
-    cells = notebook.get("cells") if isinstance(notebook, dict) else None
-    for cell in cells if isinstance(cells, list) else []:
-        if not isinstance(cell, dict) or cell.get("cell_type") != "code":
-            continue
-        source = cell.get("source", "")
-        source = "".join(map(str, source)) if isinstance(source, list) else str(source)
-        checked = CHECK.search(source)
-        code += source[: checked.start()] if checked else source + "\n"
-        if checked:
-            found[checked[1]] = code[:LARGEST]
+    for part, exercise in filter(None, map(code_and_check, cells(notebook))):
+        code += part
+        if exercise:
+            found[exercise] = code[:LARGEST]
             code = ""
+        else:
+            code += "\n"
     return found
 
 

@@ -11,11 +11,8 @@ from typing import Any
 
 from ...formats import plainyaml
 
-__all__ = ["render", "words", "duration", "OURS"]
+__all__ = ["render", "words", "duration"]
 
-OURS = (  # in every page, so that no other is ever overwritten
-    '<meta name="generator" content="dhlab">'
-)
 HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
 

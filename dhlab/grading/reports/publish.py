@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from ...course.workspace import handed_out
 from ..intake.roster import Student
+from ..results.marks import Graded
 from .alike import alike, answers
 from .answered import keep_answers, read_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
-from .marks import Graded
 
 if TYPE_CHECKING:
     from ..plan import Plan

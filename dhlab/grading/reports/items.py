@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, TO_MARK, WRONG, Graded
+from ..results.marks import GRADED, NOT_HANDED_IN, RIGHT, TIMED_OUT, TO_MARK, WRONG, Graded
 
 __all__ = ["Item", "items"]
 

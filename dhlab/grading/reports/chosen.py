@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from ...course.kinds import UNDECIDED, Choice, Exercise, Order
-from .marks import RIGHT, Mark
+from ..results.marks import RIGHT, Mark
 
 __all__ = ["chosen_answers"]
 

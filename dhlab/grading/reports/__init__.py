@@ -1,0 +1,3 @@
+"""What is shown of a graded class: feedback, the class report, what each student wrote, and whose
+code is alike.
+"""
