@@ -10,6 +10,8 @@ PYTHON ?= python3
 BIN := .venv/bin
 # one test after another to every core, but together what tests/conftest.py groups, in its order
 PYTEST := $(BIN)/python -m pytest --numprocesses logical --dist loadgroup --no-loadscope-reorder
+# bytecode is kept, whatever a shell says: some hundred tests start Python anew
+export PYTHONDONTWRITEBYTECODE :=
 COSTLY := browser or cage or notebook or slow
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 

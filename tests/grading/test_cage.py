@@ -23,7 +23,7 @@ import corpus
 import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
-from dhlab.doctor.programs.calling import Called, CallFault, record
+from dhlab.doctor.programs.running.calling import Called, CallFault, record
 from dhlab.grading.cage import cage, sight, stage
 from dhlab.grading.inside import demonstrations, notebook
 from dhlab.grading.inside.cells import parsed, run_cell

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...doctor.programs.slipsearch import wrong_entries
+from ...doctor.programs.search.slipsearch import wrong_entries
 from ...doctor.programs.wrong.links import standard
 from ..kinds import Function, Known, Said
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor import catalogue, explain_function
-from ...doctor.programs.answers import answers_in_time, single_precision
-from ...doctor.programs.calling import Called, CallFault, is_stub
 from ...doctor.programs.cases import where
 from ...doctor.programs.explain import NUMBERS
+from ...doctor.programs.running.answers import answers_in_time, single_precision
+from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .exercise import Exercise, Said

@@ -264,7 +264,7 @@ class Slip(Change):
     change : callable
         For ``"reading"``, ``"arguments"``, ``"link"`` and ``"product"``: what is computed there
         instead. For ``"entry"``, ``"each link"`` and ``"result"``: what becomes of the right value.
-        ``doctor/programs/steps.py`` calls it and says with which arguments.
+        ``doctor/programs/search/steps.py`` calls it and says with which arguments.
     """
 
     step: str

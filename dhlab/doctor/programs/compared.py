@@ -6,11 +6,11 @@ from ...transform import pose_fault
 from ..catalogue import catalogue
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
-from .answers import call_all
-from .calling import CallFault
 from .cases import where
-from .ends import at_the_ends
 from .explain import explain_all, seen_in
+from .running.answers import call_all
+from .running.calling import CallFault
+from .search.ends import at_the_ends
 
 __all__ = [
     "EXACT",

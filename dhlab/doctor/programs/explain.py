@@ -10,8 +10,8 @@ from ..catalogue import catalogue
 from ..finding import find
 from ..mistakes.changes import PoseChange, Symptom
 from ..mistakes.registry import changes
-from .asarms import as_another_arm
-from .slipsearch import search
+from .search.asarms import as_another_arm
+from .search.slipsearch import search
 from .wrong.branches import WRONG_BRANCHES
 from .wrong.craig import WRONG_CRAIG, WRONG_CRAIG_PRODUCTS
 from .wrong.errors import WRONG_ERRORS

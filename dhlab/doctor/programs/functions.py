@@ -9,8 +9,6 @@ from dataclasses import replace
 from ..catalogue import catalogue
 from ..diagnosis import EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
-from .answers import answers_in_time, single_precision
-from .calling import CallFault, is_stub
 from .compared import (
     EXACT,
     UNKNOWN,
@@ -22,6 +20,8 @@ from .compared import (
     residual,
     special,
 )
+from .running.answers import answers_in_time, single_precision
+from .running.calling import CallFault, is_stub
 from .source.lines import lines_to_change
 from .task import KINDS, RIGHT, Task
 

@@ -2,6 +2,6 @@
 that the rest of the doctor need not be loaded.
 """
 
-from ...doctor.programs.calling import Fault, call, fits, is_stub, quiet
+from ...doctor.programs.running.calling import Fault, call, fits, is_stub, quiet
 
 __all__ = ["Fault", "call", "fits", "is_stub", "quiet"]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...course.kinds import Function
-from ...doctor.programs.calling import Called, CallFault
+from ...doctor.programs.running.calling import Called, CallFault
 from ..cage.cage import Cage
 from ..inside.wire import DECODED, decode, encode, error_name
 

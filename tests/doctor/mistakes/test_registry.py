@@ -21,10 +21,10 @@ ARMS = ("ar4", "article-6r", "cobra600", "panda", "stanford")
 # what a call shows is told where functions are called; other programs of the course have lists
 # of wrong versions of their own
 ELSEWHERE = {
-    "programs/answers.py",
-    "programs/calling.py",
+    "programs/running/answers.py",
+    "programs/running/calling.py",
     "programs/compared.py",
-    "programs/ends.py",
+    "programs/search/ends.py",
     "programs/explain.py",
 }
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from dhlab.course import check
-from dhlab.doctor.programs import deadline
-from dhlab.doctor.programs.deadline import OutOfTime, limited
 from dhlab.doctor.programs.functions import diagnose_function
+from dhlab.doctor.programs.running import deadline
+from dhlab.doctor.programs.running.deadline import OutOfTime, limited
 
 
 @pytest.fixture(autouse=True)

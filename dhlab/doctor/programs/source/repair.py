@@ -10,7 +10,7 @@ from itertools import chain, product
 import numpy as np
 
 from ...diagnosis import Line
-from ..deadline import OutOfTime, limited
+from ..running.deadline import OutOfTime, limited
 from .constants import fitted_numbers
 from .edits import changes_of
 

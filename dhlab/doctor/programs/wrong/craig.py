@@ -6,7 +6,7 @@ import numpy as np
 
 from ....transform import rot_x, rot_z, trans_x, trans_z
 from ...mistakes.themes.links import MOVES, in_order
-from ..steps import slips
+from ..search.steps import slips
 from .links import two_rows
 from .products import SAMPLE, product
 from .versions import Versions

@@ -7,7 +7,7 @@ import numpy as np
 from ....transform import rot_x, rot_z, trans_x, trans_z
 from ...mistakes.entries import MONOMIALS
 from ...mistakes.themes.links import mistyped
-from ..steps import run_link, slips
+from ..search.steps import run_link, slips
 from .versions import Versions
 
 __all__ = ["standard", "two_rows", "typical_entries", "WRONG_LINKS"]

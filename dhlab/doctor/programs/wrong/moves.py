@@ -5,7 +5,7 @@
 import numpy as np
 
 from ....transform import from_xyz_rpy, rot_x, rot_y, rot_z
-from ..steps import slips
+from ..search.steps import slips
 from .versions import Versions
 
 __all__ = ["WRONG_COMPOSE", "WRONG_ROT_X"]

@@ -7,7 +7,7 @@ when one thing is wrong.
 
 import numpy as np
 
-from ..steps import run_chain, slips
+from ..search.steps import run_chain, slips
 from .links import standard, typical_entries
 from .versions import Versions
 

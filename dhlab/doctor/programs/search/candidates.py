@@ -5,8 +5,8 @@ A block is (slips of candidate k, a function of k; poses of all candidates (m, 4
 
 import numpy as np
 
-from ..mistakes.entries import slips_of_the_pen, wrong_entries
-from ..mistakes.themes.links import mistyped
+from ...mistakes.entries import slips_of_the_pen, wrong_entries
+from ...mistakes.themes.links import mistyped
 from .steps import chain_product, right_link, slips
 from .trial import columns, read
 

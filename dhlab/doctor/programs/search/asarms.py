@@ -6,12 +6,12 @@ import re
 
 import numpy as np
 
-from ...arm import Arm
-from ...table import DHTable
-from ...transform import inverse, pose_fault
-from ..finding import find
-from ..mistakes.faults import faults
-from ..mistakes.registry import value_mistake
+from ....arm import Arm
+from ....table import DHTable
+from ....transform import inverse, pose_fault
+from ...finding import find
+from ...mistakes.faults import faults
+from ...mistakes.registry import value_mistake
 from .steps import run_chain
 
 __all__ = ["as_another_arm"]

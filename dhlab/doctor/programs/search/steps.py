@@ -10,10 +10,10 @@ from functools import cache
 
 import numpy as np
 
-from ...kinematics import link_matrices
-from ..mistakes.changes import JointChange, PoseChange, RowChange, Slip
-from ..mistakes.registry import changes
-from ..mistakes.themes.products import chain_product
+from ....kinematics import link_matrices
+from ...mistakes.changes import JointChange, PoseChange, RowChange, Slip
+from ...mistakes.registry import changes
+from ...mistakes.themes.products import chain_product
 
 __all__ = ["chain_product", "right_link", "run_chain", "run_link", "slips"]
 

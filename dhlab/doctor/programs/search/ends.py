@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ...transform import inverse
-from ..finding import find
+from ....transform import inverse
+from ...finding import find
 
 __all__ = ["at_the_ends"]
 

@@ -7,8 +7,8 @@ whose mistake is registered first.
 
 import numpy as np
 
-from ..mistakes.entries import MONOMIALS, RIGHT_ENTRIES
-from ..mistakes.themes.links import mistyped
+from ...mistakes.entries import MONOMIALS, RIGHT_ENTRIES
+from ...mistakes.themes.links import mistyped
 from .candidates import one_slip, two_slips
 from .steps import right_link
 from .trial import Trial
