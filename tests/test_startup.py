@@ -91,10 +91,12 @@ def test_a_name_that_is_not_there_is_answered_with_those_that_are():
         dhlab.forwards
 
 
+@pytest.mark.slow
 def test_a_room_is_there_without_an_import_of_its_own():
     loaded("import dhlab as dh; dh.transform.rot_x(1), dh.view.arm, dh.doctor.diagnose")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "package, name", [("dhlab", "robots"), ("dhlab.doctor", "catalogue")], ids=str
 )

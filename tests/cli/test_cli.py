@@ -105,6 +105,7 @@ def test_a_terminal_without_greek_letters_gets_an_answer():
     assert done.returncode == 0
 
 
+@pytest.mark.slow
 def test_a_closed_pipe_is_no_traceback():
     process = subprocess.Popen(
         [sys.executable, "-m", "dhlab", "robots", "--json"],

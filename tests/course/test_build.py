@@ -78,6 +78,7 @@ def said(path):
     return str(refused.value)
 
 
+@pytest.mark.slow
 def test_every_lesson_of_the_course_may_be_built():
     faults.refuse_sources(reading.sources())
 

@@ -52,6 +52,7 @@ def fits(part, line, sign):
     return np.allclose(sign * part["z"], w, atol=1e-6) and beside < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", TABLES)
 def test_of_a_table_the_first_axis_that_does_not_fit_is_marked(key, asked):
     exercise = exercises()[key]

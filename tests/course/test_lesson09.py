@@ -443,6 +443,7 @@ def a_file_of_poses(folder):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "door",
     [a_sheet, axes_by_hand, a_urdf, a_table, a_file_of_poses],

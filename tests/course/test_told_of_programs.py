@@ -9,6 +9,7 @@ from dhlab.course.exercises import exercises
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", ["03.3", "05.4", "06.2"])
 def test_what_is_said_of_a_program_is_true(key):
     exercise = exercises()[key]

@@ -111,6 +111,7 @@ def test_few_values_are_no_evidence_in_a_large_class():
     assert named(Course(LESSONS, Settings(), {"s003": 5, "s004": 5}), "s003", right(9)) is None
 
 
+@pytest.mark.slow
 def test_a_tie_names_nobody():
     """Two with the same numbers: either could be the source, and the other would be accused for
     nothing.

@@ -16,6 +16,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from judging import marks_of
+from terminal import dhlab
 
 from dhlab.course.exercises import exercises
 from dhlab.grading.exports.gradebooks import canvas_csv, moodle_csv, read_marks
@@ -433,15 +434,11 @@ def test_marks_that_are_none_are_named(tmp_path):
     ],
 )
 def test_errors_are_one_sentence(tmp_path, arguments, words):
-    answer = subprocess.run(
-        [sys.executable, "-m", "dhlab", "export", *arguments],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-    )
+    answer = dhlab("export", *arguments, cwd=tmp_path)
     assert answer.returncode == 2 and words in answer.stderr and answer.stderr.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_the_commands(tmp_path):
     folder = graded_folder(tmp_path)
     (tmp_path / "class.csv").write_text("student,name,email\nada,Ada,ada@x.org\ncy,,\n")

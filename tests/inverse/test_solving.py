@@ -82,6 +82,7 @@ def test_search_and_closed_form_find_the_same(judge, name):
         assert agree(arm.solve(T), arm.solve(T, method="search"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SPARE)
 def test_a_stated_redundancy(judge, name):
     judge("ssik")
@@ -95,6 +96,7 @@ def test_a_stated_redundancy(judge, name):
         assert all(max(pose_errors(judged(arm, row), T)) < 1e-9 for row in answer)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SPARE)
 @pytest.mark.parametrize("method", [None, "search"])
 def test_no_stated_redundancy(name, method):

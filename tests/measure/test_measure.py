@@ -155,6 +155,7 @@ def test_every_table_draws_a_circle_but_a_coupled_joint_does_not():
     assert circle.off_circle > 3e-4 and "coupling" in circle.words
 
 
+@pytest.mark.slow
 def test_standard_deviations_of_circles_are_honest():
     q, model, noise = np.vstack([sweep(2, 30), sweep(3, 15, 0, 0.8)]), article(), 1e-4
     points, scores = model.forward(q)[:, :3, 3], []

@@ -77,6 +77,7 @@ def test_save(picture, tmp_path, suffix, start):
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.slow
 def test_same_arguments_give_the_same_bytes():
     arm = dh.load("article-6r")
     assert view.arm(arm)._repr_mimebundle_() == view.arm(arm)._repr_mimebundle_()

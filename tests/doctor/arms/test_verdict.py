@@ -70,6 +70,7 @@ def test_a_free_base_takes_all_of_one_pose():
     assert answer.next_pose.shape == (6,) and "free base" in answer.headline
 
 
+@pytest.mark.slow
 def test_two_noisy_poses_of_a_wrong_table_are_no_clean_bill():
     right, rng = dh.load("ur5e"), np.random.default_rng(3)
     q = general(right, 2)

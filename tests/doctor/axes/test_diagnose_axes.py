@@ -83,6 +83,7 @@ def test_the_zero_pose_and_the_end_are_named():
     assert answer.findings[0].mistake == "axis-end" and "100 mm" in answer.findings[0].detail
 
 
+@pytest.mark.slow
 def test_two_wrong_axes_are_both_told():
     wrong = [list(axis) for axis in SHEET]
     wrong[1] = ([0.05, 0, 0.42], [0, 1, 0])

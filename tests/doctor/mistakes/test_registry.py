@@ -87,6 +87,7 @@ def test_a_change_of_rows_is_taken_back(change):
     np.testing.assert_allclose(change.change(*change.undone(*row)), row, rtol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 def test_what_takes_an_arm_s_mistake_back_gives_its_poses(name):
     """Of every change that says how it is undone, on the wrong arm, one repair moves as the right

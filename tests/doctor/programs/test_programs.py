@@ -94,6 +94,7 @@ def test_every_mistyped_entry_is_found_at_its_place(entry):
         )
 
 
+@pytest.mark.slow
 def test_garbage_is_not_explained():
     rng = np.random.default_rng(5)
     for _ in range(20):

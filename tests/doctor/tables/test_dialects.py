@@ -331,6 +331,7 @@ def test_wrong_options_are_said(options, words):
         recognise_table("0 0.1 0 90", **options)
 
 
+@pytest.mark.slow
 def test_noise_never_crashes():
     rng = np.random.default_rng(4)
     letters = list("0123456789.,;|\t\n -+*/()πθqdaα°i_=[]%#e")
