@@ -12,3 +12,4 @@ from .pictures.conventions import conventions as conventions
 from .pictures.link import link as link
 from .pictures.together import two_arms as two_arms
 from .pictures.workspace import workspace as workspace
+from .sketches.sketch import sketch as sketch

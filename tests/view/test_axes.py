@@ -145,3 +145,14 @@ def test_errors_are_sentences():
         view.axes("axes", END)
     with pytest.raises(ValueError, match="4×4 pose"):
         view.axes(AXES, np.eye(3))
+
+
+def test_frames_may_come_as_a_learner_writes_them():
+    axes, end = [([0, 0, 0], [0, 0, 1]), ([0.4, 0, 0.1], [0, 1, 0])], np.eye(4)
+    rows = [[[0, 0, 1], [0, 0, 0.2], [0, 1, 0]], [[0, 1, 0], [0.4, 0, 0.1], [1, 0, 0]]]
+    picture = view.axes(axes, end, rows)
+    assert "Frames placed: {0} and {1}." in picture.alt
+    arrow = np.diff(picture.points["y-axis:0"], axis=0)[0]
+    np.testing.assert_allclose(arrow / np.linalg.norm(arrow), [-1, 0, 0], atol=1e-12)
+    with pytest.raises(ValueError, match=r"expected \(z, origin, x\) .* for frame 1"):
+        view.axes(axes, end, [rows[0], [..., ..., ...]])

@@ -37,7 +37,7 @@ BEYOND, BELOW, STEP, TRIAD = 0.22, 0.04, 0.09, 0.15
 def axes(
     axes: Iterable[Sequence[Any]],
     end: ArrayLike,
-    frames: Mapping[int, ArrayLike] | None = None,
+    frames: Mapping[int, ArrayLike] | Sequence[Any] | None = None,
     *,
     normals: bool = True,
     title: str | None = None,
@@ -52,8 +52,9 @@ def axes(
         direction, "R" | "P").
     end : array (4, 4)
         The end pose at q = 0.
-    frames : dict of int to array (4, 4), optional
-        Frames already placed, such as ``frames`` of a :class:`dhlab.placing.Placement`.
+    frames : dict of int to array (4, 4), or list, optional
+        Frames already placed, such as ``frames`` of a :class:`dhlab.placing.Placement`; or a list
+        of (z, origin, x), frame 0 first, as a learner writes them.
     normals : bool
         Draw the common normals of neighbouring axes as thin lines (of parallel ones, one of the
         many), and say how each axis lies to the next; without, both are left to the reader.
@@ -92,7 +93,7 @@ def axes(
     add_lines(scene, given, pairs, size, height)
     if normals:
         _add_normals(scene, pairs, size)
-    placed = frames or {}
+    placed = _placed(frames)
     add_triads(
         scene,
         np.array([*placed.values(), bare.end]),
@@ -105,7 +106,7 @@ def axes(
     rows = [_row(k, *line, pairs) for k, line in enumerate(given, 1)]
     picture = Picture(
         compose([View(scene, camera)], title or ""),
-        _alt(given, pairs if normals else [], frames),
+        _alt(given, pairs if normals else [], placed),
         HEADINGS if normals else HEADINGS[:-1],
         rows if normals else [row[:-1] for row in rows],
         "Joint axes at q = 0, in the base frame",
@@ -113,6 +114,24 @@ def axes(
     )
     picture.summary = "The axes as a table"
     return picture
+
+
+def _placed(frames):
+    """Poses (4, 4) by number, of a dict of them or of rows (z, origin, x)."""
+    if frames is None or isinstance(frames, Mapping):
+        return frames or {}
+    placed = {}
+    for k, row in enumerate(frames):
+        try:
+            z, origin, x = np.array(row, dtype=float).reshape(3, 3)
+        except (TypeError, ValueError):
+            raise ValueError(
+                f"view.axes: expected (z, origin, x) with three numbers each for frame {k}, found"
+                f" {row!r}; leave frames out while one is not placed"
+            ) from None
+        placed[k] = np.eye(4)
+        placed[k][:3] = np.column_stack([x, np.cross(z, x), z, origin])
+    return placed
 
 
 def pairs_of(given: Sequence[Any], reach: float) -> list[Geometry | None]:
