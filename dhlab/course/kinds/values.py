@@ -62,6 +62,8 @@ class Value(Exercise):
                 headline=f"expected {_amount(expected)}, found {found}",
                 next="Give plain numbers, all of them, no text.",
             )
+        if array.size == expected.size == 1:
+            array = array.reshape(expected.shape)  # one number in a list is that number
         if array.shape != expected.shape:
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():

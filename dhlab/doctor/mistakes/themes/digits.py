@@ -34,9 +34,14 @@ def pi_rounded():
 
 
 def _a_little_turned(answers, right):
-    """A rounded angle turns the pose a little; a wrong length alone does not."""
+    """A rounded angle turns the pose a little; a wrong length alone does not, nor a common factor,
+    which turns nothing.
+    """
     off = np.abs(answers - right)
-    return "" if off.max() < ROUNDED and off[:, :3, :3].max() > 1e-7 else None
+    R, turned = right[:, :3, :3], off[:, :3, :3].max()
+    factor = np.vdot(R, answers[:, :3, :3]) / np.vdot(R, R)
+    scaled = np.abs(answers[:, :3, :3] - factor * R).max() < 0.1 * turned
+    return "" if off.max() < ROUNDED and turned > 1e-7 and not scaled else None
 
 
 def _decimals(digits):
