@@ -169,7 +169,6 @@ def _when(mine, course):
     """When each notebook was handed in, how that is known, and how late it is for each of its
     lessons that is graded.
     """
-    from ..grading.intake.notebooks import lessons_of
     from ..grading.judging.work import handed_in
     from ..grading.reports.pages import duration, words
 
@@ -177,7 +176,7 @@ def _when(mine, course):
     for notebook in mine.notebooks:
         late = [
             course.settings.lateness(lesson, notebook.when)
-            for lesson in sorted(lessons_of(notebook.read()))
+            for lesson in sorted(notebook.look.lessons)
             if lesson in course.lessons
         ]
         days, penalty = max(late, default=(0.0, 0.0))

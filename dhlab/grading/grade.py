@@ -27,6 +27,7 @@ __all__ = ["grade"]
 
 SHOWN = 10  # marks that a regrade has changed
 LOST = 3  # how often a worker may die
+MOST_WAITING = 50_000_000  # bytes of notebooks that are read ahead
 
 
 def grade(
@@ -130,9 +131,8 @@ def _todo(planned, book, key):
     if not planned.course.only:
         for student, mine in planned.found.items():
             before = book.read(student)
-            if (
-                before is not None
-                and before.fingerprint == _task(student, mine, planned.course).fingerprint
+            if before is not None and before.fingerprint == _fingerprint(
+                student, mine, planned.course
             ):
                 kept.add(student)
     return (
@@ -165,21 +165,25 @@ def _task(student, mine, course):
         Handed(notebook.name, notebook.read(), notebook.when, notebook.source)
         for notebook in mine.notebooks
     )
-    told = [
-        course.lessons,
-        repr(course.settings),
-        course.variants.get(student),
-        [(h.name, str(h.when), hashlib.sha256(h.raw).hexdigest()) for h in handed],
-        mine.notes,
-    ]
     return Task(
         student,
         handed,
         tuple(mine.notes),
-        hashlib.sha256(json.dumps(told).encode()).hexdigest()[:16],
+        _fingerprint(student, mine, course),
         mine.numbers_of,
         mine.refused,
     )
+
+
+def _fingerprint(student, mine, course):
+    told = [
+        course.lessons,
+        repr(course.settings),
+        course.variants.get(student),
+        [(one.name, str(one.when), one.look.print) for one in mine.notebooks],
+        mine.notes,
+    ]
+    return hashlib.sha256(json.dumps(told).encode()).hexdigest()[:16]
 
 
 def _worked(todo, course, jobs, scheduler):
@@ -198,6 +202,12 @@ def _worked(todo, course, jobs, scheduler):
         yield from _pooled(todo, jobs)
 
 
+def _room_for_more(waiting, jobs):
+    """Whether another submission may be read: a few for each worker, large ones one by one."""
+    held = sum(len(handed.raw) for task, _ in waiting.values() for handed in task.notebooks)
+    return not waiting or (len(waiting) < 2 * jobs and held < MOST_WAITING)
+
+
 def _pooled(todo, jobs):
     """Over processes, a few submissions ahead of each; a worker that dies costs a new pool, not a
     mark.
@@ -211,7 +221,7 @@ def _pooled(todo, jobs):
         try:
             while True:
                 while (
-                    len(waiting) < 2 * jobs
+                    _room_for_more(waiting, jobs)
                     and (given := again.pop() if again else next(todo, None)) is not None
                 ):
                     waiting[pool.submit(work, *given)] = given

@@ -8,7 +8,6 @@ from pathlib import Path
 from ..course.exercises import exercises
 from .handing_out.variants import variants
 from .intake.files import FILE_TIME
-from .intake.notebooks import lessons_of
 from .intake.owners import look_whose
 from .intake.roster import Student
 from .intake.submissions import PASSED_OVER, Submission, submissions
@@ -144,9 +143,7 @@ def _lessons(found, settings):
     seen = Counter(
         lesson
         for mine in found.values()
-        for lesson in frozenset().union(
-            *(lessons_of(notebook.read()) for notebook in mine.notebooks)
-        )
+        for lesson in frozenset().union(*(notebook.look.lessons for notebook in mine.notebooks))
     )
     known = {lesson: count for lesson, count in seen.items() if lesson in handed_out_checks()}
     common = tuple(

@@ -63,9 +63,9 @@ def test_layouts(tmp_path, path, student, as_zip):
                 archive.writestr(f"wrapped/{name}", NOTEBOOK)
     found = submissions(place, ROSTER, LESSONS)
     assert list(found) == [s.student for s in ROSTER]
-    assert any(path.split("/")[-1] in name for name, *_ in found[student].notebooks)
+    assert any(path.split("/")[-1] in one.name for one in found[student].notebooks)
     assert {s for s, mine in found.items() if mine.notebooks} == {student, "u1234"}
-    assert all(read() == NOTEBOOK for mine in found.values() for _, read, *_ in mine.notebooks)
+    assert all(one.read() == NOTEBOOK for mine in found.values() for one in mine.notebooks)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_oldest_first_and_no_more_than_anyone_needs(tmp_path):
         put(tmp_path, f"ada/{number}.ipynb")
         os.utime(tmp_path / "ada" / f"{number}.ipynb", (1000 - number, 1000 - number))
     mine = submissions(tmp_path, ROSTER, LESSONS)["ada"]
-    assert [name for name, *_ in mine.notebooks] == [
+    assert [one.name for one in mine.notebooks] == [
         f"ada/{number}.ipynb" for number in range(11, -1, -1)
     ] and "20 notebooks" in mine.notes[0]
 

@@ -120,7 +120,8 @@ class Cage:
             run = Listener(
                 answers, WAIT * request["cell_seconds"] + GRACE, begun + WAIT * seconds
             ).listen()
-            status, run.seconds = self._finish()
+            status, seconds = self._finish()
+            run.seconds = _counted(seconds, begun)
             if status == -signal.SIGXCPU:
                 run.ended = "timed out"
         except OSError:  # the whole cage has died; the next run builds another
@@ -149,7 +150,8 @@ class Cage:
         try:
             self._send(request, notebook, theirs.detach())
             yield talk
-            talk.status, talk.seconds = self._finish()
+            talk.status, seconds = self._finish()
+            talk.seconds = _counted(seconds, begun)
         except OSError:
             talk.seconds = time.monotonic() - begun
             self.close()
@@ -281,6 +283,13 @@ class Cage:
         if self._folder is not None:
             self._folder.remove()
         self._process = self._folder = self._control = None
+
+
+def _counted(seconds, begun):
+    """What a run takes of the time that there is: seconds of processor, and of those that it only
+    slept a part, so that sleeping comes to an end too.
+    """
+    return max(seconds, (time.monotonic() - begun) / WAIT)
 
 
 def _known(level):

@@ -17,7 +17,7 @@ MOST = 3_000_000  # bytes that one submission may answer
 @dataclass
 class Run:
     """One run of a notebook: the lines it sent; how it ended ("done", "crashed", "timed out", "too
-    much"); the cell it was in; seconds of processor.
+    much"); the cell it was in; the seconds it used up.
     """
 
     lines: list[dict[str, Any]] = field(default_factory=list)

@@ -48,7 +48,7 @@ def stage(folder: str, room: str = OPEN) -> None:
         ignore=shutil.ignore_patterns("stand_in"),
     )
     for name in CALLING:
-        shutil.copy2(PACKAGE / "doctor" / "programs" / name, target / "grading" / "inside")
+        shutil.copy2(PACKAGE / "doctor" / "programs" / "running" / name, target / "grading" / "inside")
     for name in ("course", "view"):
         (target / name).mkdir()
         shutil.copy2(STAND_IN / f"{name}.py", target / name / "__init__.py")

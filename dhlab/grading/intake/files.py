@@ -9,6 +9,7 @@ import re
 import stat
 import zipfile
 import zlib
+from collections import Counter
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, tzinfo
 from functools import partial
@@ -21,7 +22,7 @@ Read = Callable[[], bytes]
 
 LARGEST = 80_000_000  # bytes of a notebook; its pictures are thrown away before it runs
 LARGEST_ZIP = 200_000_000
-MOST_FILES = 500  # of a student's zip, those in it included
+MOST_FILES = 500  # of all zips of a student
 MOST_ZIPS = 5  # in a student's zip
 DEEPEST = 2  # a zip of everybody's, and a student's own in it
 BROKEN = (
@@ -40,7 +41,7 @@ FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 
 class Entry(NamedTuple):
     """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known,
-    and what is wrong with it.
+    what is wrong with it, and how many bytes it has.
     """
 
     parts: tuple[str, ...]
@@ -48,14 +49,39 @@ class Entry(NamedTuple):
     when: datetime | None
     source: str
     fault: str
+    size: int = 0
 
 
-def files_in(place: Path, zone: tzinfo) -> Iterator[Entry]:
-    """Every file in a folder or a zip."""
+class _Room:
+    """How much of each student's zips is looked at, whatever number of zips it comes in."""
+
+    def __init__(self, whose: Callable[[tuple[str, ...]], str]) -> None:
+        self.whose = whose
+        self.files: Counter[str] = Counter()
+        self.bytes: Counter[str] = Counter()
+
+    def take(self, parts, members):
+        """Count the members of a student's zip; ValueError when there are too many."""
+        whose = self.whose(parts)
+        self.files[whose] += len(members)
+        self.bytes[whose] += sum(member.file_size for member in members)
+        if self.files[whose] > MOST_FILES or self.bytes[whose] > LARGEST_ZIP:
+            raise ValueError("too many files in it, or too large when unpacked")
+
+
+def files_in(
+    place: Path, zone: tzinfo, whose: Callable[[tuple[str, ...]], str] = "/".join
+) -> Iterator[Entry]:
+    """Every file in a folder or a zip.
+
+    ``whose`` names the owner of a zip that stands at some place: all zips of one owner together
+    have one budget of files and bytes.
+    """
+    room = _Room(whose)
     if place.is_dir():
-        yield from _in_folder(place, zone)
+        yield from _in_folder(place, zone, room)
     elif zipfile.is_zipfile(place):
-        yield from _in_zip(lambda: place, (), 1, zone, None)
+        yield from _in_zip(lambda: place, (), 1, zone, None, room)
     else:
         raise ValueError(
             f"{place}: expected a folder or a zip of submissions, found"
@@ -63,7 +89,7 @@ def files_in(place: Path, zone: tzinfo) -> Iterator[Entry]:
         )
 
 
-def _in_folder(place, zone):
+def _in_folder(place, zone, room):
     for folder, folders, files in os.walk(place):
         folders[:] = sorted(name for name in folders if not _boring(name))
         for name in (*folders, *sorted(files)):
@@ -77,13 +103,13 @@ def _in_folder(place, zone):
                 refused = "refused: a link, a pipe or a device, not a file"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             elif name.lower().endswith(".zip"):
-                yield from _opened(partial(str, path), parts, (when, FILE_TIME), 1, zone)
+                yield from _opened(partial(str, path), parts, (when, FILE_TIME), 1, zone, room)
             elif status.st_size > LARGEST:
                 size, most = status.st_size // 1_000_000, LARGEST // 1_000_000
                 refused = f"refused: {size} MB, at most {most} are read"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             else:
-                yield Entry(parts, _reader(path), when, FILE_TIME, "")
+                yield Entry(parts, _reader(path), when, FILE_TIME, "", status.st_size)
 
 
 def _nothing():
@@ -105,16 +131,16 @@ def _reader(path):
     return read
 
 
-def _opened(source, parts, when, depth, zone):
+def _opened(source, parts, when, depth, zone, room):
     """The files of a zip that stands at ``parts``; of a broken one, what is wrong with it."""
     try:
-        yield from _in_zip(source, parts, depth, zone, when)
+        yield from _in_zip(source, parts, depth, zone, when, room)
     except BROKEN as error:
         refused = f"refused: a zip that cannot be read ({str(error)[:100]})"
         yield Entry(parts, _nothing, when[0], when[1], refused)
 
 
-def _in_zip(source, parts, depth, zone, came):
+def _in_zip(source, parts, depth, zone, came, room):
     """Members are read into memory when they are needed, each up to the limit; their names never
     name a file here.
 
@@ -123,11 +149,8 @@ def _in_zip(source, parts, depth, zone, came):
     the student's.
     """
     members = _archive(source).infolist()
-    if parts and (
-        len(members) > MOST_FILES or sum(member.file_size for member in members) > LARGEST_ZIP
-    ):
-        # the teacher's own zip may be large
-        raise ValueError("too many files in it, or too large when unpacked")
+    if parts:  # the teacher's own zip may be large
+        room.take(parts, members)
     zips = 0
     for number, member in enumerate(members):
         inner = tuple(part for part in re.split(r"[/\\]", member.filename) if part)
@@ -137,12 +160,17 @@ def _in_zip(source, parts, depth, zone, came):
         own = (*parts, *(part for part in inner if part != ".."))
         when = came or (_when(member, zone), ZIP)
         if fault or not inner[-1].lower().endswith(".zip"):
-            yield Entry(own, _nothing if fault else read, when[0], when[1], fault)
+            yield Entry(own, _nothing if fault else read, when[0], when[1], fault, member.file_size)
         elif depth < DEEPEST and (not parts or (zips := zips + 1) <= MOST_ZIPS):
-            yield from _opened(lambda read=read: io.BytesIO(read()), own, when, depth + 1, zone)
+            unpacked = partial(_unpacked, read)
+            yield from _opened(unpacked, own, when, depth + 1, zone, room)
         else:
             refused = "refused: a zip in a zip in a zip, or too many of them"
             yield Entry(own, _nothing, when[0], when[1], refused)
+
+
+def _unpacked(read):
+    return io.BytesIO(read())
 
 
 def _member(source, number):

@@ -6,7 +6,6 @@ import difflib
 from collections.abc import Mapping, Sequence
 
 from ..handing_out.variants import variant
-from .notebooks import lessons_of, numbers_of
 from .roster import Student
 from .submissions import Submission
 
@@ -48,9 +47,9 @@ def look_whose(
     owner = {variant(key, student): student for student in names or numbers} if key else {}
     drawn = {
         student: [
-            (notebook.name, numbers_of(raw))
+            (notebook.name, notebook.look.numbers)
             for notebook in mine.notebooks
-            if lessons_of(raw := notebook.read())
+            if notebook.look.lessons
         ]
         for student, mine in found.items()
     }

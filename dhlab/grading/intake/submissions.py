@@ -5,12 +5,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, tzinfo
+from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
 from zoneinfo import ZoneInfo
 
-from .files import FILE_TIME, TIMESTAMP, Read, files_in
+from .files import FILE_TIME, LARGEST, TIMESTAMP, Read, files_in
 from .layouts import Names, from_platform, student_of
+from .notebooks import Look, look
 from .roster import Student
 
 __all__ = ["Notebook", "Submission", "submissions", "PASSED_OVER"]
@@ -23,15 +24,22 @@ NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
 
-class Notebook(NamedTuple):
+@dataclass(frozen=True)
+class Notebook:
     """One notebook: its name in what was handed in, its bytes when ``read`` is called, when it came
-    and how that is known.
+    and how that is known; how many bytes it has.
     """
 
     name: str
     read: Read
     when: datetime | None
     source: str
+    size: int = 0
+
+    @cached_property
+    def look(self) -> Look:
+        """What it says of itself; it is read once for that."""
+        return look(self.read())
 
 
 @dataclass
@@ -85,7 +93,12 @@ def submissions(
     place = Path(place)
     names = Names(roster, lessons)
     found = {student.student: Submission(student.student) for student in roster}
-    entries = _stamped(_unwrapped(files_in(place, zone), names), zone)
+
+    def whose(parts):
+        owner = student_of(parts, names, place.stem)
+        return owner.student if owner.known else "/".join(parts)
+
+    entries = _stamped(_unwrapped(files_in(place, zone, whose), names), zone)
     owners = [student_of(entry.parts, names, place.stem) for entry in entries]
     namesakes = _namesakes(owners)
     claimed = {owner.student for owner in owners if owner.known and owner.sure}
@@ -183,7 +196,7 @@ def _take(mine, entry):
     if fault:
         mine.notes.append(f"{name}: {fault}")
     elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(mine, read)):
-        mine.notebooks.append(Notebook(name, read, entry.when, entry.source))
+        mine.notebooks.append(Notebook(name, read, entry.when, entry.source, entry.size))
     else:
         mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")
 
@@ -229,6 +242,11 @@ def _settle(mine):
             f"{len(mine.notebooks)} notebooks, of which the last {MOST_NOTEBOOKS} were taken"
         )
         mine.notebooks = mine.notebooks[-MOST_NOTEBOOKS:]
+    while len(mine.notebooks) > 1 and sum(one.size for one in mine.notebooks) > LARGEST:
+        mine.notes.append(
+            f"{mine.notebooks.pop(0).name}: left out, all notebooks together are larger than"
+            f" {LARGEST // 1_000_000} MB"
+        )
     mine.refused = bool(mine.notes)
     if mine.notebooks:
         mine.notes = [note for note in mine.notes if not note.endswith(PASSED_OVER)]

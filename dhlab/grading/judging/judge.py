@@ -28,6 +28,7 @@ __all__ = ["mark", "Answers"]
 
 TEXT = 300
 WORD = 12  # letters; the longest text that a right answer has
+MOST_NUMBERS = 1000  # of an answer that is compared; right ones have a few dozen
 READ = "Run the notebook from top to bottom and read the last line of the message."
 
 
@@ -117,13 +118,26 @@ def _judged(exercise, line, variant, settings, worth):
     if line.get("function") == "stub":
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     try:
-        answer = _short(decode(line["value"]))
+        answer = decode(line["value"])
+        if _size(answer) > MOST_NUMBERS:
+            raise ValueError("expected an answer of a few numbers, found many")
+        answer = _short(answer)
     except DECODED:
         headline = (
             "the answer cannot be read: give plain numbers, text, a list, a table or a function"
         )
         return Mark(exercise.id, WRONG, 0, worth, headline=headline)
     return _compared(exercise, answer, variant, settings, worth)
+
+
+def _size(answer):
+    """How many numbers, texts and rows there are in an answer."""
+    if isinstance(answer, dict):
+        answer = list(answer.values())
+    if isinstance(answer, list):
+        return len(answer) + sum(map(_size, answer))
+    rows = getattr(getattr(answer, "table", answer), "rows", answer)
+    return int(getattr(rows, "size", 1))
 
 
 def _short(answer):

@@ -29,7 +29,7 @@ from ..results.marks import (
 from ..results.standing import NO_FILE, lateness
 from .asking import Asked, ask
 from .borrowed import borrowed_from
-from .explained import explained
+from .explained import OwnWords, explained
 from .judge import Answers, mark, without_marks
 from .questions import Course, call_request, handed_out_checks, request, warm_modules
 
@@ -37,6 +37,7 @@ __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
 WARM = ("scipy.spatial.transform",)  # what programs that are written oneself import
 LARGE = 1_000_000  # bytes of a notebook with pictures; a lesson as handed out has a tenth
+TOGETHER = 2  # times the seconds of a notebook: all those of one student
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
 _lock = threading.Lock()
 _cages: dict[tuple[Any, ...], Cage] = {}
@@ -121,11 +122,12 @@ def _work(task, course):
         cage = _cage(course, OPEN)
         answers, notes, trouble, skipped = _run_all(cage, task, course, variant)
         programs = _Programs(task, course, variant, skipped)
+        said = OwnWords(task.notebooks)
         found = [
-            _mark(exercise, answers, variant, course.settings, programs.ask, task.notebooks)
+            _mark(exercise, answers, variant, course.settings, programs.ask, said)
             for exercise in course.exercises
         ]
-    marks, said = _by_lesson(found, task.notebooks)
+    marks, missing = _by_lesson(found, task.notebooks)
     untouched = all(mark.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for mark in marks)
     days, penalty = lateness(marks)
     return replace(
@@ -135,7 +137,7 @@ def _work(task, course):
         late_days=days,
         penalty=penalty,
         cage=cage.level,
-        notes=(*task.notes, *notes, *said),
+        notes=(*task.notes, *notes, *missing),
         guess_of=borrowed_from(course, task.student, answers, marks),
         seconds=round(time.monotonic() - begun, 3),
     )
@@ -202,8 +204,13 @@ def _run_all(cage, task, course, variant):
     None, the cells of each notebook that were not run).
     """
     answers, notes, runs, skipped = Answers(), [], [], {}
-    for handed in _slim(cage, task.notebooks):
-        run, why, skipped[handed.name] = _run(cage, handed, course, variant, answers)
+    seconds = course.settings.limits.seconds
+    left = TOGETHER * seconds
+    for number, (handed, large) in enumerate(_slim(cage, task.notebooks)):
+        notes += large
+        most = min(seconds, left / (len(task.notebooks) - number))
+        run, why, skipped[handed.name], used = _run(cage, handed, course, variant, answers, most)
+        left -= used
         runs.append(run)
         notes += [f"{handed.name}: {note}" for note in why]
     if any(run.ended == "timed out" for run in runs):
@@ -215,23 +222,26 @@ def _run_all(cage, task, course, variant):
 
 
 def _slim(cage, notebooks):
-    """The notebooks, large ones without their outputs; these are taken out in the cage, where it
-    costs nobody else anything.
+    """(notebook, notes): large ones without their outputs; these are taken out in the cage, where
+    it costs nobody else anything. What is still large then is no notebook, and is cut off.
     """
     for handed in notebooks:
-        if len(handed.raw) > LARGE:
-            run = cage.run({"slim": 1, "cell_seconds": 10}, handed.raw, 20)
-            slim = run.lines[-1].get("slim") if run.lines else None
-            handed = replace(handed, raw=json.dumps(slim).encode()) if slim else handed
-        yield handed
+        if len(handed.raw) <= LARGE:
+            yield handed, []
+            continue
+        run = cage.run({"slim": 1, "cell_seconds": 10}, handed.raw, 20)
+        slim = run.lines[-1].get("slim") if run.lines else None
+        raw = json.dumps(slim).encode() if slim else handed.raw[:LARGE]
+        told = [] if slim else [f"{handed.name}: large, and not for its outputs: not run"]
+        yield replace(handed, raw=raw), told
 
 
-def _run(cage, handed, course, variant, answers):
-    """Run one notebook; a cell that ends the program costs itself, and the rest is run again
-    without it.
+def _run(cage, handed, course, variant, answers, most):
+    """Run one notebook for so many seconds at most; a cell that ends the program costs itself, and
+    the rest is run again without it.
     """
     skip: set[int] = set()
-    notes, left = [], course.settings.limits.seconds
+    notes, left = [], most
     while True:
         run = cage.run(request(course, variant, skip), handed.raw, left)
         answers.add(run, handed)
@@ -250,16 +260,16 @@ def _run(cage, handed, course, variant, answers):
         ):
             if run.ended != "done":
                 notes.append(f"stopped: {run.ended}")
-            return run, notes, sorted(skip)
+            return run, notes, sorted(skip), most - left
         skip.add(run.cell)
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
 
-def _mark(exercise, answers, variant, settings, ask_program, notebooks):
+def _mark(exercise, answers, variant, settings, ask_program, said):
     """The mark of an exercise, with the file it comes from and what its lateness costs."""
     found, handed = mark(exercise, answers, variant, settings, ask_program)
     if isinstance(exercise, Explain):
-        found, handed = explained(found, handed, notebooks)
+        found, handed = explained(found, handed, said)
     if handed is None:
         return found
     days, penalty = settings.lateness(found.lesson, handed.when)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
+from ...course.exercises import exercises
 from .cells import cells, code_and_check
 
 __all__ = ["Pair", "alike", "answers"]
@@ -25,6 +26,7 @@ FEW, MANY = 0.1, 10
 # rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
 ENOUGH, SHARE = 40, 0.8
 LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
+MOST = 20_000  # of all answers to one lesson; the longest lesson's have eight thousand
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 
 
@@ -57,11 +59,15 @@ def answers(notebook: Any) -> dict[str, str]:
     >>> answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
     {'05.1': 'x = 1\\n'}
     """
-    found, code = {}, ""
+    found: dict[str, str] = {}
+    code, left = "", defaultdict(lambda: MOST)
     for part, exercise in filter(None, map(code_and_check, cells(notebook))):
         code += part
         if exercise:
-            found[exercise] = code[:LARGEST]
+            code = code[: min(LARGEST, left[exercise[:2]])]
+            if exercise in exercises():
+                found[exercise] = code
+                left[exercise[:2]] -= len(code)
             code = ""
         else:
             code += "\n"

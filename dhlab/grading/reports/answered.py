@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -11,13 +11,13 @@ from ...course.exercises import exercises
 from ...course.kinds import Explain
 from ...course.workspace import handed_out
 from ...formats import files
+from ..intake.notebooks import LARGEST, parsed
 from ..results.marks import Graded
 from ..results.names import marks_stem
 from .cells import cells, code_and_check
 
 __all__ = ["Answer", "Picture", "keep_answers", "own_answers", "read_answers", "read_notebook"]
 
-LARGEST = 16_000_000  # bytes of a notebook that is read outside the cage; photos are large
 MOST = 20_000  # characters of one answer that are kept
 MOST_PICTURES = 3  # of one answer
 KINDS = ("image/png", "image/jpeg", "image/gif", "image/webp")
@@ -97,19 +97,20 @@ def _handed_out_cells():
     )
 
 
-def keep_answers(graded: Graded, notebooks: Iterable[tuple[str, bytes]], out: str | Path) -> None:
+def keep_answers(
+    graded: Graded, codes: Mapping[str, Mapping[str, Answer]], out: str | Path
+) -> None:
     """Write ``answers/<student>.json``: for each mark the answer in the notebook it comes from.
     Where that notebook is not among what is graded now, what was kept before stands.
 
     Parameters
     ----------
     graded : Graded
-    notebooks : iterable of (str, bytes)
-        The names of files, as in the marks, and their bytes.
+    codes : mapping
+        For the name of each file, as in the marks, what :func:`own_answers` finds in it.
     out : str or path
         The folder of the marks.
     """
-    codes = {name: read_notebook(raw) for name, raw in notebooks}
     before = read_answers(graded.student, out)
     kept = {mark.exercise: codes.get(mark.file, before).get(mark.exercise) for mark in graded.marks}
     found = {key: _slim(key, answer) for key, answer in kept.items() if answer}
@@ -130,8 +131,8 @@ def _slim(key, answer):
 def read_notebook(raw: bytes) -> dict[str, Answer]:
     """The own answers in a notebook's bytes; none where it cannot be read or is too large."""
     try:
-        return own_answers(json.loads(raw)) if len(raw) <= LARGEST else {}
-    except (ValueError, RecursionError):
+        return own_answers(parsed(raw))
+    except ValueError:
         return {}
 
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...course.workspace import handed_out
+from ..intake.notebooks import LARGEST, parsed
 from ..intake.roster import Student
 from ..results.marks import Graded
 from .alike import alike, answers
-from .answered import keep_answers, read_answers
+from .answered import keep_answers, own_answers, read_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
 
@@ -19,9 +21,6 @@ if TYPE_CHECKING:
     from ..plan import Plan
 
 __all__ = ["publish"]
-
-# bytes of a notebook that is looked at for copies; lessons without pictures are far smaller
-LARGEST = 2_000_000
 
 
 def publish(
@@ -45,13 +44,18 @@ def publish(
     folder = Path(out) / "feedback"
     folder.mkdir(exist_ok=True)
     known = {student.student: student for student in roster}
+    codes: dict[str, dict[str, str]] = {}
     for graded in results:
-        if graded.student in planned.found:
-            mine = planned.found[graded.student].notebooks
-            keep_answers(graded, [(each.name, each.read()) for each in mine], out)
+        mine = planned.found.get(graded.student)
+        if mine is not None:
+            notebooks = dict(_read(mine.notebooks))
+            own = {name: own_answers(notebook) for name, notebook in notebooks.items()}
+            keep_answers(graded, own, out)
+            if mine.notebooks:
+                every = map(answers, notebooks.values())
+                codes[graded.student] = {key: code for one in every for key, code in one.items()}
         student = known.get(graded.student, Student(graded.student))
         write_feedback(graded, student, folder, read_answers(graded.student, out))
-    codes = {student: _code(mine) for student, mine in planned.found.items() if mine.notebooks}
     given = {
         exercise: code
         for path in sorted(handed_out().glob("*.ipynb"))
@@ -60,13 +64,14 @@ def publish(
     return write_class_report(results, roster, out, alike(codes, given))
 
 
-def _code(mine):
-    """The code of each exercise a student answered; what cannot be read is nobody's copy."""
-    found: dict[str, str] = {}
-    for notebook in mine.notebooks:
-        try:
-            raw = notebook.read()
-            found |= answers(json.loads(raw)) if len(raw) <= LARGEST else {}
-        except (ValueError, RecursionError, TypeError):
-            continue
-    return found
+def _read(notebooks):
+    """(name, notebook) of a student's files, oldest first: the newest ones, as many as may be read
+    together; what cannot be read is nobody's copy and has no answers to show.
+    """
+    found, left = [], LARGEST
+    for one in reversed(notebooks):
+        if one.size <= left:
+            with contextlib.suppress(ValueError):
+                found.append((one.name, parsed(one.read())))
+                left -= one.size
+    return reversed(found)
