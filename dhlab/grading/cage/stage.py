@@ -21,6 +21,7 @@ LEFT_OUT = shutil.ignore_patterns("course", "grading", "lessons", "teacher", "vi
 KEPT = ("units.py", "checks.py", "table.py")  # of the library, in the second
 # of the course: what lessons call and what holds no exercise
 FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
+CALLS = PACKAGE / "doctor" / "programs" / "running"
 CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
 LOADED = re.compile(r'dh\.load\(\\?"([\w.-]+)\\?"\)')
 INSIDE = "/cage"  # where the staged library stands inside bubblewrap
@@ -48,7 +49,9 @@ def stage(folder: str, room: str = OPEN) -> None:
         ignore=shutil.ignore_patterns("stand_in"),
     )
     for name in CALLING:
-        shutil.copy2(PACKAGE / "doctor" / "programs" / "running" / name, target / "grading" / "inside")
+        shutil.copy2(
+            PACKAGE / "doctor" / "programs" / "running" / name, target / "grading" / "inside"
+        )
     for name in ("course", "view"):
         (target / name).mkdir()
         shutil.copy2(STAND_IN / f"{name}.py", target / name / "__init__.py")
