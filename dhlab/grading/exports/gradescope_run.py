@@ -55,7 +55,7 @@ def results(root: Path) -> dict[str, Any]:
     number = secrets.token_hex(16)  # nobody knows it before
     task = Task(
         student,
-        tuple(Handed(name, read(), when) for name, read, when, _ in found),
+        tuple(Handed(one.name, one.read(), one.when) for one in found),
         notes,
         refused=bool(notes),
         number=number,

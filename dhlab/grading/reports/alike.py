@@ -60,7 +60,8 @@ def answers(notebook: Any) -> dict[str, str]:
     {'05.1': 'x = 1\\n'}
     """
     found: dict[str, str] = {}
-    code, left = "", defaultdict(lambda: MOST)
+    left: dict[str, int] = defaultdict(lambda: MOST)
+    code = ""
     for part, exercise in filter(None, map(code_and_check, cells(notebook))):
         code += part
         if exercise:
