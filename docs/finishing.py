@@ -5,6 +5,7 @@ descriptions, and the whole site as one file.
 import base64
 import hashlib
 import io
+import os
 import re
 import zipfile
 from html import escape, unescape
@@ -37,24 +38,45 @@ LANDMARKS = [
     (r'<a href="([\w-]+)\.ipynb">', r'<a href="\1.html">'),  # the map on top of a lesson
 ]
 STILL = re.compile(r'src="data:image/png;base64,([^"]+)" width="(\d+)"')
+DESIGN = re.compile(
+    r"<link [^>]*sphinx-design\.min\.css[^>]*>|<script [^>]*design-tabs\.js.*?</script>"
+)
+SHOT = re.compile(r'src="[./]*_images/([\w-]+\.png)"')
+COLOURS, NEARLY_WHITE = 128, 252
 BOXES = re.compile(r'<div class="admonition.*?</div>', re.DOTALL)
 LONGEST = 200  # letters of a description
 HEAD = (
     '<meta name="description" content="{words}"><meta property="og:title" content="{title}">'
     '<meta property="og:description" content="{words}"><meta property="og:type" content="article">'
-    '<meta property="og:image" content="{root}_static/card.png">'
+    '<meta property="og:image" content="{home}_static/card.png">'
     '<meta name="twitter:card" content="summary_large_image">'
 )
 
 
 def finish(html):
-    """Every page in the folder ``html``, and the archive."""
+    """Every page in the folder ``html``, and the archive.
+
+    A picture for who is sent a link (``og:image``) needs a whole address: ``DHLAB_SITE`` in the
+    environment says where the site will stand, such as ``https://example.org/dhlab/``. Without it
+    the address is relative, and most programs show no picture.
+    """
+    host = os.environ.get("DHLAB_SITE", "")
+    if host and not host.startswith(("http://", "https://")):
+        raise SystemExit(
+            f"DHLAB_SITE: expected an address such as https://example.org/dhlab/, found {host!r}"
+        )
     for path in sorted(html.rglob("*.html")):
         root = "../" * (len(path.relative_to(html).parts) - 1)
-        text = accessible(path.read_text(encoding="utf-8"))
-        text = _described(_with_stills(text, html, root), root)
+        text = accessible(_lightened(path.read_text(encoding="utf-8")))
+        home = f"{host.rstrip('/')}/" if host else root
+        text = _described(_with_stills(text, html, root), home)
         path.write_text(text, encoding="utf-8", newline="\n")
     _archive(html)
+
+
+def _lightened(text):
+    """A page that does not load what sphinx-design has for cards and tabs, where it has none."""
+    return text if re.search(r'class="[^"]*\bsd-', text) else DESIGN.sub("", text)
 
 
 def accessible(html):
@@ -67,24 +89,50 @@ def accessible(html):
 
 
 def _with_stills(text, html, root):
-    """A page whose pictures are files, fetched when they come into sight."""
+    """A page whose pictures are files, fetched when they come into sight, no larger than the
+    screen that shows them has use for.
+    """
 
     def still(found):
-        data = base64.b64decode(found[1])
-        name = f"_images/{hashlib.sha256(data).hexdigest()[:16]}.webp"
-        image = Image.open(io.BytesIO(data)).convert("RGB")
-        if not (html / name).exists():
-            (html / name).parent.mkdir(exist_ok=True)
-            image.save(html / name, lossless=True, method=4)
-        height = round(int(found[2]) * image.height / image.width)
-        size = f'width="{found[2]}" height="{height}"'
-        return f'src="{root}{name}" {size} loading="lazy" decoding="async"'
+        image = Image.open(io.BytesIO(base64.b64decode(found[1])))
+        return _sources(image, int(found[2]), html, root)
 
-    return STILL.sub(still, text)
+    def shot(found):
+        image = Image.open(html / "_images" / found[1])
+        return _sources(image, image.width, html, root)
+
+    return SHOT.sub(shot, STILL.sub(still, text))
 
 
-def _described(text, root):
-    """A page with what it is about, for those who find it in a list or are sent its link."""
+def _sources(image, width, html, root):
+    """The attributes of a picture shown ``width`` pixels wide: a file for screens of one point to
+    the pixel, and the whole one for finer ones.
+    """
+    height = round(width * image.height / image.width)
+    size = f'width="{width}" height="{height}" loading="lazy" decoding="async"'
+    image = image.convert("RGB")
+    whole = root + _file(image, html)
+    if image.width <= width:
+        return f'src="{whole}" {size}'
+    plain = root + _file(image.resize((width, height), Image.Resampling.LANCZOS), html)
+    return f'src="{plain}" srcset="{whole} {image.width / width:.3g}x" {size}'
+
+
+def _file(image, html):
+    """A picture's file, by its content; in few colours, white among them."""
+    few = image.quantize(COLOURS, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    image = few.convert("RGB").point(lambda value: 255 if value >= NEARLY_WHITE else value)
+    name = f"_images/{hashlib.sha256(image.tobytes()).hexdigest()[:16]}.webp"
+    if not (html / name).exists():
+        (html / name).parent.mkdir(exist_ok=True)
+        image.save(html / name, lossless=True, method=4)
+    return name
+
+
+def _described(text, home):
+    """A page with what it is about, for those who find it in a list or are sent its link; ``home``
+    is where its picture lies.
+    """
     title = re.search(r"<h1>(.*?)<a|<h1>(.*?)</h1>", text, re.DOTALL)
     body = BOXES.sub("", text[title.end() :]) if title else ""
     first = re.search(r"<p>(.*?)</p>", body, re.DOTALL)
@@ -94,7 +142,7 @@ def _described(text, root):
     if len(words) > LONGEST:
         words = words[:LONGEST].rpartition(" ")[0] + " …"
     name = unescape(re.sub(r"<[^>]+>", "", title[1] or title[2]))
-    head = HEAD.format(words=escape(words), title=escape(name), root=root)
+    head = HEAD.format(words=escape(words), title=escape(name), home=home)
     return text.replace("</head>", f"{head}</head>", 1)
 
 

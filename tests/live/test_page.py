@@ -1,7 +1,9 @@
 """A lesson that runs in its page: by hand, in Chromium, from the files that the site serves."""
 
+import csv
 import importlib.util
 import json
+import re
 import shutil
 import threading
 from functools import partial
@@ -10,6 +12,9 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from typer.testing import CliRunner
+
+from dhlab.cli.app import app
 
 ROOT = Path(__file__).parents[2]
 LESSON = "05-link-matrix"
@@ -124,3 +129,45 @@ def test_work_on_an_older_lesson_stays_beside_the_new_one(lesson):
     lesson.click("text=Run this lesson")
     lesson.get_by_text("This cell has changed since you wrote in it").wait_for()
     assert cell(lesson, answer).locator("textarea").input_value() == code("lessons")[answer]
+
+
+# of five answers, which are the solution's, and what stands in the others
+RIGHT = ("05.1", "05.5", "05.6")
+WRONG = {
+    "05.3": 'order = ["c", "d", "a", "b"]',
+    "05.4": "def dh_transform(theta, d, a, alpha):\n"
+    "    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(-alpha)",
+}
+
+
+@pytest.mark.cage
+def test_the_notebook_that_leaves_the_page_gets_the_marks_that_the_page_showed(lesson, tmp_path):
+    lesson.click("text=Run this lesson")
+    solutions = code("solutions")
+    answers = {cells_of(exercise)[0]: solutions[cells_of(exercise)[0]] for exercise in RIGHT}
+    answers |= {cells_of(exercise)[0]: text for exercise, text in WRONG.items()}
+    for name, source in answers.items():
+        cell(lesson, name).locator("textarea").fill(source)
+    lesson.click("text=Run all")
+    places = [cell(lesson, name) for name in code("lessons")]
+    for place in places:
+        place.and_(lesson.locator('[data-live="ran"], [data-live="failed"]')).wait_for()
+    rows = places[-1].locator("tbody tr").all()
+    table = [row.locator("td").all_inner_texts() for row in rows]
+    shown = {name: points.split(" of ") for name, _, _, points in table}
+    assert {name for name, (mine, most) in shown.items() if mine == most} == set(RIGHT)
+    for exercise in WRONG:
+        assert "Not attempted" not in cell(lesson, cells_of(exercise)[1]).inner_text()
+
+    handed_in = tmp_path / "handed-in"
+    handed_in.mkdir()
+    lesson.click("text=My work")
+    with lesson.expect_download() as saved:
+        lesson.click("text=Save as a notebook")
+    saved.value.save_as(handed_in / f"ada_{LESSON}.ipynb")
+    done = CliRunner().invoke(app, ["grade", str(handed_in), "--out", str(tmp_path / "graded")])
+    assert done.exit_code == 0, done.output
+    with open(tmp_path / "graded" / "grades.csv", encoding="utf-8") as file:
+        marks = next(csv.DictReader(file))
+    graded = {name: float(mark) for name, mark in marks.items() if re.fullmatch(r"05\.\d", name)}
+    assert graded == {name: float(mine) for name, (mine, _) in shown.items()}

@@ -4,7 +4,7 @@ const STYLE = `
 :host { display: block; }
 .cards { font: 14px/1.45 "Segoe UI", system-ui, "DejaVu Sans", sans-serif; color: var(--ink); max-width: 760px; margin: 6px 0;
   --ink: var(--jp-content-font-color1, #22262b); --quiet: var(--jp-content-font-color2, #50565d); --ground: var(--jp-layout-color1, #fff); --line: #8b949e; --accent: #17479e; --accent-ink: #fff; --mark: #e3edfb; }
-.cards.dark { --ink: #e8ebee; --quiet: #b4bcc6; --accent: #86b2ff; --accent-ink: #10141a; --mark: #24354f; --line: #6b7682; }
+.cards.dark { --ground: var(--jp-layout-color1, #181b1f); --ink: #e8ebee; --quiet: #b4bcc6; --accent: #86b2ff; --accent-ink: #10141a; --mark: #24354f; --line: #6b7682; }
 fieldset, ol { border: 0; margin: 0; padding: 0; min-width: 0; list-style: none; }
 legend { font-weight: 600; padding: 0; margin-bottom: 6px; }
 .options { display: grid; grid-template-columns: repeat(auto-fit, minmax(230px, 1fr)); gap: 6px; }
@@ -33,6 +33,15 @@ function h(name, properties = {}, ...children) {
   return element;
 }
 
+const SYSTEM = matchMedia("(prefers-color-scheme: dark)");
+
+// What JupyterLab or the site says, else what the reader's system prefers.
+function isDark() {
+  const { jpThemeLight, theme } = document.body.dataset;
+  if (jpThemeLight) return jpThemeLight === "false";
+  return theme === "dark" || theme === "light" ? theme === "dark" : SYSTEM.matches;
+}
+
 function render({ model, el }) {
   const host = document.createElement("div"), root = host.attachShadow({ mode: "open" });
   el.append(host);
@@ -40,8 +49,12 @@ function render({ model, el }) {
   const { title, options, places, repeats } = model.get("_data");
   const told = h("p", { class: "told", role: "status" });
   const view = (places.length ? laying : choosing)(model, title, options, places, repeats);
-  const dark = document.body?.dataset.jpThemeLight ? document.body.dataset.jpThemeLight === "false" : matchMedia("(prefers-color-scheme: dark)").matches;
-  root.append(h("style", {}, STYLE), h("div", { class: `cards ${dark ? "dark" : ""}` }, view.element, told));
+  const cards = h("div", { class: "cards" }, view.element, told), dress = () => cards.classList.toggle("dark", isDark());
+  root.append(h("style", {}, STYLE), cards);
+  const watch = new MutationObserver(dress);
+  watch.observe(document.body, { attributes: true, attributeFilter: ["data-theme", "data-jp-theme-light"] });
+  SYSTEM.addEventListener("change", dress);
+  dress();
   const show = () => {
     view.show(model.get("chosen"));
     told.textContent = model.get("told");
@@ -50,6 +63,8 @@ function render({ model, el }) {
   model.on("change:told", show);
   show();
   return () => {
+    watch.disconnect();
+    SYSTEM.removeEventListener("change", dress);
     model.off("change:chosen", show);
     model.off("change:told", show);
   };
