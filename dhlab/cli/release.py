@@ -43,10 +43,12 @@ def release(
             "release: --key draws each student's own numbers; it goes with --roster and without"
             " --same"
         )
-    students, lessons = class_of(roster), tuple(settings_of(course).lessons)
+    students, settings = class_of(roster), settings_of(course)
     place = Path(key) if key else Path(roster).parent / KEY_NAME
     secret, new = (None, False) if same or not students else key_of(place, out)
-    written, kept = hand_out(out, students, secret, lessons, place if new else None)
+    written, kept = hand_out(
+        out, students, secret, tuple(settings.lessons), place if new else None, settings.items
+    )
     print(
         f"{len(students) or 1} {'folders' if len(students) > 1 else 'folder'} in {out}: {written}"
         f" files written, {kept} there already."

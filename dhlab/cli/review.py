@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from .common import Roster, class_of
+from .common import Course, Roster, class_of, settings_of
 
 __all__ = ["review"]
 
@@ -15,6 +15,7 @@ def review(
         Path, typer.Argument(metavar="GRADED", help="The folder that dhlab grade wrote to.")
     ],
     roster: Roster = "",
+    course: Course = "",
     port: Annotated[int, typer.Option(min=0, max=65535, help="A free one when left out.")] = 0,
     no_browser: Annotated[
         bool, typer.Option("--no-browser", help="Only print the address; open nothing.")
@@ -26,6 +27,7 @@ def review(
     from ..grading.reviewing.desk import Desk
     from ..grading.reviewing.server import serve
 
+    settings_of(course)  # makes the teacher's own items known
     server, address = serve(Desk(graded, class_of(roster)), port)
     print(
         f"{address}\nOnly this machine can open it. What you decide is in"

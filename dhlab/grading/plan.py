@@ -12,6 +12,7 @@ from .intake.owners import look_whose
 from .intake.roster import Student
 from .intake.submissions import PASSED_OVER, Submission, submissions
 from .judging.questions import Course, handed_out_checks
+from .own_items import own_checks
 from .settings import Settings
 
 __all__ = ["plan", "Plan"]
@@ -67,6 +68,7 @@ def plan(
             f'grade: expected the number of an exercise, such as "05.1", found {exercise!r}'
         )
     names = [path.stem for path in _handed_out()]
+    names += [f"{lesson}-own" for lesson in own_checks()]
     found, notes = _without_strays(submissions(place, roster, names, settings.zone), roster)
     if not any(mine.notebooks for mine in found.values()):
         raise ValueError(

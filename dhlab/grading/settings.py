@@ -8,18 +8,19 @@ import math
 from dataclasses import dataclass, field
 from datetime import UTC, date, datetime, time, tzinfo
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from zoneinfo import ZoneInfo
 
 from ..formats import plainyaml
 
 if TYPE_CHECKING:
     from ..course.kinds.exercise import Exercise
+    from .own_items import Items
 
 __all__ = ["Limits", "Lesson", "Settings", "moment", "read_settings", "LEVELS"]
 
 LEVELS = ("bubblewrap", "landlock", "rlimits")
-TOP = {"lessons", "late", "timezone", "partial", "own_kinematics", "limits", "cage"}
+TOP = {"lessons", "late", "timezone", "partial", "own_kinematics", "limits", "cage", "items"}
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,7 @@ class Settings:
     limits: Limits = Limits()
     cage: str | None = None
     zone: tzinfo = UTC
+    items: Items | None = None
 
     def lateness(self, lesson: str, when: datetime | None) -> tuple[float, float]:
         """(days after the due date, share of the points taken off) of work on a lesson that came at
@@ -121,6 +123,7 @@ def read_settings(path: str | Path) -> Settings:
             own_kinematics: 0
             limits: {cell_seconds: 10, seconds: 60, memory_mb: 512, files_mb: 16, threads: 32}
             cage: bubblewrap      # when left out; or landlock, rlimits, which are weaker
+            items: own_items.py   # exercises of your own, beside this file
 
     Returns
     -------
@@ -134,9 +137,13 @@ def read_settings(path: str | Path) -> Settings:
     top = plainyaml.read(path, "a course's settings")
     known = plainyaml.fields(top, "course", required=set(), allowed=TOP)
     zone = _zone(known.get("timezone"))
-    given = {"zone": zone} | (
-        {"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {}
-    )
+    given: dict[str, Any] = {"zone": zone}
+    if "items" in known:
+        from .own_items import read_items
+
+        name = plainyaml.text(known["items"], "items")
+        given["items"] = read_items(Path(path).parent / name)
+    given |= {"lessons": _lessons(known["lessons"], zone)} if "lessons" in known else {}
     if "late" in known:
         late = plainyaml.fields(
             known["late"],

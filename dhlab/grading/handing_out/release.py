@@ -17,10 +17,12 @@ from ...course.exercises import exercises
 from ...course.progress import MARKER
 from ...course.workspace import handed_out
 from ...formats.files import read_text, write_text
+from ..own_items import notebooks_of, own_checks
 from .variants import new_key, read_key, variants, write_key
 
 if TYPE_CHECKING:
     from ..intake.roster import Student
+    from ..own_items import Items
 
 __all__ = ["release", "key_of", "with_variant", "make_folder"]
 
@@ -34,6 +36,7 @@ def release(
     key: bytes | None = None,
     lessons: Sequence[str] = (),
     new_key_at: str | Path | None = None,
+    items: Items | None = None,
 ) -> tuple[int, int]:
     """Write the lessons into ``out``: into a folder per student, or into ``out`` itself when there
     is no roster.
@@ -52,6 +55,8 @@ def release(
     new_key_at : str or path or None
         Where the key is to be written, when it is new: once nothing stands against handing out, and
         before anything is handed out.
+    items : Items, optional
+        A teacher's own, of which students get questions and numbers.
 
     Returns
     -------
@@ -76,6 +81,13 @@ def release(
         for student, number in numbers.items()
         for name, text in files.items()
     ]
+    if items:
+        wanted += [
+            (out / student / name, text, number)
+            for student, number in numbers.items()
+            for name, text in notebooks_of(items, number).items()
+            if not lessons or name[:2] in lessons
+        ]
     missing = [(path, text) for path, text, number in wanted if not _there(path, number)]
     if new_key_at and key:
         write_key(new_key_at, key)
@@ -145,7 +157,7 @@ def _files(lessons):
         path.name: path.read_text(encoding="utf-8")
         for path in sorted(folder.glob("[0-9][0-9]*-*.ipynb"))
     }
-    unknown = sorted(set(lessons) - {name[:2] for name in found})
+    unknown = sorted(set(lessons) - {name[:2] for name in found} - set(own_checks()))
     if unknown:
         raise ValueError(
             f"release: expected lessons from {', '.join(sorted({name[:2] for name in found}))},"

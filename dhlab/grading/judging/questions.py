@@ -18,6 +18,7 @@ from ...course.kinds.exercise import Exercise
 from ...course.workspace import handed_out
 from ..inside.demonstrations import print_of
 from ..inside.wire import encode
+from ..own_items import own_checks
 from ..settings import Settings
 
 __all__ = [
@@ -82,7 +83,6 @@ def scored(lessons: Collection[str]) -> list[Exercise]:
     ]
 
 
-@cache
 def handed_out_checks() -> dict[str, dict[str, Any]]:
     """For each sitting of a lesson that is handed out ("08", "08b"), for each exercise: the
     expression its check is given, and the id of the cell before it.
@@ -93,6 +93,11 @@ def handed_out_checks() -> dict[str, dict[str, Any]]:
     >>> expression
     'rot_x'
     """
+    return {**_course_checks(), **own_checks()}
+
+
+@cache
+def _course_checks():
     lessons: dict[str, dict[str, Any]] = {}
     for path in sorted(handed_out().glob("[0-9][0-9]*.ipynb")):
         code = [

@@ -15,6 +15,7 @@ from ...course.kinds import Explain
 from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
 from ..intake.notebooks import lessons_of
+from ..own_items import install
 from ..results.marks import (
     ERROR,
     GRADED,
@@ -85,6 +86,8 @@ def work(task: Task, course: Course) -> Graded:
     Graded
     """
     try:
+        if course.settings.items:  # this may be another process than the one that read them
+            install(course.settings.items)
         return _work(task, course)
     except Exception as error:
         if isinstance(error, ValueError) and str(error).startswith("grade:"):

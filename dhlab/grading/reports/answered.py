@@ -12,6 +12,7 @@ from ...course.kinds import Explain
 from ...course.workspace import handed_out
 from ...formats import files
 from ..intake.notebooks import LARGEST, parsed
+from ..own_items import YOUR_NUMBERS
 from ..results.marks import Graded
 from ..results.names import marks_stem
 from .cells import cells, code_and_check
@@ -22,7 +23,8 @@ MOST = 20_000  # characters of one answer that are kept
 MOST_PICTURES = 3  # of one answer
 KINDS = ("image/png", "image/jpeg", "image/gif", "image/webp")
 FOLDER = "answers"
-NUMBERS = "from dhlab.course import set_variant\nset_variant("  # the cell of one's own numbers
+# how the cells of one's own numbers begin
+LOCKED = ("from dhlab.course import set_variant\nset_variant(", YOUR_NUMBERS)
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]+\Z")
 
 
@@ -68,7 +70,7 @@ def own_answers(notebook: Any) -> dict[str, Answer]:
         pictures += _pictures(cell)
         code, exercise = code_and_check(cell) or ("", None)
         code = code.strip()
-        if code and code not in _handed_out_cells() and not code.startswith(NUMBERS):
+        if code and code not in _handed_out_cells() and not code.startswith(LOCKED):
             mine.append(code)
         if exercise:
             if mine or pictures:
