@@ -64,10 +64,16 @@ def served(folder):
 
 
 @contextlib.contextmanager
-def chromium():
-    """A browser that knows no page yet."""
+def chromium(profile=None):
+    """A browser that knows no page yet; with a folder for its profile one context of it, which
+    keeps files on disk as a visitor's browser does.
+    """
     path = shutil.which("chromium") or shutil.which("google-chrome")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        start = playwright.chromium
+        known = {"executable_path": path, "args": FLAGS}
+        browser = (
+            start.launch_persistent_context(profile, **known) if profile else start.launch(**known)
+        )
         yield browser
         browser.close()

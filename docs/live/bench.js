@@ -42,7 +42,7 @@ function field(name, label, element) {
 }
 
 const parts = {
-  diagnose: h("div", {}, area("poses", "Measured poses, as CSV", 6, "q1,q2,q3,x,y,z\n0,30,-45,412.1,3.2,200.7"),
+  diagnose: h("div", {}, area("poses", "Measured poses, one a line: joint values, then x, y, z", 6, "0, 30, -45, 412.1, 3.2, 200.7\n… or under a header q1,q2,q3,x,y,z,roll,pitch,yaw"),
     pick("units", "Their units", [["mm,deg", "mm and degrees"], ["m,rad", "m and radians"], ["m,deg", "m and degrees"], ["mm,rad", "mm and radians"]]),
     box("free_base", "measured in another base frame"), box("free_tool", "measured at another tool")),
   fk: h("div", {}, line("q", "Joint values (degrees; mm for a sliding joint)", "0, 30, -45, 0, 0, 0")),
@@ -102,14 +102,17 @@ function put(given) {
 async function ask() {
   kernel ??= new Kernel(hear);
   results.replaceChildren();
+  results.setAttribute("aria-busy", "true");
   save.hidden = true;
   stop.disabled = false;
   status.textContent = kernel.ready ? "Thinking …" : "Python is being started (10 MB, once) …";
   const text = await kernel.call("bench", "answer", JSON.stringify(state()));
   stop.disabled = true;
+  results.removeAttribute("aria-busy");
   if (text === null) return;
   status.textContent = "";
   show(JSON.parse(text));
+  (questions.querySelector("[data-open]") ? questions : results).scrollIntoView({ block: "start" });
 }
 
 function hear(message) {
@@ -142,7 +145,7 @@ function openQuestions({ open = [], questions: words = [], readings = [] }) {
   questions.replaceChildren();
   const names = [...new Set([...open, ...Object.keys(said).filter((name) => name in CHOICES)])];
   if (!names.length && readings.length < 2) return;
-  questions.append(h("p", {}, open.length ? `The text leaves open: ${words.join(" ")}` : "As you said:"));
+  questions.append(h("p", { "data-open": open.length || (readings.length > 1 && !said.take) ? "" : null }, open.length ? `The text leaves open: ${words.join(" ")}` : "As you said:"));
   for (const name of names) {
     const select = h("select", { onchange: () => { said[name] = select.value; ask(); } },
       ...["", ...CHOICES[name]].map((value) => h("option", { value }, value || "not said")));

@@ -30,7 +30,7 @@ def answer(asked):
         try:
             found = Bench(asked).answered()
         except (ValueError, OSError) as error:
-            found = {"wrong": str(error)}
+            found = {"wrong": plain(str(error))}
         finally:
             os.chdir("/course")
     found["notes"] = [str(one.message) for one in noted if one.category is UserWarning]
@@ -83,7 +83,8 @@ class Bench:
             return None, asking
         chosen = found.readings[min(int(take or 1), len(found.readings)) - 1]
         if shown:
-            self.say("What was read", f"Read as {chosen.words}.")
+            notes = [f"Note: {note}." for note in dict.fromkeys([*found.notes, *chosen.notes])]
+            self.say("What was read", "\n".join([f"Read as {chosen.words}.", *notes]))
         return chosen.arm, asking
 
     def poses(self):
@@ -122,7 +123,10 @@ class Bench:
         text = self.asked.get("other", "").strip()
         if not text:
             raise ValueError("Expected a second arm to compare with, found an empty field.")
-        other, asking = self.arm(text, self.asked.get("otherSaid", {}), shown=False)
+        try:
+            other, asking = self.arm(text, self.asked.get("otherSaid", {}), shown=False)
+        except ValueError as error:
+            raise ValueError(f"The other arm: {plain(str(error))}") from None
         if other is None:
             raise ValueError(
                 "The second arm can be read in several ways: "
@@ -136,11 +140,11 @@ class Bench:
     def diagnose(self, arm):
         if not self.poses():
             raise ValueError(
-                "Expected measured poses, found an empty field; paste lines under a header such"
-                f" as {','.join(f'q{i + 1}' for i in range(len(arm)))},x,y,z."
+                "Expected measured poses, found an empty field; paste one a line: the"
+                f" {len(arm)} joint values, then x, y, z."
             )
         with open("poses.csv", "w", encoding="utf-8") as file:
-            file.write(self.poses())
+            file.write(with_header(self.poses(), len(arm)))
         length, angle = self.asked["units"].split(",")
         q, poses = dh.read_poses("poses.csv", len(arm), length, angle, joints=arm.table.joints)
         free = {
@@ -193,6 +197,35 @@ class Bench:
             self.yaml = file.read()
 
 
+def with_header(text, n):
+    """Measured poses as CSV: bare numbers get the header that they can only have."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    if not any(sign in text for sign in ",;\t"):  # as they were copied from a terminal
+        lines = [",".join(line.split()) for line in lines]
+    cells = lines[0].strip("[](){} ").split(",")
+    if not all(NUMBER.fullmatch(cell.strip()) for cell in cells):
+        return "\n".join(lines)
+    joints = [f"q{i + 1}" for i in range(n)]
+    if len(cells) != n + 3:
+        known = ",".join([*joints, "x,y,z"])
+        raise ValueError(
+            f"Measured poses: expected {n + 3} numbers a line ({n} joint values, then x, y, z),"
+            f" found {len(cells)}; where the rotation was measured too, name the columns in a first"
+            f" line: {known},qx,qy,qz,qw or {known},roll,pitch,yaw or {known},rx,ry,rz."
+        )
+    lines = [line.strip("[](){} ") for line in lines]
+    return "\n".join([",".join([*joints, *"xyz"]), *lines])
+
+
+def plain(sentence):
+    """A sentence of the library without what concerns a program."""
+    sentence = re.sub(r"^(recognise_table|poses\.csv|read_poses|load): ", "", sentence)
+    sentence = re.sub(r", or with \w+=\{.*?\}", "", sentence)
+    return sentence[:1].upper() + sentence[1:]
+
+
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+NAME = re.compile(r"(?=.*[A-Za-z])[\w .+/-]{2,40}")  # one line of a few words
 PROGRAMS = {
     "dh_transform": "dh_transform",
     "dh_matrix": "dh_transform",
@@ -217,4 +250,4 @@ def kind_of(text):
         return "yaml"
     if re.match(r"\s*#\s*convention:", text):
         return "csv"
-    return "name" if text in dh.robots() else ""
+    return "name" if NAME.fullmatch(text) else ""

@@ -11,9 +11,11 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+import dhlab as dh
 from dhlab.cli.app import app
 
 ROOT = Path(__file__).parents[2]
@@ -171,3 +173,22 @@ def test_the_notebook_that_leaves_the_page_gets_the_marks_that_the_page_showed(l
         marks = next(csv.DictReader(file))
     graded = {name: float(mark) for name, mark in marks.items() if re.fullmatch(r"05\.\d", name)}
     assert graded == {name: float(mine) for name, (mine, _) in shown.items()}
+
+
+def test_the_bench_takes_a_name_and_bare_numbers_and_says_what_it_misses(address, new_page):
+    page = new_page(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    page.goto(f"{address}/bench/index.html")
+    page.locator("textarea").first.fill("UR5e")
+    page.locator(".bench-do", has_text="What is wrong?").tap()
+    q = np.random.default_rng(3).integers(-120, 120, (4, 6))
+    p = 1000 * dh.load("ur5e").forward(np.deg2rad(q))[:, :3, 3] * [-1, -1, 1]  # turned by 180°
+    lines = [" ".join(map(str, [*a, *b])) for a, b in zip(q, p.round(2))]
+    for text, told in [
+        (lines[0].rpartition(" ")[0], "expected 9 numbers a line"),
+        ("\n".join(lines), "The base frame is turned"),
+    ]:
+        page.get_by_label("Measured poses").fill(text)
+        page.get_by_role("button", name="Answer").tap()
+        page.get_by_text(told).first.wait_for()
+    page.get_by_text("turned by 180°").first.wait_for()
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")

@@ -15,6 +15,7 @@ from ...placing.board import Placement
 from ...table import DHTable
 from ...transform import require_pose, trans
 from .content import arm_data, pose_data
+from .meshes import parts_of
 from .placing import Placing, axes_of
 from .widget import Explorer
 
@@ -43,10 +44,14 @@ def explore(
     **needs
         ``q`` (n,): where the arm stands at first, in every mode but "place", "pose", "branches" and
         "compare" with poses; zeros when left out. "arm": ``jacobian=True`` shows its columns, each
-        with what its joint does to the end. "link": ``joint``, the row, from 1. "compare": ``q``
-        (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a second arm of as
-        many joints. "branches": ``q`` (k, n), all of them. "place": ``convention``, "standard" or
-        "craig" (the arm's when left out); ``end`` (4, 4) with a list of axes.
+        with what its joint does to the end; ``meshes`` draws the real links over the frames: the
+        path of a URDF that names STL files, a folder or list of STL files (assembled at q = 0, the
+        last number in a name is the link's), or ``{i: file}``, each in its own DH frame. The files
+        stay where they are: a saved notebook holds none of them. "link": ``joint``, the row, from
+        1. "compare": ``q`` (m, n) and ``poses``, (m, 4, 4) or positions (m, 3); or ``other``, a
+        second arm of as many joints. "branches": ``q`` (k, n), all of them. "place":
+        ``convention``, "standard" or "craig" (the arm's when left out); ``end`` (4, 4)
+        with a list of axes.
 
     Returns
     -------
@@ -111,6 +116,7 @@ def _explorer(
     convention="standard",
     step=0,
     placing=None,
+    parts=(),
 ):
     data = {"mode": mode, "title": title, "alt": alt or title, **(data or {})}
     return Explorer(
@@ -120,6 +126,7 @@ def _explorer(
         still,
         state={"q": q, "row": row, "poses": poses, "convention": convention, "step": step},
         placing=placing,
+        parts=parts,
     )
 
 
@@ -127,17 +134,20 @@ def _name(arm):
     return arm.name or "Arm"
 
 
-def _arm(arm, *, q=None, jacobian=False):
+def _arm(arm, *, q=None, jacobian=False, meshes=None):
     arm = as_arm(arm, "explore")
     q = _at(arm, q)
+    parts = [] if meshes is None else parts_of(arm, meshes)
+    more = {"jacobian": jacobian, "meshes": bool(parts)}
     return _explorer(
         "arm",
         arm,
         _name(arm),
         lambda: _stills().arm(arm, q),
-        {"arm": arm_data(arm), **({"jacobian": True} if jacobian else {})},
+        {"arm": arm_data(arm), **{name: True for name, on in more.items() if on}},
         q=q,
         convention=arm.table.convention,
+        parts=parts,
     )
 
 

@@ -2,6 +2,7 @@
 on a page.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,8 @@ from ...arm import Arm
 from ...placing.words import Judgement
 from ...table import CONVENTIONS, DHTable
 from ...transform import require_pose
-from .content import Numbers
+from .content import Numbers, pose_data
+from .meshes import Part, triangles
 from .page import wrapped
 from .placing import Placing
 
@@ -77,8 +79,10 @@ class Explorer(anywidget.AnyWidget):
         *,
         state: dict[str, Any],
         placing: Placing | None = None,
+        parts: Sequence[Part] = (),
     ) -> None:
         self.mode, self._arm, self._still, self.placing = mode, arm, still, placing
+        self.parts = parts
         self.counts = {name: np.shape(state[name]) for name in ("q", "row", "poses")}
         super().__init__(_data=data, **state)
         if placing is not None:
@@ -161,11 +165,17 @@ class Explorer(anywidget.AnyWidget):
             self.q = self._data["qs"][change.new - 1]
 
     def _heard(self, message):
-        """What the view asks for: the still picture, where it has no WebGL; a new start; a step
-        taken back; a step that hands made.
+        """What the view asks for: the still picture, where it has no WebGL; the links' shapes; a
+        new start; a step taken back; a step that hands made.
         """
         if message.get("still"):
             self.send({"still": self._still()._repr_mimebundle_()["text/html"]})
+        elif message.get("meshes"):  # as a message, which no notebook keeps
+            told = [{"frame": part.frame, "pose": pose_data(part.pose)} for part in self.parts]
+            shapes = [
+                (triangles(part.file) * part.scale).astype("<f4").tobytes() for part in self.parts
+            ]
+            self.send({"parts": told}, shapes)
         elif self.placing and message.get("again"):
             self.placing.start_over()
             self._answer = self.placing.answer()

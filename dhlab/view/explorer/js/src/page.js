@@ -26,8 +26,9 @@ function render({ model, el }) {
       return () => entries.forEach(([event, heard]) => model.off(event, heard));
     },
   };
-  model.on("msg:custom", (message) => {
+  model.on("msg:custom", (message, buffers) => {
     if (message.still) element.innerHTML = message.still;
+    if (message.parts) host.parts?.(message.parts, buffers);
   });
   return mount(element, host);
 }

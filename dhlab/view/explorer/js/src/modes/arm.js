@@ -7,7 +7,8 @@ import { amount, below, degrees, direction, number, place } from "../format.js";
 import { found, held } from "../hands.js";
 import { AXES, Light, LitColumns } from "../linked.js";
 import { endOf, frames, jacobian, jointPlaces, path } from "../kinematics.js";
-import { along, axis, dot, length, middle, origin, rollPitchYaw, scale, sub } from "../matrix.js";
+import { meshOf } from "../instrument/stl.js";
+import { along, axis, dot, length, middle, origin, product, rollPitchYaw, scale, sub } from "../matrix.js";
 import { DHTable, FramesTable } from "../tables.js";
 
 const LONGEST = 800; // points of the trace that are kept
@@ -35,6 +36,14 @@ export function armMode(host, redraw) {
   mode.below = [table.element, ...(columns ? [columns.element] : [])];
   mode.frames = frameTable.element;
   mode.readout = endReadout();
+  mode.parts = []; // the real links, whose files Python reads
+  if (host.data.meshes) {
+    host.parts = (told, buffers) => {
+      mode.parts = told.map((part, k) => ({ ...part, mesh: meshOf(floats(buffers[k]), [1, 1, 1]) }));
+      redraw();
+    };
+    host.send({ meshes: true });
+  }
   changed();
   return mode;
 
@@ -104,6 +113,7 @@ export function armMode(host, redraw) {
     if (touched?.kind === "tip") scene.ring(along(origin(end), axis(end, touched.column), REACH * scene.size), 9, { color: "error", pixels: 2 });
     if (typeof light.on === "number") drawRow(scene, arm, chain, light.on);
     else if (light.on) drawVelocity(scene, arm, chain, end, Number(light.on.slice(1)));
+    if (mode.parts.length) scene.seeThrough(0.5, () => mode.parts.forEach(({ frame, pose, mesh }) => scene.shape(mesh, product(chain[frame], pose), "link")));
     mode.extra?.(scene); // what an instrument adds
     if (shown.trace && trace.length > 1) scene.line([...trace, origin(end)], { color: "trace", pixels: 2, alpha: 0.85 });
   }
@@ -112,6 +122,9 @@ export function armMode(host, redraw) {
     return `End at ${place(origin(end))}, x axis ${direction(axis(end, 0))}, z axis ${direction(axis(end, 2))}.`;
   }
 }
+
+// What Python sent: a view into a message, at any place in it.
+const floats = ({ buffer, byteOffset, byteLength }) => new Float32Array(buffer.slice(byteOffset, byteOffset + byteLength));
 
 export const sizeOf = (arm, zero, q) => spread([...path(arm.convention, zero), origin(endOf(arm, zero)), ...path(arm.convention, frames(arm, q))]);
 
