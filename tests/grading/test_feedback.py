@@ -100,7 +100,7 @@ def test_the_words_of_the_course_are_there():
         feedback_page(
             graded(
                 WRONG,
-                Mark("05.1", "right", 1, 1, headline="Well done."),
+                Mark("05.1", "right", 1, 1, headline="Well done.", penalty=0.25),
                 penalty=0.25,
                 late_days=1.5,
             )
@@ -114,6 +114,7 @@ def test_the_words_of_the_course_are_there():
         "Moves that commute",
         "Well done.",
         "0.75 of 2 points",
+        "(1 before lateness)",
         "1 of 2 exercises",
         "1 d 12 h late: 25 %",
     ):

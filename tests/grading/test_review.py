@@ -248,8 +248,16 @@ def test_an_explanation_counts_when_it_is_marked_and_never_for_another_answer(
     assert desk.answers("bo")["05.99"][1] == ["image/png"]
     assert desk.picture("bo", "05.99", 0) == ("image/png", base64.b64decode(PIXEL))
     assert desk.picture("bo", "05.99", 1) is None
-    for student, points in (("ada", 2), ("bo", 3)):
-        desk.save({"student": student, "exercise": "05.99", "points": points, "comment": ""})
+    for student, points, ticks in (("ada", 2, [2]), ("bo", 3, [2, 1])):
+        given = {"student": student, "exercise": "05.99", "points": points, "comment": ""}
+        desk.save(given | {"ticks": ticks})
+        with pytest.raises(ValueError, match="rubric"):
+            desk.save(given | {"ticks": [3]})
+    shown = {
+        each["id"]: each["marks"]["05.99"]["ticks"] for each in Desk(desk.folder).show()["students"]
+    }
+    assert shown["ada"] == [2] and shown["bo"] == [1, 2]
+    assert "ticks: [1, 2]" in desk.decisions.read_text(encoding="utf-8")
     found, marks = run()
     changed = (tmp_path / "out" / "changes.csv").read_text(encoding="utf-8-sig").splitlines()
     assert 'ada,05.99,to be marked,"2 of 3, marked",your decision' in changed and len(changed) == 5

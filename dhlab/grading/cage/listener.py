@@ -63,6 +63,9 @@ class Listener:
         for raw in whole:
             with contextlib.suppress(ValueError, RecursionError):
                 line = json.loads(raw)
+                if b"\\ud" in raw:  # perhaps half a letter, which no file can hold
+                    text = json.dumps(line, ensure_ascii=False)
+                    line = json.loads(text.encode("utf-8", "replace"))
                 if isinstance(line, dict):
                     yield line
 

@@ -11,6 +11,7 @@ import gc
 import importlib
 import json
 import os
+import select
 import signal
 import socket
 import sys
@@ -18,6 +19,8 @@ import time
 
 from dhlab.grading.inside import confine
 
+LOOK = 0.03  # seconds between two looks at what a submission writes
+MOST_FILES = 5000  # files of a submission, and what Python keeps there itself
 CLEANING = 5  # seconds; who leaves more behind costs a new cage
 
 
@@ -41,12 +44,47 @@ def main() -> None:
             _submission(config, *files)
         for file in files:
             os.close(file)
-        if not control.recv(1):
+        if not _told_that_it_is_over(control, child, config):
             return
         status, seconds = _end(child, config)
         clean = _clean(config["work"], kept)
         said = {"status": status, "seconds": round(seconds, 3), "clean": clean}
         control.sendall(json.dumps(said).encode())
+
+
+def _told_that_it_is_over(control, child, config):
+    """Wait until the grader says so; False when it has hung up. Who leaves more files than there
+    is room for is stopped meanwhile.
+    """
+    watched = True
+    while not select.select([control], [], [], LOOK)[0]:
+        if watched and _too_many_files(config):
+            os.kill(child, signal.SIGKILL)
+            watched = False
+    return bool(control.recv(1))
+
+
+def _too_many_files(config):
+    """Whether the folder that can be written to holds more than the limits allow. A file system of
+    its own says how many files it has; its size it keeps itself.
+    """
+    if config["level"] == "bubblewrap":
+        told = os.statvfs(config["work"])
+        return told.f_files - told.f_ffree > MOST_FILES
+    files, size, folders = 0, 0, [config["work"]]
+    while folders:
+        try:
+            for entry in os.scandir(folders.pop()):
+                files += 1
+                status = entry.stat(follow_symlinks=False)
+                size += status.st_blocks * 512
+                if entry.is_dir(follow_symlinks=False):
+                    folders.append(entry.path)
+                if files > MOST_FILES or size > config["limits"]["files_mb"] << 20:
+                    return True
+        except OSError:
+            continue
+    return False
 
 
 def _confine(config):
@@ -89,6 +127,9 @@ def _submission(config, request, answers):
     """In the copy: the last limits, then the stranger's program; this never returns."""
     try:
         os.setsid()
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        for file in (1, 2):  # no file that a later submission could read
+            os.dup2(nothing, file)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         confine.no_new_privileges()
         library = confine.libseccomp()

@@ -17,6 +17,11 @@ def cells(notebook: Any) -> Iterator[dict[str, Any]]:
     return (cell for cell in (found if isinstance(found, list) else ()) if isinstance(cell, dict))
 
 
+def _whole_letters(text):
+    """A text that a file can hold: without halves of letters, which JSON may have."""
+    return text.encode("utf-8", "replace").decode("utf-8")
+
+
 def code_and_check(cell: dict[str, Any]) -> tuple[str, str | None] | None:
     """The code of a code cell up to its check, and the exercise that is checked there, if one is;
     None of any other cell.
@@ -29,6 +34,8 @@ def code_and_check(cell: dict[str, Any]) -> tuple[str, str | None] | None:
     if cell.get("cell_type") != "code":
         return None
     source = cell.get("source", "")
-    source = "".join(map(str, source)) if isinstance(source, list) else str(source)
+    if isinstance(source, list):
+        source = "".join(part for part in source if isinstance(part, str))
+    source = _whole_letters(source) if isinstance(source, str) else ""
     checked = CHECK.search(source)
     return (source[: checked.start()], checked[1]) if checked else (source, None)

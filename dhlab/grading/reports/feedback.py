@@ -150,12 +150,14 @@ def headline(mark: Mark) -> str:
 
 
 def _lessons(cards):
-    """(title, points, possible points, cards) of each lesson."""
+    """(title, points after lateness, possible points, points before it, cards) of each lesson."""
     for lesson, own in groupby(cards, key=lambda card: card["mark"].lesson):
         mine = list(own)
         marks = [card["mark"] for card in mine]
         of = sum(mark.of for mark in marks if mark.status != TO_MARK)
-        yield title_of_lesson(lesson), sum(mark.points for mark in marks), of, mine
+        points = sum(mark.points for mark in marks)
+        counted = round(sum(mark.points * (1 - mark.penalty) for mark in marks), 2)
+        yield title_of_lesson(lesson), counted, of, points, mine
 
 
 def _card(mark, said, answer):

@@ -23,19 +23,21 @@ __all__ = ["NAME", "Decided", "Decisions", "read_decisions", "apply"]
 
 NAME = "decisions.yaml"
 MOST = 1000  # points
+MOST_LINES = 50  # of a rubric
 
 
 @dataclass(frozen=True)
 class Decided:
     """What was decided of one exercise of one student: points (None: as graded), a comment, and
     what it had earned when that was decided (None: not said); of an explanation which answer it is
-    about (empty: any).
+    about (empty: any), and which lines of its rubric were ticked, from 1.
     """
 
     points: float | None = None
     comment: str = ""
     was: float | None = None
     answer: str = ""
+    ticks: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -139,14 +141,22 @@ def _exercise(key, item):
 
 def _decided(key, item):
     known = plainyaml.fields(
-        item, key, required=set(), allowed={"points", "comment", "was", "answer"}
+        item, key, required=set(), allowed={"points", "comment", "was", "answer", "ticks"}
     )
     return Decided(
         _points(known["points"], f"{key}: points") if "points" in known else None,
         plainyaml.text(known["comment"], f"{key}: comment") if "comment" in known else "",
         _points(known["was"], f"{key}: was") if "was" in known else None,
         plainyaml.text(known["answer"], f"{key}: answer") if "answer" in known else "",
+        _ticks(known["ticks"], f"{key}: ticks") if "ticks" in known else (),
     )
+
+
+def _ticks(item, what):
+    lines = [plainyaml.number(one, what) for one in plainyaml.entries(item, what)]
+    if not all(line == int(line) and 0 < line <= MOST_LINES for line in lines):
+        raise ValueError(f"{item.where}: {what}: expected lines of the rubric, such as [1, 3]")
+    return tuple(int(line) for line in lines)
 
 
 def _points(item, what, least=0.0):

@@ -120,7 +120,11 @@ class Desk:
             points = _points(given.get("points"), mark.of)
             said = {"points": points, "comment": _text(given.get("comment", ""))}
             was = None if points is None or mark.answer else mark.points
-            about = {"was": was, "answer": mark.answer if points is not None else None}
+            about = {
+                "was": was,
+                "answer": mark.answer if points is not None else None,
+                "ticks": _ticks(given.get("ticks", []), mark.exercise),
+            }
             decide(self.decisions, mine.student, mark.exercise, said | about)
         decided = read_decisions(self.decisions).students.get(mine.student, Of())
         return self._student(mine, decided)
@@ -164,6 +168,7 @@ def _mark(mark, decided):
         or (mark.status == WRONG and mark.mistake is None and not mark.chosen),
         "given": decided.points,
         "comment": decided.comment,
+        "ticks": list(decided.ticks),
         "stale": decided.was is not None and abs(decided.was - mark.points) > 1e-9,
     }
 
@@ -174,6 +179,15 @@ def _text(value):
             f"review: expected a text of at most {LONGEST} letters; write a shorter one"
         )
     return "".join(c if c.isprintable() or c == "\n" else " " for c in value).strip()
+
+
+def _ticks(value, exercise):
+    """The lines of a rubric, from 1."""
+    rubric = getattr(exercises().get(exercise), "rubric", ())
+    lines = range(1, len(rubric) + 1)
+    if not isinstance(value, list) or not all(type(k) is int and k in lines for k in value):
+        raise ValueError("review: expected lines of the rubric; load the page anew")
+    return sorted(set(value))
 
 
 def _points(value, of):

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ruamel.yaml import YAML
-from ruamel.yaml.comments import CommentedMap
+from ruamel.yaml.comments import CommentedMap, CommentedSeq
 from ruamel.yaml.resolver import VersionedResolver
 from ruamel.yaml.scalarstring import DoubleQuotedScalarString
 from ruamel.yaml.util import load_yaml_guess_indent
@@ -26,7 +26,10 @@ class _Plain(VersionedResolver):
 
 
 def decide(
-    path: str | Path, student: str, exercise: str, said: Mapping[str, float | str | None]
+    path: str | Path,
+    student: str,
+    exercise: str,
+    said: Mapping[str, float | str | list[int] | None],
 ) -> None:
     """Write what is decided of one exercise of one student; None or an empty text takes it back.
 
@@ -36,7 +39,7 @@ def decide(
         ``decisions.yaml``; read anew each time, so that what was written by hand meanwhile stays.
     student, exercise : str
     said : mapping
-        ``points``, ``comment``, ``was`` and ``answer``, as in the file.
+        ``points``, ``comment``, ``was``, ``answer`` and ``ticks``, as in the file.
 
     Raises
     ------
@@ -78,7 +81,7 @@ def _set(top, keys, said):
         chain.append((here, key))
         here = here[key]
     for key, value in said.items():
-        if value is None or value == "":
+        if value is None or value == "" or value == []:
             here.pop(key, None)
         else:
             here[key] = _value(value)
@@ -93,6 +96,10 @@ def _key(key):
 
 
 def _value(value):
+    if isinstance(value, list):
+        listed = CommentedSeq(value)
+        listed.fa.set_flow_style()  # [1, 3]
+        return listed
     if isinstance(value, str):
         return DoubleQuotedScalarString(value)
     return int(value) if value == int(value) else value

@@ -100,6 +100,7 @@ function asked({ question, rubric = [] }, mark) {
   const ticks = rubric.map(([text, points], k) => {
     const label = element("label", "", box), tick = element("input", "", label);
     tick.type = "checkbox";
+    tick.checked = mark.ticks.includes(k + 1);
     label.append(` ${k + 1}: ${text} (${points})`);
     return tick;
   });
@@ -108,6 +109,9 @@ function asked({ question, rubric = [] }, mark) {
     $("points").value = Math.round((100 * earned * mark.of) / sum) / 100;
   };
 }
+
+/** The lines of the rubric that are ticked, from 1. */
+const ticked = () => [...$("rubric").querySelectorAll("input")].flatMap((tick, k) => (tick.checked ? [k + 1] : []));
 
 function verdict(student, mark) {
   const box = $("verdict");
@@ -138,8 +142,9 @@ async function save() {
     return false;
   }
   const comment = $("comment").value.trim(), hold = $("hold").value.trim();
-  const given = [];
-  if (points !== mark.given || comment !== mark.comment || (mark.stale && points !== null)) given.push({ student: student.id, exercise, points, comment });
+  const given = [], ticks = ticked();
+  const other = points !== mark.given || comment !== mark.comment || String(ticks) !== String(mark.ticks);
+  if (other || (mark.stale && points !== null)) given.push({ student: student.id, exercise, points, comment, ticks });
   if (hold !== student.hold) given.push({ student: student.id, hold });
   try {
     for (const one of given) Object.assign(student, await ask("save", one));
@@ -212,6 +217,7 @@ $("form").addEventListener("submit", (event) => {
 });
 $("back").addEventListener("click", async () => {
   for (const id of ["points", "comment"]) $(id).value = "";
+  for (const tick of $("rubric").querySelectorAll("input")) tick.checked = false;
   await save();
   await show();
 });
