@@ -2,9 +2,7 @@ from .explorer import Explorer as Explorer
 from .explorer import explore as explore
 from .picture import Picture as Picture
 from .pictures.arm import arm as arm
-from .pictures.arm import frames as frames
 from .pictures.arm import poses as poses
-from .pictures.axes import axes as axes
 from .pictures.circle import circle as circle
 from .pictures.compared import compared as compared
 from .pictures.condition import condition as condition
@@ -13,3 +11,5 @@ from .pictures.link import link as link
 from .pictures.together import two_arms as two_arms
 from .pictures.workspace import workspace as workspace
 from .sketches.sketch import sketch as sketch
+from .turnable import axes as axes
+from .turnable import frames as frames

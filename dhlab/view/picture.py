@@ -40,6 +40,8 @@ class Picture:
         What is to be seen, in a few sentences.
     table : str
         The numbers behind it, as plain text; ``table_html`` is the same for a page.
+    cells : dict
+        The same as texts: "caption", "headings" and "rows".
     points : dict of arrays (k, 3)
         What was drawn, by name, in metres before it was projected: ``"x-axis:1"``, ``"joint:2"``,
         ...
@@ -66,6 +68,7 @@ class Picture:
         points: dict[str, NDArray[np.float64]] | None = None,
     ) -> None:
         self.figure, self.alt, self.points = figure, alt, points or {}
+        self.cells = {"caption": caption, "headings": [*headings], "rows": [[*row] for row in rows]}
         self.table = f"{caption}\n{grid_text(headings, rows)}"
         self.table_html = grid_html([escape(heading) for heading in headings], rows, caption)
 

@@ -91,6 +91,27 @@ def test_of_a_pose_a_column_that_differs_is_marked(key, asked):
     assert not asked
 
 
+@pytest.mark.parametrize("key", ["02.3", "02.4", "02.8"])
+def test_of_a_row_the_first_thing_that_does_not_fit_is_marked(key, asked):
+    exercise = exercises()[key]
+    theta, d, a, alpha = np.asarray(exercise.answer(**exercise.given(0)), dtype=float)
+    turns = {"z1": (theta, d, a, alpha + 20), "o1": (theta, d, a + 0.1, alpha)}
+    for mark, row in {**turns, "z1 ": (theta + 30, d, a, alpha)}.items():
+        exercise.drawn(row)
+        lines, frames, found = asked.pop()
+        if np.isclose(alpha % 180, 0) and mark == "z1 ":  # parallel axes: only the place is wrong
+            mark = "o1"
+        assert found == mark.strip()
+        T, (_, (point, z, _)) = frames["1"], lines
+        at = np.array([a * np.cos(np.deg2rad(theta)), a * np.sin(np.deg2rad(theta)), d])
+        assert np.linalg.norm(np.cross(at - point, z)) < 1e-9 < np.linalg.norm(at - point)
+        assert tuple(T["o"]) != tuple(at) or mark.startswith("z")
+    exercise.drawn((theta, d, a, alpha))
+    exercise.drawn((theta, d, np.nan, alpha))
+    exercise.drawn((theta + 360, d, a, alpha))
+    assert not asked
+
+
 def test_a_placed_frame_is_drawn_as_it_was_placed_and_only_when_all_is_told():
     key = "04.7"  # told bit by bit
     frames = [list(row) for row in exercises()[key].given(0)["frames"]]

@@ -112,7 +112,8 @@ def test_enter_is_enough_in_every_number_box_and_a_notebook_hears_no_key(opened,
     boxes, sliders = page.get_by_role("spinbutton"), page.locator(".slider input[type=range]")
     assert boxes.count() == (4 if mode == "link" else 6)
     for k in range(boxes.count()):
-        for value in ("-20", "70"):
+        length = "metres" in boxes.nth(k).get_attribute("aria-label")
+        for value in ("-0.2", "0.137") if length else ("-20", "70"):
             boxes.nth(k).click()
             page.keyboard.press("Control+a")
             page.keyboard.type(value)
@@ -147,10 +148,10 @@ def test_enter_in_the_box_of_mode_place_moves_the_point(live):
         assert explorer.place(f"z{i}", frame[:3, 2], frame[:3, 3])
     page = live(explorer)
     page.evaluate(NOTEBOOK)
-    page.get_by_role("spinbutton").fill("35")
+    page.get_by_role("spinbutton").fill("0.035")
     page.keyboard.press("Enter")
     assert (
-        page.get_by_role("slider", name="Along the line of z").input_value() == "35"
+        page.get_by_role("slider", name="Along the line of z").input_value() == "0.035"
         and page.get_by_role("button", name="Place it").is_enabled()
     )
 
@@ -185,13 +186,13 @@ def test_sliders_by_mouse_and_keyboard_move_arm_and_tables(opened):
     )
     end = arm.forward(q)
     np.testing.assert_allclose(
-        numbers(page.locator("dd").first.inner_text()), 1000 * end[:3, 3], atol=0.051
+        numbers(page.locator("dd").first.inner_text()), end[:3, 3], atol=5.1e-5
     )
     shown = text_table(page, "Table now")
     np.testing.assert_allclose(
         [numbers(row[1])[0] for row in shown], np.rad2deg(arm.table.theta + q), atol=0.0051
     )
-    expect_status(page, f"x = {end[0, 3] * 1000:.1f}".replace("-", "−").removesuffix(".0"))
+    expect_status(page, f"x = {end[0, 3]:.4f}".rstrip("0").replace("-", "−"))
 
 
 def until(page, what, true):
@@ -221,9 +222,7 @@ def test_text_table_is_the_frames(opened, name):
     rows, frames = text_table(page, "The frames"), arm.frames(q)
     assert len(rows) == len(frames) + (not np.array_equal(arm.tool, np.eye(4)))
     for row, T in zip(rows, [*frames, arm.forward(q)]):
-        np.testing.assert_allclose(
-            [numbers(cell)[0] for cell in row[1:4]], 1000 * T[:3, 3], atol=0.051
-        )
+        np.testing.assert_allclose([numbers(cell)[0] for cell in row[1:4]], T[:3, 3], atol=5.1e-5)
         np.testing.assert_allclose([numbers(cell) for cell in row[4:]], T[:3, :3].T, atol=0.00051)
 
 
@@ -414,20 +413,20 @@ def test_link_moves_one_by_one_in_the_order_of_the_convention(opened, modes, con
         np.testing.assert_allclose(
             numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
             _after(table, k),
-            atol=0.051,
+            atol=5.1e-5,
         )
         page.get_by_role("button", name="One move forward").click()
         assert items.nth(k).get_attribute("class") == "now"
     np.testing.assert_allclose(
         numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
-        1000 * dh.Arm(table).forward([0])[:3, 3],
-        atol=0.051,
+        dh.Arm(table).forward([0])[:3, 3],
+        atol=5.1e-5,
     )
     page.get_by_role("button", name="One move back").click()
     np.testing.assert_allclose(
         numbers(" ".join(text_table(page, "Frames, seen")[2][1:4]))[:3],
         _after(table, 3),
-        atol=0.051,
+        atol=5.1e-5,
     )
 
 
@@ -489,10 +488,10 @@ def test_no_x_and_z_fall_together_in_the_first_view_of_a_row(opened, row):
 
 
 def _after(table, k):
-    """Where the moving frame is (mm) after k moves: the other parameters are not there yet."""
+    """Where the moving frame is (m) after k moves: the other parameters are not there yet."""
     order = {"standard": [0, 1, 2, 3], "craig": [3, 2, 0, 1]}[table.convention]
     row = np.array([value if j in order[:k] else 0.0 for j, value in enumerate(table.rows[0])])
-    return 1000 * dh.Arm(dh.DHTable(table.convention, *row[:, None], "R")).forward([0])[:3, 3]
+    return dh.Arm(dh.DHTable(table.convention, *row[:, None], "R")).forward([0])[:3, 3]
 
 
 def test_conventions_say_how_far_the_frames_are_apart(opened, modes):
@@ -506,7 +505,7 @@ def test_conventions_say_how_far_the_frames_are_apart(opened, modes):
         assert (
             "coincide" in text
             if far[k] < 1e-9
-            else numbers(text.split("origins are")[1])[0] == pytest.approx(1000 * far[k], abs=0.051)
+            else numbers(text.split("origins are")[1])[0] == pytest.approx(far[k], abs=5.1e-5)
         )
 
 
@@ -523,6 +522,20 @@ def test_compare_tells_every_error_and_goes_to_the_worst(opened, modes):
     page.get_by_role("button", name="The pose before").click()
     page.get_by_role("button", name="Worst").click()
     assert page.get_by_role("slider", name="Pose").input_value() == str(1 + errors.argmax())
+
+
+@pytest.mark.parametrize("mode", ["arm", "link", "conventions", "branches", "place"])
+def test_lengths_are_in_the_unit_that_was_asked_for(opened, mode):
+    arm = dh.load("cobra600")
+    needs = {"q": np.zeros((1, 4))} if mode == "branches" else {}
+    for length, other in (("m", "mm"), ("mm", "m")):
+        page = opened(dh.explore(arm, mode=mode, length=length, **needs))
+        unfold(page)
+        text = page.locator(".explorer").inner_text()
+        assert re.search(rf"[\d(]{length}\b|\d {length}\b", text)
+        assert not re.search(rf"(\d |\(){other}\b", text), re.findall(rf".*\d {other}\b.*", text)
+    with pytest.raises(ValueError, match='expected length "m" or "mm", found \'cm\''):
+        dh.explore(arm, length="cm")
 
 
 def test_branches_are_gone_through_one_by_one(opened, modes):
@@ -603,10 +616,11 @@ def test_an_arrow_turned_round_changes_the_numbers_that_python_changes(opened):
         arm = arm.flip_x(i) if letter == "x" else arm.flip_z(i)
         rows = text_table(page, "The finished table")
         found = np.array([[numbers(cell)[-1] for cell in row[1:]] for row in rows])
-        wanted = arm.table.rows * [180 / np.pi, 1000, 1000, 180 / np.pi]
+        wanted = arm.table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
         gap = found - wanted
         gap[:, [0, 3]] = (gap[:, [0, 3]] + 180) % 360 - 180
-        np.testing.assert_allclose(gap, 0, atol=0.051)
+        np.testing.assert_allclose(gap[:, [0, 3]], 0, atol=0.051)
+        np.testing.assert_allclose(gap[:, [1, 2]], 0, atol=5.1e-5)
     page.get_by_text("joint 6 counts the other way").wait_for()
 
 
@@ -658,7 +672,7 @@ def test_frames_are_placed_by_hand_and_judged_by_python(live):
     np.testing.assert_allclose(explorer.arm.forward(q), arm.forward(q), atol=1e-9)
     rows = text_table(page, "The finished table")
     np.testing.assert_allclose(
-        [numbers(row[3])[0] for row in rows], 1000 * explorer.arm.table.a, atol=0.051
+        [numbers(row[3])[0] for row in rows], explorer.arm.table.a, atol=5.1e-5
     )
     page.get_by_role("button", name="Undo").click()
     page.get_by_text("1 step left").wait_for()

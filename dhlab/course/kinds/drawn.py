@@ -1,5 +1,6 @@
-"""Wrong answers as pictures: what a learner placed, wrote as a table or as a pose, beside the joint
-axes it was meant for; the first thing that does not fit is marked, and the right one is not drawn.
+"""Wrong answers as pictures: what a learner placed, wrote as a table, a row or a pose, beside the
+joint axes it was meant for; the first thing that does not fit is marked, and the right one is not
+drawn.
 """
 
 from collections.abc import Sequence
@@ -13,8 +14,9 @@ from ...geometry.equivalence import equivalent
 from ...geometry.lines import nearest_on, tilt
 from ...placing.board import Placement
 from ...placing.words import ANGLE, Judgement, vector
+from ...table import DHTable
 
-__all__ = ["drawn_frames", "drawn_pose", "drawn_table"]
+__all__ = ["drawn_frames", "drawn_pose", "drawn_row", "drawn_table"]
 
 SAME = 1e-6  # rad, m
 
@@ -61,6 +63,31 @@ def drawn_table(arm: Arm, right: Arm) -> Any:
     i = joint - (arm.table.convention == "standard")
     frames = {str(k): _parts(T) for k, T in enumerate(chain[: i + 1])}
     return tried(lines, frames, f"{_misses(lines[joint - 1], chain[i])}{i}", title=title)
+
+
+def drawn_row(row: NDArray[np.float64], right: NDArray[np.float64]) -> Any:
+    """The frame {1} of a row (4,) of degrees and metres, standard, beside the two axes that the
+    right row lies between; a Picture, or None where the two make the same frame.
+    """
+    from ...view.pictures.tried import tried
+
+    mine, asked = (
+        Arm(DHTable.standard(one[None], angle="deg")).forward([0.0]) for one in (row, right)
+    )
+    p, z = asked[:3, 3], asked[:3, 2]
+    if tilt(mine[:3, 2], z) > ANGLE:
+        mark = "z1"
+    elif np.linalg.norm(mine[:3, 3] - nearest_on(p, z, mine[:3, 3])) > SAME:
+        mark = "o1"
+    elif np.allclose(mine, asked, atol=SAME):
+        return None
+    else:
+        mark = f"{_apart(mine, asked)}1"
+    # the housing of the second axis stands away from the right origin, which is not shown
+    aside = p + 0.5 * (abs(right[1]) + abs(right[2])) * z
+    lines = [(np.zeros(3), np.array([0, 0, 1.0]), "R"), (aside, z, "R")]
+    frames = {"0": _parts(np.eye(4)), "1": _parts(mine)}
+    return tried(lines, frames, mark, title="Your row's frame {1}, beside the two axes")
 
 
 def _apart(end, right):

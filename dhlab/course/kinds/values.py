@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..verdict import Verdict
-from .drawn import drawn_pose
+from .drawn import drawn_pose, drawn_row
 from .exercise import Exercise, Said, no_draw
 from .reading import Unreadable, plain
 from .units import LOOSELY, Group, in_other_units, of_places
 
 __all__ = ["Value"]
 
+ROW = ("deg", "m", "m", "deg")  # theta, d, a, alpha of one link
 CUT_OFF = Said(
     "these are the right numbers with their decimals cut off",
     next="An array of whole numbers cuts off what is written into it: say dtype=float.",
@@ -98,8 +99,11 @@ class Value(Exercise):
             array = plain(answer)
         except Unreadable:
             return None
-        poses = expected.shape == array.shape == (4, 4) and self.units == "pose"
-        return drawn_pose(array, self.differs(array, expected)) if poses else None
+        if array.shape != expected.shape or not np.isfinite(array).all():
+            return None
+        if self.units == ROW:
+            return drawn_row(array, expected)
+        return drawn_pose(array, self.differs(array, expected)) if self.units == "pose" else None
 
     def _groups(self, expected):
         """The numbers by their units."""

@@ -25,6 +25,8 @@ __all__ = ["arm_bundle", "explore"]
 def explore(
     arm: Arm | DHTable | Placement | ArrayLike | Sequence[Sequence[Any]] | None = None,
     mode: str = "arm",
+    *,
+    length: str = "m",
     **needs: Any,
 ) -> Explorer:
     """Take hold of an arm, a row of its table, two conventions, measurements, bare axes or a
@@ -41,6 +43,9 @@ def explore(
         standard and Craig frames together; predicted against measured, or two arms; several
         configurations of one arm, such as what :meth:`Arm.solve` gives; joint axes on which frames
         are to be placed; one plate beside its matrix, or two and the product of theirs.
+    length : "m" or "mm"
+        The unit in which lengths are shown; Python's side is in metres always. Errors of "compare"
+        are in millimetres.
     **needs
         ``q`` (n,): where the arm stands at first, in every mode but "place", "pose", "branches" and
         "compare" with poses; zeros when left out. "arm": ``jacobian=True`` shows its columns, each
@@ -88,7 +93,12 @@ def explore(
                 f'explore: mode "{mode}" takes {", ".join(known) or "poses alone"}, found {name!r};'
                 " leave it out"
             )
-    return MODES[mode](arm, **needs)
+    if length not in ("m", "mm"):
+        raise ValueError(f'explore: expected length "m" or "mm", found {length!r}')
+    explorer = MODES[mode](arm, **needs)
+    if length == "m":  # a page says nothing of what is not there
+        explorer._data = {**explorer._data, "metres": True}
+    return explorer
 
 
 def _at(arm, q):

@@ -25,7 +25,8 @@ TABLE = "Origins and axes of the frames, in the world frame"
 def frames(
     poses: ArrayLike, names: Sequence[str] | None = None, *, title: str | None = None
 ) -> Picture:
-    """Frames in space, each as three lettered arrows.
+    """Frames in space, each as three lettered arrows. A notebook shows them as a view that can be
+    turned.
 
     Parameters
     ----------

@@ -43,7 +43,7 @@ def axes(
     title: str | None = None,
 ) -> Picture:
     """Joint axes as lines, arrow heads in the direction of positive motion, with the tool's frame
-    at the end.
+    at the end. A notebook shows them as a view that can be turned.
 
     Parameters
     ----------

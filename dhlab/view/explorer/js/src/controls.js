@@ -1,14 +1,16 @@
 // What hands take hold of: sliders with a field beside them, buttons that stay pressed, choices.
 
 import { h } from "./dom.js";
-import { DEGREE, below } from "./format.js";
+import { DEGREE, MILLIMETRES, below, unitOf } from "./format.js";
 
-// A quantity in radians or metres, shown in degrees or millimetres, or in metres where the text beside it has metres. `changed` gets it back in
-// radians or metres.
-export function slider({ symbol, name, turn, low, high, changed, metres = false }) {
-  const [factor, unit, word, step, digits] = turn ? [DEGREE, "°", "degrees", 0.5, 2] : metres ? [1, "m", "metres", 0.01, 3] : [1000, "mm", "millimetres", 1, 1];
+const TURN = { name: "°", word: "degrees", factor: DEGREE, step: 0.5, digits: 2 };
+
+// A quantity in radians or metres, shown in degrees or in a unit of length. `changed` gets it back in radians or metres.
+export function slider({ symbol, name, turn, low, high, changed, unit = MILLIMETRES, coarse = 1 }) {
+  const { factor, word, digits, name: short, step: fine } = turn ? TURN : unit, step = fine * coarse;
   // limits are rounded inward to whole steps, so that a slider can stand at 0; the field goes all the way
-  const bounds = { min: Math.ceil((low * factor) / step - 1e-9) * step, max: Math.floor((high * factor) / step + 1e-9) * step, step };
+  const whole = (steps) => round(steps * step, 6);
+  const bounds = { min: whole(Math.ceil((low * factor) / step - 1e-9)), max: whole(Math.floor((high * factor) / step + 1e-9)), step };
   const words = `${name}, ${word}`;
   const range = h("input", { type: "range", "aria-label": words, ...bounds, oninput: () => changed(Number(range.value) / factor) });
   let known = ""; // what stands in the field and is the value already
@@ -21,7 +23,7 @@ export function slider({ symbol, name, turn, low, high, changed, metres = false 
     if (event.key === "Enter") take(); // in JupyterLab's notebook Enter alone makes no change event
   } });
   const mute = (kind, text) => h("span", { class: kind, "aria-hidden": "true" }, text);
-  const element = h("div", { class: "slider" }, mute("symbol", symbol), range, field, mute("unit", unit));
+  const element = h("div", { class: "slider" }, mute("symbol", symbol), range, field, mute("unit", short));
   const set = (value) => {
     const shown = String(round(value * factor, digits));
     if (Math.abs(Number(range.value) - value * factor) > 1e-9) range.value = value * factor;
@@ -73,7 +75,7 @@ export function jointSliders(arm, size, host) {
   const sliders = [...arm.joints].map((letter, i) => {
     const turn = letter !== "P", free = turn ? Math.PI : size;
     const [low, high] = arm.limits?.[i] ?? [-free, free];
-    return slider({ symbol: `q${below(i + 1)}`, name: `Joint ${i + 1}`, turn, low, high, changed: (value) => {
+    return slider({ symbol: `q${below(i + 1)}`, name: `Joint ${i + 1}`, turn, low, high, unit: unitOf(host.data), changed: (value) => {
       host.set("q", host.get("q").map((old, k) => (k === i ? value : old)));
     } });
   });

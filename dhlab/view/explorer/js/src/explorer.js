@@ -8,11 +8,12 @@ import { conventionsMode } from "./modes/conventions.js";
 import { linkMode } from "./modes/link.js";
 import { placeMode } from "./modes/place.js";
 import { poseMode } from "./modes/pose.js";
+import { turnMode } from "./modes/turn.js";
 import { Stage } from "./stage.js";
 import style from "./style.css";
 import { theme, watchTheme } from "./theme.js";
 
-const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, branches: branchesMode, place: placeMode, pose: poseMode };
+const MODES = { arm: armMode, link: linkMode, conventions: conventionsMode, compare: compareMode, branches: branchesMode, place: placeMode, pose: poseMode, turn: turnMode };
 const SILENCE = 700; // ms after the last change before a screen reader is told
 
 // `host` is what holds the state, a notebook's model or the page: {data, get, set, listen, send}. Returns the way to take everything down.
@@ -29,7 +30,7 @@ export function mount(element, host) {
   const layout = h("div", { class: "explorer", role: "group", "aria-label": host.data.title },
     h("header", {}, h("p", { class: "title" }, host.data.title), h("div", { class: "tools", role: "group", "aria-label": "Show" }, ...(mode.tools ?? []))),
     h("div", { class: "main" }, stage.element, h("div", { class: "controls" }, ...mode.controls)),
-    h("div", { class: "below" }, ...(mode.below ?? []), h("details", {}, h("summary", {}, "The frames as a table"), mode.frames)), words);
+    h("div", { class: "below" }, ...(mode.below ?? []), h("details", {}, h("summary", {}, host.data.summary ?? "The frames as a table"), mode.frames)), words);
   root.replaceChildren(h("style", {}, style), layout);
   const dress = () => {
     layout.dataset.theme = theme();

@@ -1,5 +1,6 @@
 // From a scene to a canvas: floor, shadow, solids, marks, labels, in this order.
 
+import { MILLIMETRES } from "./format.js";
 import { Ink, placeLabels } from "./labels.js";
 
 const FONT = '"Segoe UI", system-ui, "DejaVu Sans", sans-serif';
@@ -41,7 +42,7 @@ export class Paper {
     for (let i = from[0]; i <= to[0]; i++) lines.push([[i * step, from[1] * step, z], [i * step, to[1] * step, z]]);
     for (let j = from[1]; j <= to[1]; j++) lines.push([[from[0] * step, j * step, z], [to[0] * step, j * step, z]]);
     for (const points of lines) this.mark({ points, color: "floor", pixels: 1 }, scene, camera);
-    this.note(scene, camera, `grid ${step >= 1 || scene.metres ? `${step} m` : `${Math.round(step * 1000)} mm`}`);
+    this.note(scene, camera, `grid ${step >= 1 ? `${step} m` : (scene.unit ?? MILLIMETRES).text(step)}`);
   }
 
   ground(scene, camera) {

@@ -74,7 +74,7 @@ export class Stage {
     if (!clientWidth || !clientHeight || !renderer().works) return;
     const scene = new Scene(COLORS[this.paperTheme ?? theme()], this.mode.size);
     scene.time = time;
-    scene.metres = this.mode.metres; // the unit that is named
+    scene.unit = this.mode.unit; // the one that is named
     scene.lowest = this.lowest ?? 0;
     this.mode.build(scene);
     const lowest = Math.min(...scene.kept.map((p) => p[2]));

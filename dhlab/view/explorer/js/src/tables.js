@@ -1,7 +1,7 @@
 // The tables under the view: the DH table as it is now, and the frames for those who read instead of look.
 
 import { Table, write } from "./dom.js";
-import { SYMBOLS, TITLES, degrees, millimetres, number, vector } from "./format.js";
+import { MILLIMETRES, SYMBOLS, TITLES, vector } from "./format.js";
 import { COLUMNS, isTurn, rowAt } from "./kinematics.js";
 import { axis, origin } from "./matrix.js";
 
@@ -13,9 +13,9 @@ export function headingsOf(convention) {
 }
 
 export class DHTable extends Table {
-  constructor(arm, title = `Table now, ${TITLES[arm.convention]}`, light = null) { // light: a row is lit with its link
+  constructor(arm, unit = MILLIMETRES, title = `Table now, ${TITLES[arm.convention]}`, light = null) { // light: a row is lit with its link
     super(title, ["i", ...headingsOf(arm.convention)], arm.rows.length);
-    this.arm = arm;
+    [this.arm, this.unit] = [arm, unit];
     [...arm.joints].forEach((letter, i) => this.mark(i, letter === "P" ? 2 : 1, "variable"));
     this.buttons = light && this.lines.map((line, i) => {
       const button = light.button(String(i + 1), i, `row ${i + 1}, lit with its link`);
@@ -37,21 +37,19 @@ export class DHTable extends Table {
   }
 
   update(q) {
-    this.set(this.arm.rows.map((_, i) => [this.buttons ? null : String(i + 1), ...rowTexts(rowAt(this.arm, q, i))]));
+    this.set(this.arm.rows.map((_, i) => [this.buttons ? null : String(i + 1), ...rowTexts(rowAt(this.arm, q, i), this.unit)]));
   }
 }
 
-export const rowTexts = (row) => COLUMNS.map((kind, k) => (isTurn(kind) ? degrees(row[k]) : millimetres(row[k])));
+const rowTexts = (row, unit) => COLUMNS.map((kind, k) => unit.amount(row[k], isTurn(kind)));
 
 export class FramesTable extends Table {
-  constructor(titles, caption = "The frames, in the world", metres = false) {
-    const unit = metres ? "m" : "mm";
-    super(caption, ["frame", `x (${unit})`, `y (${unit})`, `z (${unit})`, "x axis", "y axis", "z axis"], titles.length);
-    this.metres = metres;
-    this.titles = titles;
+  constructor(titles, unit = MILLIMETRES, caption = "The frames, in the world") {
+    super(caption, ["frame", ...["x", "y", "z"].map((letter) => `${letter} (${unit.name})`), "x axis", "y axis", "z axis"], titles.length);
+    [this.titles, this.unit] = [titles, unit];
   }
 
   update(poses) {
-    this.set(poses.map((T, k) => [this.titles[k], ...origin(T).map((v) => (this.metres ? number(v, 3) : number(v * 1000, 1))), ...[0, 1, 2].map((j) => vector(axis(T, j)))]));
+    this.set(poses.map((T, k) => [this.titles[k], ...origin(T).map(this.unit.bare), ...[0, 1, 2].map((j) => vector(axis(T, j)))]));
   }
 }

@@ -3,7 +3,7 @@
 import { REACH, drawBody, drawTriads, named, spread } from "../bodies.js";
 import { jointSliders, toggle } from "../controls.js";
 import { h, write } from "../dom.js";
-import { amount, below, degrees, direction, number, place } from "../format.js";
+import { below, degrees, direction, number, unitOf } from "../format.js";
 import { found, held } from "../hands.js";
 import { AXES, Light, LitColumns } from "../linked.js";
 import { endOf, frames, jacobian, jointPlaces, path } from "../kinematics.js";
@@ -14,15 +14,15 @@ import { DHTable, FramesTable } from "../tables.js";
 const LONGEST = 800; // points of the trace that are kept
 
 export function armMode(host, redraw) {
-  const { arm } = host.data, nil = arm.sign.map(() => 0);
+  const { arm } = host.data, unit = unitOf(host.data), nil = arm.sign.map(() => 0);
   const shown = { frames: true, letters: false, ghost: false, trace: true };
   const trace = [];
   let zero = frames(arm, nil), zeroEnd = endOf(arm, zero);
   let q, chain, end, touched = null;
-  const mode = { size: sizeOf(arm, zero, host.get("q")), build, changed, said };
-  const sliders = jointSliders(arm, mode.size, host), light = new Light(lit), table = new DHTable(arm, undefined, light);
+  const mode = { size: sizeOf(arm, zero, host.get("q")), unit, build, changed, said };
+  const sliders = jointSliders(arm, mode.size, host), light = new Light(lit), table = new DHTable(arm, unit, undefined, light);
   const columns = host.data.jacobian ? jacobianTable(arm, light) : null;
-  const { titles } = named(arm, zero, zeroEnd), frameTable = new FramesTable(titles);
+  const { titles } = named(arm, zero, zeroEnd), frameTable = new FramesTable(titles, unit);
   const switchOf = (text, key) => toggle(text, shown[key], (on) => {
     shown[key] = on;
     trace.length = 0;
@@ -35,7 +35,7 @@ export function armMode(host, redraw) {
   mode.rework = rework;
   mode.below = [table.element, ...(columns ? [columns.element] : [])];
   mode.frames = frameTable.element;
-  mode.readout = endReadout();
+  mode.readout = endReadout(unit);
   mode.parts = []; // the real links, whose files Python reads
   if (host.data.meshes) {
     host.parts = (told, buffers) => {
@@ -111,7 +111,7 @@ export function armMode(host, redraw) {
     else drawTriads(scene, [all.poses[last]], [all.names[last]], [all.titles[last]], { letters: shown.letters || ((k, j) => j !== 1) });
     scene.ring(origin(end), touched?.kind === "end" ? 13 : 10, { color: touched?.kind === "end" ? "error" : "quiet", pixels: 2 });
     if (touched?.kind === "tip") scene.ring(along(origin(end), axis(end, touched.column), REACH * scene.size), 9, { color: "error", pixels: 2 });
-    if (typeof light.on === "number") drawRow(scene, arm, chain, light.on);
+    if (typeof light.on === "number") drawRow(scene, arm, chain, light.on, unit);
     else if (light.on) drawVelocity(scene, arm, chain, end, Number(light.on.slice(1)));
     if (mode.parts.length) scene.seeThrough(0.5, () => mode.parts.forEach(({ frame, pose, mesh }) => scene.shape(mesh, product(chain[frame], pose), "link")));
     mode.extra?.(scene); // what an instrument adds
@@ -119,7 +119,7 @@ export function armMode(host, redraw) {
   }
 
   function said() {
-    return `End at ${place(origin(end))}, x axis ${direction(axis(end, 0))}, z axis ${direction(axis(end, 2))}.`;
+    return `End at ${unit.place(origin(end))}, x axis ${direction(axis(end, 0))}, z axis ${direction(axis(end, 2))}.`;
   }
 }
 
@@ -129,17 +129,17 @@ const floats = ({ buffer, byteOffset, byteLength }) => new Float32Array(buffer.s
 export const sizeOf = (arm, zero, q) => spread([...path(arm.convention, zero), origin(endOf(arm, zero)), ...path(arm.convention, frames(arm, q))]);
 
 // The end pose in numbers, over the picture.
-export function endReadout() {
+export function endReadout(unit) {
   const where = h("span"), how = h("span");
   const element = h("dl", {}, h("dt", {}, "End"), h("dd", {}, where), h("dt", {}, "Roll, pitch, yaw"), h("dd", {}, how));
   return { element, update: (T) => {
-    write(where, place(origin(T)));
+    write(where, unit.place(origin(T)));
     write(how, rollPitchYaw(T).map((angle) => degrees(angle, 1)).join(", "));
   } };
 }
 
 // A row as its link: d along z and a along x, each with its length.
-function drawRow(scene, arm, chain, i) {
+function drawRow(scene, arm, chain, i, unit) {
   const [from, corner, to] = path(arm.convention, chain).slice(2 * i, 2 * i + 3);
   const parts = arm.convention === "standard" ? [["d", "z", i + 1], ["a", "x", i + 1]] : [["a", "x", i], ["d", "z", i + 1]];
   [[from, corner], [corner, to]].forEach(([a, b], k) => {
@@ -147,7 +147,7 @@ function drawRow(scene, arm, chain, i) {
     if (far < 1e-6) return;
     const about = axis(chain[(arm.convention === "standard") === (k === 0) ? i : i + 1], color === "z" ? 2 : 0);
     scene.onTop(() => scene.stick(a, b, 0.017 * scene.size, color));
-    scene.label(`${symbol}${below(number)} = ${amount(dot(sub(b, a), about), false)}`, middle(a, b), { color, far: true, weight: 700, key: `row${symbol}` });
+    scene.label(`${symbol}${below(number)} = ${unit.text(dot(sub(b, a), about))}`, middle(a, b), { color, far: true, weight: 700, key: `row${symbol}` });
   });
   [from, to].forEach((p) => scene.onTop(() => scene.ball(p, 0.024 * scene.size, "error")));
 }

@@ -3,26 +3,26 @@
 import { drawBody, drawTriads, named } from "../bodies.js";
 import { stepper, toggle } from "../controls.js";
 import { Table, h, write } from "../dom.js";
-import { amount, place } from "../format.js";
+import { unitOf } from "../format.js";
 import { endOf, frames } from "../kinematics.js";
 import { origin } from "../matrix.js";
 import { DHTable, FramesTable } from "../tables.js";
 import { endReadout, sizeOf } from "./arm.js";
 
 export function branchesMode(host, redraw) {
-  const { arm, qs } = host.data, chains = qs.map((q) => frames(arm, q)), ends = chains.map((chain) => endOf(arm, chain));
-  const mode = { size: Math.max(...qs.map((q) => sizeOf(arm, chains[0], q))), build, changed, said };
-  const valuesOf = (q) => q.map((value, i) => amount(value, arm.joints[i] !== "P"));
+  const { arm, qs } = host.data, unit = unitOf(host.data), chains = qs.map((q) => frames(arm, q)), ends = chains.map((chain) => endOf(arm, chain));
+  const mode = { size: Math.max(...qs.map((q) => sizeOf(arm, chains[0], q))), unit, build, changed, said };
+  const valuesOf = (q) => q.map((value, i) => unit.amount(value, arm.joints[i] !== "P"));
   let k, others = true;
-  const steps = stepper("Solution", qs.length, (number) => host.set("step", number)), words = h("p"), dh = new DHTable(arm);
+  const steps = stepper("Solution", qs.length, (number) => host.set("step", number)), words = h("p"), dh = new DHTable(arm, unit);
   const table = new Table("Every solution", ["solution", ...qs[0].map((_, i) => `q${i + 1}`)], qs.length);
   table.set(qs.map((q, i) => [String(i + 1), ...valuesOf(q)]));
-  const frameTable = new FramesTable(named(arm, chains[0], ends[0]).titles);
+  const frameTable = new FramesTable(named(arm, chains[0], ends[0]).titles, unit);
   mode.tools = [toggle("The others", others, (on) => {
     others = on;
     redraw();
   })];
-  mode.readout = endReadout();
+  mode.readout = endReadout(unit);
   mode.controls = [steps.element, words, h("p", { class: "hint" }, "The solution shown is solid, the others are faint.")];
   mode.below = [h("div", { class: "pair" }, table.element, dh.element)];
   mode.frames = frameTable.element;
@@ -41,7 +41,7 @@ export function branchesMode(host, redraw) {
   }
 
   function said() {
-    return `Solution ${k + 1} of ${qs.length}: q = ${valuesOf(qs[k]).join(", ")}. The end is at ${place(origin(ends[k]))}.`;
+    return `Solution ${k + 1} of ${qs.length}: q = ${valuesOf(qs[k]).join(", ")}. The end is at ${unit.place(origin(ends[k]))}.`;
   }
 
   function build(scene) {

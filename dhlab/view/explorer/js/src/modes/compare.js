@@ -3,7 +3,7 @@
 import { drawBody, drawTriads, legend, named } from "../bodies.js";
 import { button, jointSliders, stepper } from "../controls.js";
 import { Table, h, write } from "../dom.js";
-import { degrees, millimetres, place } from "../format.js";
+import { degrees, millimetres, unitOf } from "../format.js";
 import { endOf, forward, frames } from "../kinematics.js";
 import { along, angleBetween, length, middle, origin, sub } from "../matrix.js";
 import { DHTable, FramesTable } from "../tables.js";
@@ -17,17 +17,17 @@ const gapOf = (A, B, positions) => ({ far: length(sub(origin(A), origin(B))), tu
 const gapWords = ({ far, turned }) => millimetres(far, 2) + (turned > 1e-4 ? ` and ${degrees(turned)}` : "");
 
 function measured(host, redraw) {
-  const { arm, poses, qs, positions } = host.data, predicted = qs.map((q) => forward(arm, q));
+  const { arm, poses, qs, positions } = host.data, unit = unitOf(host.data), predicted = qs.map((q) => forward(arm, q));
   const gaps = poses.map((pose, k) => gapOf(predicted[k], pose, positions)), worst = gaps.reduce((best, gap, k) => (gap.far > gaps[best].far ? k : best), 0);
-  const mode = { size: sizeOf(arm, frames(arm, qs[worst]), qs[0]), build, changed, said };
+  const mode = { size: sizeOf(arm, frames(arm, qs[worst]), qs[0]), unit, build, changed, said };
   const factor = longer(gaps[worst].far, mode.size);
   let k, chain;
   const toWorst = button("Worst", () => host.set("step", worst + 1)), steps = stepper("Pose", qs.length, (number) => host.set("step", number), [toWorst]);
-  const words = h("p"), dh = new DHTable(arm);
-  const frameTable = new FramesTable([...named(arm, frames(arm, qs[0]), predicted[0]).titles, "measured"]);
-  const table = new Table("Errors, pose by pose", ["pose", "error (mm)", ...(positions ? [] : ["error (°)"]), "measured (mm)", "predicted (mm)"], qs.length);
+  const words = h("p"), dh = new DHTable(arm, unit);
+  const frameTable = new FramesTable([...named(arm, frames(arm, qs[0]), predicted[0]).titles, "measured"], unit);
+  const table = new Table("Errors, pose by pose", ["pose", "error (mm)", ...(positions ? [] : ["error (°)"]), `measured (${unit.name})`, `predicted (${unit.name})`], qs.length);
   table.set(poses.map((pose, i) => [String(i + 1), millimetres(gaps[i].far, 2).slice(0, -3), ...(positions ? [] : [degrees(gaps[i].turned).slice(0, -1)]),
-    point(pose), point(predicted[i])]));
+    ...[pose, predicted[i]].map((T) => origin(T).map(unit.bare).join(", "))]));
   mode.controls = [steps.element, words,
     legend(["error", `error${factor > 1 ? `, drawn ${factor} times as long` : ""}`]),
     h("p", { class: "hint" }, `○ measured, ● predicted. The largest error is ${gapWords(gaps[worst])}, at pose ${worst + 1}.`)];
@@ -48,7 +48,7 @@ function measured(host, redraw) {
   }
 
   function said() {
-    return `Pose ${k + 1} of ${qs.length}: predicted end ${place(origin(predicted[k]))}; measured ${place(origin(poses[k]))}; ${gapWords(gaps[k])} apart.`;
+    return `Pose ${k + 1} of ${qs.length}: predicted end ${unit.place(origin(predicted[k]))}; measured ${unit.place(origin(poses[k]))}; ${gapWords(gaps[k])} apart.`;
   }
 
   function build(scene) {
@@ -66,21 +66,19 @@ function measured(host, redraw) {
   }
 }
 
-const point = (T) => origin(T).map((v) => millimetres(v).slice(0, -3)).join(", ");
-
 function longer(largest, size) {
   if (largest < 1e-9 || largest >= SMALL * size) return 1;
   return [5, 10, 20, 50, 100, 200, 500, 1000].find((factor) => largest * factor >= SEEN * size) ?? 1000;
 }
 
 function twoArms(host, redraw) {
-  const { arm, other } = host.data, arms = [arm, other], titles = [arm.name || "first", other.name === arm.name ? "second" : other.name || "second"];
-  const mode = { size: Math.max(...arms.map((one) => sizeOf(one, frames(one, host.get("q")), host.get("q")))), build, changed, said };
-  const sliders = jointSliders(arm, mode.size, host), dh = arms.map((one, k) => new DHTable(one, `${titles[k]}, as it is now`));
+  const { arm, other } = host.data, unit = unitOf(host.data), arms = [arm, other], titles = [arm.name || "first", other.name === arm.name ? "second" : other.name || "second"];
+  const mode = { size: Math.max(...arms.map((one) => sizeOf(one, frames(one, host.get("q")), host.get("q")))), unit, build, changed, said };
+  const sliders = jointSliders(arm, mode.size, host), dh = arms.map((one, k) => new DHTable(one, unit, `${titles[k]}, as it is now`));
   const words = h("p"), named2 = arms.map((one, k) => named(one, frames(one, host.get("q")), one.tool).titles.map((title) => `${title} ${titles[k]}`));
-  const frameTable = new FramesTable(named2.flat());
+  const frameTable = new FramesTable(named2.flat(), unit);
   let chains, ends;
-  mode.readout = endReadout();
+  mode.readout = endReadout(unit);
   mode.controls = [words, legend(["plain", titles[0]], ["other", titles[1]]), sliders.element];
   mode.below = [h("div", { class: "pair" }, ...dh.map((one) => one.element))];
   mode.frames = frameTable.element;

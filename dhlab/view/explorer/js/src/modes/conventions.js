@@ -3,7 +3,7 @@
 import { drawBody, drawTriads, legend } from "../bodies.js";
 import { choice, jointSliders } from "../controls.js";
 import { h, write } from "../dom.js";
-import { below, millimetres } from "../format.js";
+import { below, unitOf } from "../format.js";
 import { endOf, frames, jointPlaces } from "../kinematics.js";
 import { along, axis, dot, length, middle, origin, sub } from "../matrix.js";
 import { DHTable, FramesTable } from "../tables.js";
@@ -12,10 +12,10 @@ import { sizeOf } from "./arm.js";
 const KINDS = ["standard", "craig"];
 
 export function conventionsMode(host, redraw) {
-  const { arms } = host.data, n = arms.standard.rows.length;
+  const { arms } = host.data, unit = unitOf(host.data), n = arms.standard.rows.length;
   const zero = frames(arms.standard, arms.standard.sign.map(() => 0));
   let chains, end, look = null;
-  const mode = { size: sizeOf(arms.standard, zero, host.get("q")), build, changed, said };
+  const mode = { size: sizeOf(arms.standard, zero, host.get("q")), unit, build, changed, said };
   const sliders = jointSliders(arms.standard, mode.size, host);
   chains = chainsAt(host.get("q"));
   look = zero.reduce((best, _, k) => (apart(k) > apart(best) + 1e-9 ? k : best), 0);
@@ -24,8 +24,8 @@ export function conventionsMode(host, redraw) {
     changed();
   });
   const words = h("p");
-  const tables = Object.fromEntries(KINDS.map((kind) => [kind, new DHTable(arms[kind])]));
-  const frameTable = new FramesTable(KINDS.flatMap((kind) => zero.map((_, k) => `{${k}} ${kind}`)));
+  const tables = Object.fromEntries(KINDS.map((kind) => [kind, new DHTable(arms[kind], unit)]));
+  const frameTable = new FramesTable(KINDS.flatMap((kind) => zero.map((_, k) => `{${k}} ${kind}`)), unit);
   const signs = legend(["plain", "standard (ˢ): solid"], ["dashed", "Craig (ᶜ): dashed"], ["other", "from Craig's origin to the standard one"]);
   mode.controls = [pick.element, words, signs, sliders.element];
   mode.below = [h("div", { class: "pair" }, ...KINDS.map((kind) => tables[kind].element))];
@@ -61,7 +61,7 @@ export function conventionsMode(host, redraw) {
 
   function sentence() {
     const gap = apart(look);
-    const where = gap < 1e-9 ? "their origins coincide" : `their origins are ${millimetres(gap)} apart`;
+    const where = gap < 1e-9 ? "their origins coincide" : `their origins are ${unit.text(gap)} apart`;
     const turned = dot(axis(chains.standard[look], 2), axis(chains.craig[look], 2)) > 1 - 1e-9 ? "" : ", and their z axes differ";
     const standard = look < n ? `on the axis of joint ${look + 1}` : "at the end of the last link", craig = look ? `on the axis of joint ${look}` : "in the base";
     return `Frame {${look}}: standard puts z${below(look)} ${standard}, Craig ${craig}; ${where}${turned}.`;
@@ -80,7 +80,7 @@ export function conventionsMode(host, redraw) {
     jointAxes(scene);
     if (apart(look) > 1e-6) {
       scene.line([origin(c), origin(s)], { color: "other", pixels: 3.5, head: true });
-      scene.label(millimetres(apart(look)), middle(origin(s), origin(c)), { color: "other", far: true, weight: 600, key: "gap" });
+      scene.label(unit.text(apart(look)), middle(origin(s), origin(c)), { color: "other", far: true, weight: 600, key: "gap" });
     }
     drawTriads(scene, [s], [`${look}ˢ`], [`{${look}} standard`], { reach: 0.2 * size, thick: 0.0062 * size, key: "s" });
     drawTriads(scene, [c], [`${look}ᶜ`], [`{${look}} Craig`], { reach: 0.16 * size, thick: 0.0062 * size, dashed: true, key: "c" });

@@ -3,7 +3,7 @@
 import { drawTriads } from "../bodies.js";
 import { button, choice, slider } from "../controls.js";
 import { h, write } from "../dom.js";
-import { amount, below, direction, place, SYMBOLS } from "../format.js";
+import { below, direction, SYMBOLS, unitOf } from "../format.js";
 import { COLUMNS, ORDERS, isTurn, move } from "../kinematics.js";
 import { AXES, Light, Matrix, drawColumn } from "../linked.js";
 import { renderer } from "../loop.js";
@@ -15,12 +15,12 @@ const SECONDS = 1.1; // a move
 const still = () => prefersStillness() || !renderer().works; // then nothing is drawn on the way
 
 export function linkMode(host, redraw) {
-  const { index, reach } = host.data;
+  const { index, reach } = host.data, unit = unitOf(host.data);
   const names = [String(index - 1), String(index)], titles = names.map((name) => `{${name}}`);
   let moves, t = host.get("step"), goal = t, last = null;
-  const mode = { size: reach, build, changed, said, axes };
+  const mode = { size: reach, unit, build, changed, said, axes };
   const sliders = COLUMNS.map((kind, k) => slider({
-    symbol: SYMBOLS[kind], name: WORDS[kind], turn: isTurn(kind), low: isTurn(kind) ? -Math.PI : -reach, high: isTurn(kind) ? Math.PI : reach,
+    symbol: SYMBOLS[kind], name: WORDS[kind], turn: isTurn(kind), unit, low: isTurn(kind) ? -Math.PI : -reach, high: isTurn(kind) ? Math.PI : reach,
     changed: (value) => host.set("row", host.get("row").map((old, j) => (j === k ? value : old))),
   }));
   sliders.forEach((one, k) => one.element.querySelector(".symbol").classList.add(k < 2 ? "z" : "x"));
@@ -35,7 +35,7 @@ export function linkMode(host, redraw) {
   const list = h("ol", { class: "moves" }, ...COLUMNS.map(() => h("li")));
   const buttons = { start: button("To the start", () => go(0, 0)), back: button("◀ Back", () => go(Math.ceil(goal) - 1), { "aria-label": "One move back" }),
     on: button("Forward ▶", () => go(Math.floor(goal) + 1), { "aria-label": "One move forward" }), play: button("Play all", () => (go(0, 0), go(4))) };
-  const frameTable = new FramesTable([...titles, "now"], `Frames, seen from ${titles[0]}`);
+  const frameTable = new FramesTable([...titles, "now"], unit, `Frames, seen from ${titles[0]}`);
   mode.controls = [h("fieldset", { class: "sliders" }, h("legend", {}, `Row ${index}: from ${titles[0]} to ${titles[1]}`), ...sliders.map((one) => one.element)),
     order.element, h("div", { class: "transport", role: "group", "aria-label": "Play the moves" }, ...Object.values(buttons)), list];
   mode.below = [matrix.element];
@@ -63,7 +63,7 @@ export function linkMode(host, redraw) {
     if (what === "step" && host.get("step") !== goal) [goal, last] = [host.get("step"), null];
     if (still()) t = goal;
     const row = host.get("row"), convention = host.get("convention");
-    moves = movesOf(row, convention, index);
+    moves = movesOf(row, convention, index, unit);
     sliders.forEach((one, k) => one.set(row[k]));
     order.set(convention);
     matrix.update(moves[3].end);
@@ -121,21 +121,21 @@ export function linkMode(host, redraw) {
 
   function said() {
     const end = moves[3].end;
-    return `Frame ${names[1]} at ${place(origin(end))}, x axis ${direction(axis(end, 0))}, z axis ${direction(axis(end, 2))}.`;
+    return `Frame ${names[1]} at ${unit.place(origin(end))}, x axis ${direction(axis(end, 0))}, z axis ${direction(axis(end, 2))}.`;
   }
 }
 
 const WORDS = { theta: "theta, the turn about z", d: "d, the shift along z", a: "a, the shift along x", alpha: "alpha, the turn about x" };
 
 // The four moves, each with the poses before and after it.
-export function movesOf(row, convention, index) {
+function movesOf(row, convention, index, unit) {
   let pose = IDENTITY;
   return ORDERS[convention].map((kind, k) => {
     const value = row[COLUMNS.indexOf(kind)], start = pose, end = product(pose, move(kind, value));
     const own = convention === "craig" && k < 2 ? index - 1 : index, about = kind === "theta" || kind === "d" ? 2 : 0;
     pose = end;
     const letter = `${"xyz"[about]}${below(k < 2 ? index - 1 : index)}`;
-    return { kind, value, start, end, about, letter, name: `${SYMBOLS[kind]}${below(own)}`, text: amount(value, isTurn(kind)) };
+    return { kind, value, start, end, about, letter, name: `${SYMBOLS[kind]}${below(own)}`, text: unit.amount(value, isTurn(kind)) };
   });
 }
 

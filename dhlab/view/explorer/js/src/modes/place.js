@@ -3,7 +3,7 @@
 
 import { button, slider } from "../controls.js";
 import { h, write } from "../dom.js";
-import { below, number, place, vector } from "../format.js";
+import { below, unitOf, vector } from "../format.js";
 import { IDENTITY, along, axis, cross, origin, unit } from "../matrix.js";
 import { FramesTable } from "../tables.js";
 import { roundabout } from "./round.js";
@@ -16,9 +16,9 @@ const PATIENCE = 4000; // milliseconds
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
 export function placeMode(host, redraw) {
-  const { axes, end, reach } = host.data, n = axes.length - 1;
-  const mode = { size: reach, build, said };
-  const frameTable = new FramesTable(Array.from({ length: n + 1 }, (_, i) => `{${i}}`)), tableHere = h("div");
+  const { axes, end, reach } = host.data, lengths = unitOf(host.data), n = axes.length - 1;
+  const mode = { size: reach, unit: lengths, build, said };
+  const frameTable = new FramesTable(Array.from({ length: n + 1 }, (_, i) => `{${i}}`), lengths), tableHere = h("div");
   let placed = new Map(), words = "", shownArm = null, round = null;
   const ways = (host.live ? judged : worked)(host, mode, redraw);
   mode.controls = ways.controls;
@@ -42,13 +42,13 @@ export function placeMode(host, redraw) {
   function showTable(arm) {
     if (arm === shownArm) return;
     shownArm = arm;
-    round = arm && roundabout(arm, redraw, () => (showFrames(), redraw()));
+    round = arm && roundabout(arm, lengths, redraw, () => (showFrames(), redraw()));
     tableHere.replaceChildren(...(round ? [round.element] : []));
   }
 
   function showFrames() {
     const seen = round ? round.settled(placed) : placed;
-    frameTable.set(Array.from({ length: n + 1 }, (_, i) => frameRow(seen, i)));
+    frameTable.set(Array.from({ length: n + 1 }, (_, i) => frameRow(seen, i, lengths)));
   }
 
   function build(scene) {
@@ -91,9 +91,9 @@ function drawFrame(scene, placed, i, reach) {
   scene.label(`y${below(i)}`, scene.arrow(o, cross(z, x), far, thick, "y"), { toward: cross(z, x), color: "y" });
 }
 
-function frameRow(placed, i) {
+function frameRow(placed, i, lengths) {
   const [z, o, x] = ["z", "o", "x"].map((letter) => placed.get(letter + i));
-  return [`{${i}}`, ...[0, 1, 2].map((k) => (o ? number(o[k] * 1000, 1) : "–")), x ? vector(x) : "–", x && z ? vector(cross(z, x)) : "–", z ? vector(z) : "–"];
+  return [`{${i}}`, ...[0, 1, 2].map((k) => (o ? lengths.bare(o[k]) : "–")), x ? vector(x) : "–", x && z ? vector(cross(z, x)) : "–", z ? vector(z) : "–"];
 }
 
 // Steps as a map from "z1" to its value; "on1" is a point of z1's line, for as long as its origin is not placed.
@@ -134,7 +134,7 @@ function judged(host, mode, redraw) {
   let answer, chosen = null;
   const ask = h("legend"), offers = h("fieldset", { class: "choice offers" }, ask), what = h("p", { class: "hint" });
   const verdict = h("p", { class: "verdict" }), progress = h("p", { class: "hint" });
-  const slide = slider({ symbol: "↔", name: "Along the line of z", turn: false, low: -1.2 * data.reach, high: 1.2 * data.reach,
+  const slide = slider({ symbol: "↔", name: "Along the line of z", turn: false, unit: unitOf(data), low: -1.2 * data.reach, high: 1.2 * data.reach,
     changed: (value) => choose(free(value)) });
   const submit = button("Place it", () => chosen && tell({ step: answer.next, value: chosen.value, point: chosen.point }), { class: "submit" });
   const back = button("Undo", () => tell({ back: true })), again = button("Start over", () => tell({ again: true }));
@@ -251,7 +251,7 @@ function judged(host, mode, redraw) {
   }
 
   function describe({ words, value }) {
-    return words || (answer.next[0] === "o" ? place(value) : `along ${vector(value)}`);
+    return words || (answer.next[0] === "o" ? unitOf(data).place(value) : `along ${vector(value)}`);
   }
 
   function drawOffer(scene, offer, k) {

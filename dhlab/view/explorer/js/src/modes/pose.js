@@ -4,7 +4,7 @@
 import { drawTriads } from "../bodies.js";
 import { button, choice, slider } from "../controls.js";
 import { h, write } from "../dom.js";
-import { below, vector } from "../format.js";
+import { METRES, below, vector } from "../format.js";
 import { AXES, Light, Matrix, drawColumn } from "../linked.js";
 import { IDENTITY, add, along, axis, dot, inverse, length, origin, poseOf, product, rollPitchYaw, scale, sub, turnTo, unit } from "../matrix.js";
 import { FramesTable } from "../tables.js";
@@ -15,8 +15,8 @@ export function poseMode(host, redraw) {
   const { reach } = host.data, count = host.get("poses").length, two = count === 2, arrow = 0.3 * reach;
   const light = new Light(lit), shown = matrices();
   let hands = [], poses = [], world = [], mine = two ? 1 : 0;
-  const mode = { size: reach, metres: true, build, changed, said, grab, hover };
-  const sliders = [...AXES.map((letter, k) => slider({ symbol: letter, name: `${letter} of the origin`, metres: true, low: -reach, high: reach, changed: (value) => move(k, value) })),
+  const mode = { size: reach, unit: METRES, build, changed, said, grab, hover };
+  const sliders = [...AXES.map((letter, k) => slider({ symbol: letter, name: `${letter} of the origin`, unit: METRES, coarse: 10, low: -reach, high: reach, changed: (value) => move(k, value) })),
     ...["roll, the turn about x", "pitch, the turn about y", "yaw, the turn about z"].map((name, k) => slider({ symbol: `↻${AXES[k]}`, name, turn: true, low: -Math.PI, high: Math.PI, changed: (value) => move(3 + k, value) }))];
   const legend = h("legend");
   const which = choice("What your hands move", "plate", [["0", "{1} in {0}"], ["1", "{2} in {1}"]], String(mine), (key) => {
@@ -29,7 +29,7 @@ export function poseMode(host, redraw) {
   const panel = h("fieldset", { class: "sliders" }, legend, ...sliders.map((one) => one.element), quarter);
   mode.controls = [...(two ? [which.element] : [shown[0].table.element]), panel, hint];
   mode.below = two ? [h("div", { class: "matrices" }, ...shown.map((one) => one.table.element))] : [];
-  const frameTable = new FramesTable(two ? ["{1}", "{2}, T₀₁·T₁₂", "T₁₂·T₀₁"] : ["{1}"], "The plates, seen from {0}", true);
+  const frameTable = new FramesTable(two ? ["{1}", "{2}, T₀₁·T₁₂", "T₁₂·T₀₁"] : ["{1}"], METRES, "The plates, seen from {0}");
   mode.frames = frameTable.element;
   changed();
   return mode;

@@ -26,8 +26,8 @@ export function turnedRound(arm, letter, i) {
 }
 
 // The table of a finished arm with a button for each arrow; `settled` and `moving` give the frames, at rest and on their way.
-export function roundabout(first, redraw, turned) {
-  const n = first.rows.length, table = new DHTable(first, "The finished table"), words = h("p", { class: "hint", role: "status" }, START);
+export function roundabout(first, unit, redraw, turned) {
+  const n = first.rows.length, table = new DHTable(first, unit, "The finished table"), words = h("p", { class: "hint", role: "status" }, START);
   const away = { x: Array(n + 1).fill(1), z: Array(n + 1).fill(1) }; // -1: turned round
   const row = (letter) => h("div", { class: "transport", role: "group", "aria-label": `Turn ${letter} round` },
     ...away[letter].map((_, i) => button(`${letter}${below(i)} ↻`, () => turn(letter, i), { "aria-label": `Turn ${letter}${i} round` })));

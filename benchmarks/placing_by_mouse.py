@@ -1,0 +1,343 @@
+"""Frames placed by a scripted hand: random exercises of lesson 04, in Chromium, by mouse; right
+choices and wrong ones; and the marks that ``dhlab grade`` gives for the notebooks saved after it.
+
+Run ``python benchmarks/placing_by_mouse.py [STUDENTS]`` from the project's top folder; each student
+has three exercises with numbers of their own. It needs Chromium and the grader's cage.
+
+The hand turns the view until its choice stands clear of the others, clicks it, and clicks it again
+to place it. Whether a choice was right is found here, from the lines alone, and a finished arm is
+compared with the product of exponentials of its axes.
+"""
+
+import hashlib
+import json
+import shutil
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+import nbformat
+import numpy as np
+from playwright.sync_api import sync_playwright
+
+import dhlab as dh
+from dhlab.course.exercises import exercises
+from dhlab.course.handing import written
+from dhlab.grading.grade import grade
+from dhlab.grading.handing_out.release import key_of, release
+from dhlab.grading.handing_out.variants import variants
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.settings import read_settings
+from dhlab.view.explorer.widget import MODULE
+
+sys.path[:0] = [str(Path(__file__).parents[1] / "tests" / name) for name in ("view", "")]
+import oracles  # noqa: E402
+from conftest import MODEL, PAGE, heard  # noqa: E402
+
+KEYS = ("04.2", "04.4", "04.10")
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+CLEAR, NEAR = 14.0, 1e-6  # page points to the next choice; metres and sines
+WRONG = 0.3  # how often the hand takes any choice at all
+ENDINGS = {"right": 0.6, "wrong": 0.25, "not attempted": 0.15}
+# where each choice is drawn, as lines of points on the page, nearest the tip first
+SEEN = """() => { const { stage, host } = document.querySelector('main > div').explorer;
+    const { next, offers, placed } = host.get('_answer'), { reach } = host.data;
+    const box = stage.canvas.getBoundingClientRect(), of = (step) => placed.find((one) => one.step === step)?.value;
+    const add = (p, v, t) => p.map((x, k) => x + t * v[k]), size = (v) => Math.hypot(...v);
+    return offers.map(({ value, point }) => {
+        if (next[0] === 'o') return [stage.camera.flat(value)];
+        const from = point ?? of('o' + next.slice(1)) ?? [0, 0, 0];
+        const z = value.map((x) => x / size(value)), start = next[0] === 'z' ? add(from, value, 0.06 * reach) : from;
+        return [1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4].map((t) => stage.camera.flat(add(start, z, 0.22 * reach * t)));
+    }).map((points) => points.map(([x, y]) => [x + box.x, y + box.y])); }"""
+
+
+class Lines:
+    """The rules of lesson 04, from points and directions: what has been placed so far."""
+
+    def __init__(self, axes, end):
+        self.axes, self.end, self.z, self.o = axes, np.array(end, dtype=float), {}, {}
+
+    def fits(self, step, value, point):
+        """Whether a choice is right; None beside a sliding joint, which has no line."""
+        letter, i, value = step[0], int(step[1:]), np.array(value)
+        if self._slides(i) or self._slides(i - 1):
+            return None
+        if letter == "z":
+            return self._on_its_axis(i, value, point)
+        own, before = self.z[i], self.z.get(i - 1)
+        if letter == "o":
+            return _apart(value, own) < NEAR and (before is None or self._foot(value, own, before))
+        x = value / np.linalg.norm(value)
+        if abs(x @ own[1]) > NEAR:
+            return False
+        return before is None or self._crosses(x, self.o[i], own, before)
+
+    def _slides(self, i):
+        return 0 <= i < len(self.axes) and len(self.axes[i]) > 2 and self.axes[i][2] == "P"
+
+    def _on_its_axis(self, i, z, point):
+        if i == len(self.axes):
+            return True  # any line will do
+        p, along = map(np.array, self.axes[i][:2])
+        along = along / np.linalg.norm(along)
+        return bool(np.linalg.norm(np.cross(z, along)) < NEAR) and _apart(point, (p, along)) < NEAR
+
+    def _foot(self, o, own, before):
+        (q, z), (p, w) = own, before
+        normal = np.cross(w, z)
+        if np.linalg.norm(normal) < NEAR:
+            return True
+        # nearest to the other line among the points of this one
+        M = np.column_stack([z, -w])
+        s = np.linalg.lstsq(M, p - q, rcond=None)[0][0]
+        return bool(np.linalg.norm(q + s * z - o) < NEAR)
+
+    def _crosses(self, x, o, own, before):
+        (_, z), (p, w) = own, before
+        if abs(x @ w) > NEAR:
+            return False
+        if np.linalg.norm(np.cross(z, w)) > NEAR or _apart(o, before) < NEAR:
+            return True
+        across = p + w * ((o - p) @ w) - o
+        return bool(np.linalg.norm(np.cross(x, across)) < NEAR)
+
+    def keep(self, step, value, point):
+        i, value = int(step[1:]), np.array(value)
+        if step[0] == "z":
+            self.z[i] = (np.array(point), value / np.linalg.norm(value))
+        elif step[0] == "o":
+            self.o[i] = value
+
+
+def _apart(point, line):
+    p, z = line
+    return float(np.linalg.norm(np.cross(np.array(point) - p, z)))
+
+
+class Hand:
+    """A mouse on one page, and what happened under it."""
+
+    def __init__(self, page, explorer, rng, sent):
+        self.page, self.explorer, self.rng, self.count = page, explorer, rng, Counter()
+        self.sent = sent  # what the page has handed to Python
+        self.refused = []  # (step, value, whether that fits) of the wrong choices
+        self.known = set()  # (step, number) of these
+
+    def place(self, lines, stop=None):
+        """Go on until every frame is placed, or for so many right steps."""
+        done = 0
+        while (step := self.explorer._answer["next"]) and done != stop:
+            offers = self.explorer._answer["offers"]
+            fitting = [lines.fits(step, one["value"], one["point"]) for one in offers]
+            order = [k for k in self.rng.permutation(len(offers)) if (step, k) not in self.known]
+            if self.rng.random() > WRONG:
+                order.sort(key=lambda k: fitting[k] is not True)
+            k = self.hit(int(order[0]), offers)
+            right, one = self.explorer._answer["said"]["right"], offers[k]
+            if fitting[k] is not None:
+                self.count["judged as they should" if right == fitting[k] else "misjudged"] += 1
+                self.count["right choices" if fitting[k] else "wrong choices"] += 1
+            if right:
+                lines.keep(step, one["value"], one["point"] or [0, 0, 0])
+                done += 1
+            else:
+                self.refused.append((step, one["value"], fitting[k]))
+                self.known.add((step, k))
+
+    def hit(self, k, offers):
+        """Aim at choice k; the choice that Python was handed, which another one may lie before."""
+        self.click(k)
+        sent = self.sent[-1]
+        same = [one["value"] == sent["value"] and one["point"] == sent["point"] for one in offers]
+        self.count["choices hit" if same[k] else "choices missed"] += 1
+        return k if same[k] else same.index(True)
+
+    def click(self, k):
+        """Turn the view until choice k stands clear, click it twice; whether Python has judged."""
+        for _ in range(12):
+            seen = self.page.evaluate(SEEN)
+            others = np.array([at for j, ats in enumerate(seen) if j != k for at in ats])
+            gaps = [np.hypot(*(others - at).T).min() if len(others) else 99.0 for at in seen[k]]
+            if max(gaps) > CLEAR:
+                break
+            self.turn()
+        else:
+            self.count["no clear view, by its letter"] += 1
+            return self.by_letter(k)
+        at = seen[k][int(np.argmax(gaps))]
+        before = self.explorer._answer["turn"]
+        for _ in range(2):
+            self.page.mouse.move(*at)
+            self.page.mouse.down()
+            self.page.mouse.up()
+        return self.judged(before, k)
+
+    def by_letter(self, k):
+        before = self.explorer._answer["turn"]
+        self.page.locator(".offers input").nth(k).check(force=True)
+        self.page.get_by_role("button", name="Place it").click()
+        return self.judged(before, k)
+
+    def judged(self, before, k):
+        for _ in range(300):
+            if self.explorer._answer["turn"] != before:
+                return True
+            self.page.wait_for_timeout(10)
+        self.count["clicks that hit nothing"] += 1
+        return self.by_letter(k)
+
+    def turn(self):
+        """Drag beside the arm: a corner of the canvas."""
+        box = self.page.locator("canvas").first.bounding_box()
+        x, y = box["x"] + 25, box["y"] + 25
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        far = self.rng.uniform([60, -30], [260, 60])
+        self.page.mouse.move(x + far[0], y + far[1], steps=3)
+        self.page.mouse.up()
+
+
+def shown(browser, explorer, sent):
+    """A page on which an explorer is alive, Python at the other end; what it hands over is kept."""
+
+    def to_python(kind, name, value):
+        if kind == "message":
+            sent.append(value)
+        return heard(explorer, kind, name, value)
+
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto("about:blank")
+    module = MODULE.read_text(encoding="utf-8")
+    names = dict(
+        pair.split(" as ")[::-1]
+        for pair in module[module.rindex("export{") + 7 : module.rindex("}")].split(",")
+    )
+    module += "".join(
+        f"\nconst {name} = {names[own]};"
+        for name, own in [("widget", "default")]
+        + [(name, name) for name in ("forward", "frames", "jacobian", "reach")]
+    )
+    page.expose_function("toPython", to_python)
+    page.set_content(PAGE.format("", module))
+    page.wait_for_function("window.dhlab")
+    state = ["_data", "q", "row", "poses", "convention", "step", "_answer"]
+    page.evaluate(MODEL, explorer.get_state(state))
+    page.wait_for_function("document.querySelector('main > div').explorer.stage.drawn > 0")
+    return page
+
+
+def one(browser, key, variant, rng, count):
+    """An exercise by hand: what it should be marked, and the rows that go into the notebook."""
+    given = exercises()[key].given(variant)
+    explorer = dh.explore(given["axes"], mode="place", end=given["end"])
+    page = shown(browser, explorer, sent := [])
+    wanted = str(rng.choice([*ENDINGS], p=[*ENDINGS.values()]))
+    hand = Hand(page, explorer, rng, sent)
+    stop = int(rng.integers(1, 3 * len(given["axes"]))) if wanted == "not attempted" else None
+    hand.place(Lines(given["axes"], given["end"]), stop)
+    page.close()
+    count.update(hand.count)
+    rows = explorer.placing.placement.placed
+    if explorer.arm is not None:
+        q = rng.uniform(-1, 1, (3, len(given["axes"])))
+        expected = [exponentials(given, values) for values in q]
+        same = np.allclose(explorer.arm.forward(q), expected, atol=1e-4)
+        count["finished arms that are the arm" if same else "finished arms that are another"] += 1
+    if wanted == "wrong":
+        sure = [(step, value) for step, value, fitting in hand.refused if fitting is False]
+        if not sure:
+            return "right", rows
+        step, value = sure[int(rng.integers(len(sure)))]
+        rows = [list(row) for row in rows]
+        rows[int(step[1:])]["zox".index(step[0])] = list(value)
+    return wanted, rows
+
+
+def exponentials(given, q):
+    """The end from the axes alone."""
+    T = np.eye(4)
+    for (point, along, *kind), value in zip(given["axes"], q):
+        p, z = np.array(point, dtype=float), np.array(along, dtype=float) / np.linalg.norm(along)
+        if kind == ["P"]:
+            T = T @ oracles.shift(value * z)
+        else:
+            T = T @ oracles.shift(p) @ oracles.turn(value * z) @ oracles.shift(-p)
+    return T @ np.array(given["end"], dtype=float)
+
+
+def save(path, target, answers):
+    """The lesson handed out, with the rows written where the dots were, as the course writes."""
+    notebook = nbformat.read(path, as_version=4)
+    for cell in notebook.cells:
+        rows = answers.get(cell.metadata.get("exercise"))
+        if cell.cell_type == "code" and rows is not None:
+            cell.source = f"frames = {as_text(rows)}"
+    target.parent.mkdir(parents=True, exist_ok=True)
+    nbformat.write(notebook, target)
+
+
+def as_text(rows):
+    """Rows as the course writes what hands placed."""
+    dots = "[" + ", ".join("[..., ..., ...]" for _ in rows) + "]"
+    plain = [[v if v is ... else [float(x) for x in v] for v in row] for row in rows]
+    return written(f"frames = {dots}", "frames", plain).removeprefix("frames = ")
+
+
+def graded(folder, everybody, key, answers):
+    """{(student, exercise): status} of the saved notebooks."""
+    folder = Path(folder)
+    (folder / "course.yaml").write_text('lessons:\n  "04": {}\n', encoding="utf-8")
+    settings = read_settings(folder / "course.yaml")
+    release(folder / "out", everybody, key, tuple(settings.lessons))
+    for student in everybody:
+        for path in sorted((folder / "out" / student.student).glob("04-*.ipynb")):
+            save(path, folder / "in" / student.student / path.name, answers[student.student])
+    results, _ = grade(
+        folder / "in", folder / "graded", roster=everybody, key=key, settings=settings, jobs=2
+    )
+    for one in results:
+        if one.status != "graded":
+            print(one.student, one.status, *one.notes)
+    return {(one.student, mark.exercise): mark.status for one in results for mark in one.marks}
+
+
+def main(students):
+    """Print what was judged, and how the grader agrees."""
+    rng, count, wanted, answers = np.random.default_rng(17), Counter(), {}, {}
+    everybody = [Student(f"s{k:03}") for k in range(students)]
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        Path(folder, "teacher.key").write_text(hashlib.sha256(b"placing").hexdigest() + "\n")
+        key, _ = key_of(Path(folder, "teacher.key"), Path(folder, "out"))
+        numbers = variants(key, [one.student for one in everybody])
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        for student in everybody:
+            name, answers[student.student] = student.student, {}
+            for exercise in KEYS:
+                wanted[name, exercise], answers[name][exercise] = one(
+                    browser, exercise, numbers[name], rng, count
+                )
+        browser.close()
+        said = {
+            (name, exercise): exercises()[exercise].judge(rows, numbers[name]).status
+            for name, own in answers.items()
+            for exercise, rows in own.items()
+        }
+        marks = graded(folder, everybody, key, answers)
+    report(count, wanted, said, marks)
+
+
+def report(count, wanted, said, marks):
+    print(f"{len(wanted)} exercises: {json.dumps(dict(count), indent=2)}")
+    print("should be:", dict(Counter(wanted.values())))
+    for name, found in (("check", said), ("dhlab grade", marks)):
+        same = sum(found[pair] == status for pair, status in wanted.items())
+        print(f"{name}: {same} of {len(wanted)} marked as they should")
+        for pair, status in wanted.items():
+            if found[pair] != status:
+                print("  ", *pair, "should be", status, "but is", found[pair])
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 67)
