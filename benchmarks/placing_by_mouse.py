@@ -312,8 +312,8 @@ def main(students):
         key, _ = key_of(Path(folder, "teacher.key"), Path(folder, "out"))
         numbers = variants(key, [one.student for one in everybody])
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-        for student in everybody:
-            name, answers[student.student] = student.student, {}
+        for name in numbers:
+            answers[name] = {}
             for exercise in KEYS:
                 wanted[name, exercise], answers[name][exercise] = one(
                     browser, exercise, numbers[name], rng, count
@@ -324,19 +324,20 @@ def main(students):
             for name, own in answers.items()
             for exercise, rows in own.items()
         }
+        print(f"{len(wanted)} exercises by mouse: {json.dumps(dict(count), indent=2)}")
+        print("should be:", dict(Counter(wanted.values())), flush=True)
         marks = graded(folder, everybody, key, answers)
-    report(count, wanted, said, marks)
+    compare(wanted, {"check": said, "dhlab grade": marks})
 
 
-def report(count, wanted, said, marks):
-    print(f"{len(wanted)} exercises: {json.dumps(dict(count), indent=2)}")
-    print("should be:", dict(Counter(wanted.values())))
-    for name, found in (("check", said), ("dhlab grade", marks)):
-        same = sum(found[pair] == status for pair, status in wanted.items())
+def compare(wanted, found):
+    """Print how many marks are what they should be, and those that are not."""
+    for name, marks in found.items():
+        same = sum(marks[pair] == status for pair, status in wanted.items())
         print(f"{name}: {same} of {len(wanted)} marked as they should")
         for pair, status in wanted.items():
-            if found[pair] != status:
-                print("  ", *pair, "should be", status, "but is", found[pair])
+            if marks[pair] != status:
+                print("  ", *pair, "should be", status, "but is", marks[pair])
 
 
 if __name__ == "__main__":
