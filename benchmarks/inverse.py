@@ -2,7 +2,8 @@
 
 ``python benchmarks/inverse.py`` prints Markdown. ``--quick`` is a small part of it, for CI, on
 every fourth arm and without the Toolbox; ``--prepare`` first derives what the closed form of the
-general arms needs (minutes each, kept on disk). Where Robotics Toolbox is installed it solves the same poses in the same run.
+general arms needs (minutes each, kept on disk). Where Robotics Toolbox is installed it solves the
+same poses in the same run.
 """
 
 import argparse

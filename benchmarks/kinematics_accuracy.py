@@ -63,7 +63,7 @@ def paths(arm):
     n, chain = len(arm), arm._kinematics.chain
     program = straight(one.forward, chain, (4, 4))
     plain = arm._kinematics.plain.forward
-    machine = Compiled(chain, 0, (4, 4), slow=None) if compiled.kernels() else None
+    machine = Compiled(chain, 0, (4, 4), fallback=None) if compiled.kernels() else None
 
     def one_of(row):
         answer = program(row)

@@ -51,7 +51,7 @@ class Chain:
     all); ``end`` is X_n · tool, multiplied once here instead of for every pose. ``theta`` and ``d``
     are the zero offsets, ``slides`` says which joints are prismatic. The joint variables are
     ``rates · q`` + offset: (n,), or a matrix (n, n) where the joints are coupled. Without coupling
-    the rates are the signs, which cost one product a joint, with or without it.
+    the rates are the signs: one product a joint, also where all of them are 1.
     """
 
     standard: bool
@@ -72,8 +72,10 @@ class Chain:
         return self.rates.ndim == 2
 
     @cached_property
-    def most(self) -> float:
-        """How large numbers of q may be for the angles of a run to stay below ``LARGEST_SUM``."""
+    def largest_q(self) -> float:
+        """How large numbers of q may be for the angles of a run, with their offsets, to stay below
+        ``LARGEST_SUM``; infinite where no two axes are parallel.
+        """
         longest = run = 1
         for step in self.steps[1:-1]:
             run = run + 1 if step.parallel else 1
@@ -81,12 +83,12 @@ class Chain:
         if longest == 1:
             return math.inf
         rates = np.abs(self.rates)
-        return LARGEST_SUM / (
-            longest * float(rates.sum(axis=1).max() if self.coupled else rates.max())
-        )
+        rate = float(rates.sum(axis=1).max() if self.coupled else rates.max())
+        offsets = longest * max(map(abs, self.theta))
+        return max(LARGEST_SUM - offsets, 0.0) / (longest * rate)
 
     @cached_property
-    def halved(self) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
+    def minus_half_angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
         """``rates`` (n, n or 1) and offsets (n, 1), None where all are 0, as ``many.py`` wants
         them: d where a joint slides, and minus half the angle where it turns, so that
         ``many.phases`` of it is exp(-i·angle). Sign, halving and minus are one product.

@@ -2,9 +2,10 @@
 
 To load numba takes half a second, to compile the kernels for the first time on a machine several;
 they are kept on disk from then on. Who asks for one pose, or for a million, must not wait for that.
-So numba is loaded by the first batch that finds that batches have kept numpy busy for longer than
-loading takes (``PATIENCE``). From then on an arm uses it from its next batch on, and one that is
-made later from the start, both for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it
+So numba is loaded by the first large batch that finds that large batches have kept numpy busy for
+``PATIENCE``, twice what loading takes. From then on an arm uses it from its next large batch on (a
+few dozen poses go through the plain product until then), and one that is made later from the start;
+both for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it
 at once, ``DHLAB_NUMBA=0`` never. Results differ from those of the other paths by rounding alone.
 """
 
@@ -24,7 +25,7 @@ __all__ = ["Compiled", "Work", "kernels", "packed"]
 
 FLOAT = np.dtype(float)
 PATIENCE = 1.0  # seconds of batches in numpy
-PART = 8192  # poses that one thread takes at a time
+PART = 8192  # poses that a thread takes at a time: some 0.4 ms of work
 
 
 class Work:
@@ -44,10 +45,10 @@ def kernels() -> tuple[Callable, Callable] | None:
     """The compiled functions for one pose and for many; None without numba."""
     if find_spec("numba") is None:
         return None
-    from .kernel_many import answer
+    from .kernel_many import answer_many
     from .kernel_one import answer_one
 
-    return answer_one, answer
+    return answer_one, answer_many
 
 
 @cache
@@ -66,17 +67,18 @@ def cores() -> int:
 class Compiled:
     """One question of one arm: ``take`` as ``paths.Path`` has it, ``rows`` as ``many.py``."""
 
-    def __init__(self, chain: Chain, kind: int, shape: tuple[int, ...], slow: Callable) -> None:
+    def __init__(self, chain: Chain, kind: int, shape: tuple[int, ...], fallback: Callable) -> None:
         self.numbers, self.shape = packed(chain, kind), shape
         found = kernels()
         assert found is not None
         self.one, self.many = found
-        self.take = self._taker(slow)
+        self.take = self._taker(fallback)
 
-    def _taker(self, slow):
+    def _taker(self, fallback):
         """The answer for ``q``: a row of doubles goes straight to the kernel, which sees for itself
-        whether it is n finite numbers. (A function within a function, since its names are found
-        faster than attributes, and a tenth of all the time goes there.)
+        whether it is n finite numbers; everything else goes to ``fallback``. (A function within a
+        function: Python finds its names faster than attributes, which here is a tenth of the time
+        of a pose.)
         """
         one, numbers, shape, empty, double = self.one, self.numbers, self.shape, np.empty, FLOAT
 
@@ -88,7 +90,7 @@ class Compiled:
                         return answer
             except AttributeError:  # no array
                 pass
-            return slow(q, out)
+            return fallback(q, out)
 
         return take
 
@@ -99,7 +101,9 @@ class Compiled:
         return answer
 
     def rows(self, chain: Chain, q: NDArray, out: NDArray) -> bool:
-        """The answers for ``q`` (m, n) into ``out``; False where not all of q is finite."""
+        """The answers for ``q`` (m, n) into ``out``; False where not all of q is finite, and then
+        only a part of ``out`` is written.
+        """
         starts = range(0, len(q), PART)
         parts = [(q[start : start + PART], out[start : start + PART]) for start in starts]
         if len(parts) == 1 or cores() == 1:
@@ -108,7 +112,9 @@ class Compiled:
         return all(good)
 
     def _part(self, q, out):
-        """A part of a batch, doubles in one stretch of memory both in and out."""
+        """A part of a batch. The kernels take and give contiguous doubles only, so that anything
+        else is copied.
+        """
         result = out if out.flags.c_contiguous and out.dtype == float else np.empty(out.shape)
         given = np.ascontiguousarray(q, float)
         good = self.many(given, self.numbers, result.reshape(len(q), -1))
@@ -118,13 +124,13 @@ class Compiled:
 
 
 def packed(chain: Chain, kind: int) -> NDArray[np.float64]:
-    """A chain and the kind of question as one row of numbers, as ``kernel_parts.py`` reads it."""
+    """A chain and the kind of question as one row of numbers, ordered as in ``kernel_parts.py``."""
     joints = zip((0.0, *chain.theta), (0.0, *chain.d), (False, *chain.slides))
     rows = [[*joint, step.a, step.c, step.s] for joint, step in zip(joints, chain.steps)]
     rates = chain.rates if chain.coupled else np.diag(chain.rates)
     return np.concatenate(
         [
-            [chain.standard, chain.coupled, kind, chain.most],
+            [chain.standard, chain.coupled, kind, chain.largest_q],
             chain.base[:3].T.ravel(),
             chain.end[:3].ravel(),
             np.ravel(rows),

@@ -1,4 +1,4 @@
-"""Whether ``q`` and ``out`` are what they should be, at next to no cost when they are."""
+"""Whether ``q`` and ``out`` are what they should be; where they are not, a ValueError says so."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ UNIT = "radians, metres for a prismatic joint"
 
 
 def as_numbers(q: Any, n: int, name: str) -> NDArray:
-    """``q`` as an array (..., n) of real numbers, or a sentence; ``name`` is the arm's."""
+    """``q`` as an array (..., n) of real numbers; ``name`` is the arm's, for the sentence."""
     try:
         array = np.asarray(q)
     except ValueError:  # ragged
@@ -31,7 +31,7 @@ def as_numbers(q: Any, n: int, name: str) -> NDArray:
 
 
 def require_finite(q: NDArray) -> None:
-    """A sentence that names the joint where ``q`` (..., n) is NaN or infinite."""
+    """Raise ValueError, with the joint, where ``q`` (..., n) is NaN or infinite."""
     if not np.isfinite(q).all():
         joint = np.argwhere(~np.isfinite(q))[0][-1] + 1
         raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({UNIT})")

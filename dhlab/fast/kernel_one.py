@@ -11,8 +11,8 @@ import math
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, OPTIONS, MOST, ROW, SLIDES,
-    STANDARD, THETA, A, C, D, S, cos_sin, fast, per_count,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LARGEST_Q, OPTIONS, ROW,
+    SLIDES, STANDARD, THETA, A, C, D, S, cos_sin, fast, chain_rule,
 )  # fmt: skip
 
 __all__ = ["answer_one"]
@@ -72,7 +72,7 @@ def answer_one(q, packed, result):
     angle = along = across = 0.0
     joined = True
     for i in range(n):
-        joined = joined and abs(q[i]) < packed[MOST]
+        joined = joined and abs(q[i]) < packed[LARGEST_Q]
     for i in range(n + 1):
         of = JOINTS + 6 * i
         a, step_c, step_s = packed[of + A], packed[of + C], packed[of + S]
@@ -82,7 +82,7 @@ def answer_one(q, packed, result):
                 moved = 0.0
                 for k in range(n):
                     moved += packed[rates + n * (i - 1) + k] * q[k]
-            if moved - moved != 0.0:  # NaN
+            if moved - moved != 0.0:  # NaN, also where it is infinite
                 return False
             slides = packed[of + SLIDES] != 0.0
             angle += packed[of + THETA] + (0.0 if slides else moved)
@@ -92,9 +92,9 @@ def answer_one(q, packed, result):
                 p = summed(summed(p, x, along), y, across)
                 along = across = 0.0
             if kind == JACOBIAN:
-                for k in range(3):
+                for k in range(3):  # for the columns below; out has room for both
                     out[n * k + i - 1], out[n * (3 + k) + i - 1] = p[k], z[k]
-            if not runs_on or a != 0.0:
+            if not runs_on or a != 0.0:  # where a run goes on in place, nothing has a direction yet
                 c, s = cos_sin(angle) if abs(angle) < FAR else (math.cos(angle), math.sin(angle))
             if runs_on:
                 if a != 0.0:
@@ -135,5 +135,5 @@ def answer_one(q, packed, result):
             out[2 * n + i] = x0 * ly - x1 * lx + 0.0
             out[3 * n + i], out[4 * n + i], out[5 * n + i] = x0 + 0.0, x1 + 0.0, x2 + 0.0
     if coupled:
-        per_count(out.reshape(1, -1), packed[rates:], n, 1)
+        chain_rule(out.reshape(1, -1), packed[rates:], n, 1)
     return True

@@ -10,15 +10,21 @@ from numba import float64, njit
 
 __all__ = [
     "BASE", "COUPLED", "END", "FAR", "FORWARD", "FRAMES", "JACOBIAN", "JOINTS", "KIND", "OPTIONS",
-    "MOST", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast",
-    "per_count",
+    "LARGEST_Q", "ROW", "STANDARD", "THETA", "D", "SLIDES", "A", "C", "S", "cos_sin", "fast",
+    "chain_rule",
 ]  # fmt: skip
 
 FORWARD, FRAMES, JACOBIAN = range(3)
-STANDARD, COUPLED, KIND, MOST, BASE, END, JOINTS = 0, 1, 2, 3, 4, 16, 28  # in a packed chain
-THETA, D, SLIDES, A, C, S = range(6)  # of joint i, and of step i
 
-# products and sums may be fused into one instruction; nothing else is left to the compiler
+# A packed chain: one number each for STANDARD, COUPLED, KIND and LARGEST_Q; from BASE on x, y, z
+# and p of the base, column by column (12); from END on the three rows of the end (12); from JOINTS
+# on six numbers for joint i and the step behind it, i from 0 (no joint, the step before the first)
+# to n; then the matrix (n, n) of rates, row by row, which is diagonal without coupling.
+STANDARD, COUPLED, KIND, LARGEST_Q, BASE, END, JOINTS = 0, 1, 2, 3, 4, 16, 28
+THETA, D, SLIDES, A, C, S = range(6)
+
+# products and sums may be fused into one instruction; nothing else is left to the compiler. A
+# division by 0 gives inf as in numpy, since a test for it would keep loops from being vectorised.
 OPTIONS = {"nogil": True, "fastmath": {"contract"}, "error_model": "numpy"}
 fast = njit(**OPTIONS)
 ROW = float64[::1]
@@ -32,8 +38,9 @@ FAR = 1e6  # radians; beyond it the library's cosine and sine are called
 @fast
 def cos_sin(angle):
     """Cosine and sine: what is left of the angle beside quarter turns, less than 45°, goes into the
-    polynomials of fdlibm (k_cos.c, k_sin.c), which are right to less than a unit in the last place;
-    the number of quarter turns says which of the two is which, and with which sign.
+    polynomials of fdlibm (k_cos.c, k_sin.c); the number of quarter turns says which of the two is
+    which, and with which sign. (That is done by choosing between numbers, not by jumps, which
+    vector instructions cannot follow.)
     """
     k = np.floor(angle * TO_QUARTERS + 0.5)
     r = ((angle - k * QUARTER[0]) - k * QUARTER[1]) - k * QUARTER[2]
@@ -55,8 +62,10 @@ def cos_sin(angle):
 
 
 @fast
-def per_count(out, rates, n, m):
-    """The chain rule for coupled joints: from per joint variable to per unit of q."""
+def chain_rule(out, rates, n, m):
+    """The chain rule for coupled joints, in place: from columns per joint variable to columns per
+    number of q.
+    """
     row = np.empty(n)
     for j in range(m):
         for r in range(6):

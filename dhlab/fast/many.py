@@ -3,8 +3,8 @@
 What makes it fast, beside the walk itself (``walk.py``):
 
 * *Numbers of one kind lie together.* The poses are held as rows: all x components, then all y
-  components and so on, so that every numpy call runs over thousands of neighbouring numbers. Only
-  the result is transposed into (..., 4, 4), in one copy (``_write``).
+  components and so on, so that every numpy call runs over thousands of numbers. Only the result is
+  transposed into (..., 4, 4), in one copy (``_write``).
 * *A chunk stays in the cache.* All that is done to some thousand poses is done before the next
   ones are touched, so that numpy's intermediate arrays never travel to memory (``_chunks``).
 * *Cosine and sine come from one tangent.* With t = tan(angle / 2) and r = 2 / (1 + t²) they are
@@ -12,13 +12,18 @@ What makes it fast, beside the walk itself (``walk.py``):
   sin and cos are not; elsewhere one tangent still costs less than both (``phases``).
 * *x and y are one complex row.* With w = x + i·y, turning a frame about z is w·exp(-i·angle): the
   same arithmetic in one call of numpy and one intermediate array instead of six (``Frames.turn``).
+  In memory x and y of a pose then stand side by side, and a step that needs one of them alone takes
+  every second number.
 * *At a right angle y and z change places*: alpha = ±90° takes two products by ±1, not four and two
   sums (``Frames.tilt``).
 * *What is 0 is skipped*: zero d and a, an alpha of 0, the zeros of the tool.
 * *The last row is never computed.* It is 0 0 0 1 and stands ready (``_poses``).
 
-Where rows are stored, 0.0 is added instead of copying them: that costs the same, and -0.0, which
-prints badly, becomes 0.0.
+Where rows are stored for the result, 0.0 is added instead of copying them: that costs the same, and
+-0.0, which prints badly, becomes 0.0. (Only the Jacobian is gone over once more for it.)
+
+A function answers True, as the compiled ones do, which tell by False that a number of q is not
+finite; here ``require_finite`` says so at once. Chunks that were done before are written then.
 """
 
 from typing import Any
@@ -32,9 +37,9 @@ from .walk import along_the_joints, frame_by_frame, to_the_end
 
 __all__ = ["forward", "frames", "jacobian", "phases"]
 
-CACHE = (
-    1 << 22
-)  # bytes; a core's L2 cache and a little of the next, which costs less than more calls
+# bytes of a chunk: more than most L2 caches hold, since in smaller chunks numpy's calls cost more
+# than what comes from the next cache (measured)
+CACHE = 1 << 22
 LINE = 8  # doubles in a line of the cache
 
 
@@ -78,7 +83,7 @@ def jacobian(chain: Chain, q: NDArray, out: NDArray) -> bool:
         for i, slides in enumerate(chain.slides):
             if slides:
                 v[:, i], z[:, i] = z[:, i], 0.0
-        columns = _per_count(chain, rows[:2])
+        columns = _chain_rule(chain, rows[:2])
         _write(columns.reshape(6, *columns.shape[2:]), result)
     return True
 
@@ -108,7 +113,7 @@ class Frames:
             self.laid = None
         return self._p
 
-    def enter(self, i: int) -> None:
+    def add_joint(self, i: int) -> None:
         self.i, d = i, self.lengths[i]
         self.turns = self.turns or not self.chain.slides[i] or self.chain.theta[i] != 0
         if np.ndim(d) or d:
@@ -134,7 +139,7 @@ class Frames:
             self._p = self._p + self.w.real * a
 
     def tilt(self, step: Step) -> None:
-        y, z = self.w.imag, self.z
+        y, z = self.w.imag, self.z  # y is a view: the new z is worked out before y is written
         if step.parallel:
             return
         if step.c == 0.0:
@@ -175,7 +180,7 @@ def _variables(chain, q):
     """Per joint its d (a row where it slides), and a row of half its angle each, negated, since the
     phase of a turn is exp(-i·angle).
     """
-    rates, offsets = chain.halved
+    rates, offsets = chain.minus_half_angles
     rows = rates @ q.T if chain.coupled else q.T * rates
     if offsets is not None:
         rows += offsets
@@ -209,32 +214,45 @@ def _chunks(chain, q, out, block):
     size = block.shape[-1]
     for start in range(0, len(q), size):
         part = q[start : start + size]
-        largest = max(float(part.max()), -float(part.min()))  # NaN where one of them is
+        largest = max(float(part.max()), -float(part.min()))  # NaN where a number of q is
         if not largest < np.inf:
             require_finite(part)
-        yield part, bool(largest <= chain.most), out[start : start + size], block[..., : len(part)]
+        yield (
+            part,
+            bool(largest <= chain.largest_q),
+            out[start : start + size],
+            block[..., : len(part)],
+        )
 
 
 def _size(chain, q, doubles):
     """How many poses a chunk has: a pose needs ``doubles`` for its result, about five a joint for
-    angles, phases and d, and some 30 for the frame and numpy's intermediate arrays. The odd line of
-    the cache keeps rows from lying at distances of a power of two, which share places in it.
+    angles, phases and d, and some 30 for the frame and numpy's intermediate arrays. ``LINE`` poses
+    are added so that rows do not lie at distances of a power of two, where they would compete for
+    the same places of the cache.
     """
     size = CACHE // (8 * (5 * len(chain) + 30 + doubles))
     return min(len(q), max(size // 64, 1) * 64 + LINE)
 
 
 def _poses(chain, q, k):
+    """Rows (k, 4, 4, m) for k poses each, the last row of which is written here once for all."""
     block = np.zeros((k, 4, 4, _size(chain, q, 16 * k)))
     block[:, 3, 3] = 1.0
     return block
 
 
 def _columns(chain, q):
+    """Rows (3, 3, n, m) for v, z and p of every joint; numpy's intermediate arrays for z × lever
+    take as much again.
+    """
     return np.empty((3, 3, len(chain), _size(chain, q, 18 * len(chain))))
 
 
-def _per_count(chain, J):
+def _chain_rule(chain, J):
+    """From per joint variable to per number of q: columns (2, 3, n, m) by the rates, or by the
+    matrix of the coupling.
+    """
     if chain.coupled:
         return chain.rates.T @ J
     if (chain.rates != 1).any():

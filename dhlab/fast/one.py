@@ -3,7 +3,8 @@
 ``forward``, ``frames`` and ``jacobian`` return their numbers as one flat list, row by row. They are
 written for anything that adds and multiplies: run on floats they give the pose; run on the symbols
 of ``straight.py`` they give the program of one arm, which does the same operations in the same
-order, so that both give the same bits.
+order (but for sums with 0 and products by 1, which change nothing), so that both give the same
+bits.
 """
 
 import math
@@ -53,7 +54,8 @@ def frames(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
 
 def jacobian(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
     """The Jacobian at the end point, 6·n numbers: column i is z × (end - p) over z, or z over 0
-    where the joint slides; by the chain rule they are added up per unit of what is counted.
+    where the joint slides; where joints are coupled, columns per joint variable become columns per
+    number of q by the chain rule.
     """
     frame = Frame(chain, q, math_of)
     axes = [(frame.z, frame.p) for _ in along_the_joints(chain, frame)]
@@ -97,7 +99,7 @@ class Frame:
             self.laid = None
         return self._p
 
-    def enter(self, i: int) -> None:
+    def add_joint(self, i: int) -> None:
         theta, d = self.variables[i]
         begins = self.angle is None
         self.angle = self.math.keep(theta) if begins else self.math.added(self.angle, theta)

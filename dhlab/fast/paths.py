@@ -82,6 +82,7 @@ class Path:
         self.of, self.shape, self.single = of, shape, (of.n,)
         self.floats, self.rows = getattr(one, question), getattr(many, question)
         self.plain = getattr(of.plain, question)
+        # what answers a list of n finite floats: at first floats, then the arm's own program
         self.asked, self.one, self.compiled = 0, self._first_ones, False
 
     def take(self, q: Any, out: NDArray | None = None) -> NDArray:
@@ -93,12 +94,13 @@ class Path:
                 return self._batch(q, result_for(q, self.shape, out))
         numbers = q.tolist()
         total = sum(numbers)
-        if total - total:  # NaN, which is not 0, where one of them is NaN or infinite
+        if total - total:  # NaN, which counts as true, where a number is NaN or infinite
             require_finite(q)
         answer = self.one(numbers)
         return self.plain(np.array(numbers, dtype=float)) if answer is None else answer
 
     def _batch(self, q, result):
+        """Anything but one row of doubles, into ``result``."""
         if q.size == self.of.n:
             result[...] = self.take(q.ravel().astype(float))
         elif q.size <= DOZENS * self.of.n and not self.compiled:
@@ -113,6 +115,7 @@ class Path:
         return result
 
     def _many(self, rows, flat):
+        """Rows (m, n) into (m, *shape), with the time that numpy took noted down."""
         if not self.compiled and Work.is_worth_it():
             self.of.compile()
         began = time.perf_counter()
@@ -122,6 +125,9 @@ class Path:
             Work.seconds += time.perf_counter() - began
 
     def _first_ones(self, q):
+        """The first poses of an arm; after ``FIRST`` its program is written and takes this one's
+        place. None where ``one.Floats.added`` or the program gives up.
+        """
         self.asked += 1
         if self.asked > FIRST:
             self.one = straight(self.floats, self.of.chain, self.shape)

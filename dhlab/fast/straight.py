@@ -3,12 +3,28 @@
 The walk is run once on symbols in place of the joint angles. A sum or a product of symbols is
 noted down as text; what is multiplied by 0 or added to 0 vanishes, what is multiplied by 1 stays as
 it is, and what is constant is worked out at once. What was noted is a straight line of Python with
-neither loops nor zeros; cos and sin are all that it calls, beside what writes the result down. For
-the first joints of an arm it reads ::
+neither loops nor zeros; cos and sin are all that it calls, beside what writes the result down. An
+arm that turns on a column of 0.3 m and lifts a link of 0.5 m:
 
+>>> import dhlab as dh
+>>> from dhlab.fast import one
+>>> from dhlab.fast.chain import chain_of
+>>> arm = dh.Arm(dh.DHTable.standard([[0, 0.3, 0, 90], [0, 0, 0.5, 0]], angle="deg"))
+>>> print(*source(one.forward, chain_of(arm), (4, 4)).splitlines()[:14], sep="\\n")
+def kinematics(q):
+    [q1, q2] = q
     v0 = cos(q1)
     v1 = sin(q1)
-    ...
+    v2 = cos(q2)
+    v3 = sin(q2)
+    v4 = v0*v2
+    v5 = v1*v2
+    v6 = v0*v3
+    v7 = v1*v3
+    v8 = 0.5*v4
+    v9 = 0.5*v5
+    v10 = 0.5*v3 + 0.3
+    result = empty((4, 4))
 """
 
 import math
@@ -41,6 +57,14 @@ def straight(kinematics: Callable, chain: Chain, shape: tuple[int, ...]) -> Call
         From a list of n floats to an array; None where parallel joints are turned so often that the
         plain product is more exact.
     """
+    pack = Struct(f"{math.prod(shape)}d").pack_into
+    scope: dict[str, Any] = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
+    exec(source(kinematics, chain, shape), scope)  # it holds numbers and the names above only
+    return scope["kinematics"]
+
+
+def source(kinematics: Callable, chain: Chain, shape: tuple[int, ...]) -> str:
+    """The text of that function; the parameters are those of :func:`straight`."""
     program, names = Program(), [f"q{i}" for i in range(1, len(chain) + 1)]
     symbols = [Symbol(program, name) for name in names]
     results = ", ".join(_written(number) for number in kinematics(chain, symbols, program))
@@ -51,18 +75,14 @@ def straight(kinematics: Callable, chain: Chain, shape: tuple[int, ...]) -> Call
         f"pack(result, 0, {results})",  # straight into its memory, without a list
         "return result",
     ]
-    source = "def kinematics(q):\n    " + "\n    ".join(lines)
-    pack = Struct(f"{math.prod(shape)}d").pack_into
-    scope: dict[str, Any] = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
-    exec(source, scope)  # it holds numbers and the names above only
-    return scope["kinematics"]
+    return "def kinematics(q):\n    " + "\n    ".join(lines)
 
 
 def _written(number):
     """A result as text; a zero loses its sign, since -0.0 prints badly."""
     if not isinstance(number, Symbol):
         return repr(number + 0.0)
-    return f"0.0 - {number.within(PRODUCT)}" if number.negative else f"{number} + 0.0"
+    return f"0.0 - {number.bracketed(PRODUCT)}" if number.negative else f"{number} + 0.0"
 
 
 class Program:
@@ -90,8 +110,7 @@ class Program:
         """
         total = self.keep(angle + theta)
         if isinstance(total, Symbol):
-            most = LARGEST_SUM
-            self.lines.append(f"if not {-most} < {total.text} < {most}: return None")
+            self.lines.append(f"if not {-LARGEST_SUM} < {total.text} < {LARGEST_SUM}: return None")
         return total
 
     def keep(self, value):
@@ -111,9 +130,9 @@ class Symbol:
         self.program, self.text, self.negative, self.kind = program, text, negative, kind
 
     def __str__(self):
-        return f"-{self.within(ATOM)}" if self.negative else self.text
+        return f"-{self.bracketed(ATOM)}" if self.negative else self.text
 
-    def within(self, kind):
+    def bracketed(self, kind):
         """The text without its sign, in brackets where it holds together less tightly."""
         return self.text if self.kind >= kind else f"({self.text})"
 
@@ -123,7 +142,7 @@ class Symbol:
     def __mul__(self, other):
         if not isinstance(other, Symbol):
             return _scaled(self, other)
-        text = f"{self.within(PRODUCT)}*{other.within(ATOM)}"
+        text = f"{self.bracketed(PRODUCT)}*{other.bracketed(ATOM)}"
         return Symbol(self.program, text, self.negative != other.negative, PRODUCT)
 
     def __add__(self, other):
@@ -132,7 +151,7 @@ class Symbol:
         if self.negative and not other.negative:
             return other + self
         sign = "-" if self.negative != other.negative else "+"
-        text = f"{self.text} {sign} {other.within(PRODUCT)}"
+        text = f"{self.text} {sign} {other.bracketed(PRODUCT)}"
         return Symbol(self.program, text, self.negative and other.negative, SUM)
 
     def __sub__(self, other):

@@ -7,17 +7,18 @@ its own affair (``one.py``, ``many.py``); here stands only the order of the move
 the frame waits at the start of such a run: the angles are added up, every length a is laid out in
 the plane in the direction it has by then, and where the run ends the frame is turned once, by the
 whole angle. (Not where angles are so large that the rounding of their sum would be seen: then
-``joined`` is false, and every joint is turned by itself.)
+``joined`` is false, and every joint is turned by itself; a single pose in floats is left to the
+plain product then.)
 
 The moves of a frame:
 
-============  ==================================================================================
-``enter(i)``  along z by d of joint i (0-based), whose angle joins the run
-``lay(a)``    by a along the x that the frame would have if it were turned now
-``turn(a)``   about z by the angle of the run, then along the new x by a; the next run begins
-``go(a)``     along x by a
-``tilt(s)``   about x by alpha of a ``Step``
-============  ==================================================================================
+================  ==============================================================================
+``add_joint(i)``  along z by d of joint i (0-based), whose angle joins the run
+``lay(a)``        by a along the x that the frame would have if it were turned now
+``turn(a)``       about z by the angle of the run, then along the new x by a; the next run begins
+``go(a)``         along x by a
+``tilt(s)``       about x by alpha of a ``Step``
+================  ==============================================================================
 """
 
 from collections.abc import Iterator
@@ -31,7 +32,7 @@ __all__ = ["along_the_joints", "frame_by_frame", "to_the_end"]
 class Frame(Protocol):
     """What is carried along."""
 
-    def enter(self, i: int) -> None: ...
+    def add_joint(self, i: int) -> None: ...
     def lay(self, a: float) -> None: ...
     def turn(self, a: float) -> None: ...
     def go(self, a: float) -> None: ...
@@ -48,7 +49,7 @@ def along_the_joints(chain: Chain, frame: Frame, joined: bool = True) -> Iterato
     last = len(chain) - 1
     _across(frame, chain.steps[0])
     for i in range(last + 1):
-        frame.enter(i)
+        frame.add_joint(i)
         yield i
         step = chain.steps[i + 1]
         if i == last:
@@ -74,7 +75,7 @@ def frame_by_frame(chain: Chain, frame: Frame) -> Iterator[int]:
     yield 0
     _across(frame, chain.steps[0])
     for i in range(len(chain)):
-        frame.enter(i)
+        frame.add_joint(i)
         step = chain.steps[i + 1]
         if chain.standard:  # its frame i stands behind the step, Craig's before it
             frame.turn(step.a)

@@ -30,7 +30,7 @@ def numba():
 
 def machine(arm, kind):
     shape = ((4, 4), (len(arm) + 1, 4, 4), (6, len(arm)))[kind]
-    return Compiled(arm._kinematics.chain, kind, shape, slow=lambda q, out: "the slow way")
+    return Compiled(arm._kinematics.chain, kind, shape, fallback=lambda q, out: "the slow way")
 
 
 @given(arms(), st.integers(0, 2**32 - 1))
