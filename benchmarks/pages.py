@@ -149,7 +149,7 @@ def main():
     names = given.pages or sorted(
         path.relative_to(html).with_suffix("").as_posix()
         for path in html.rglob("*.html")
-        if "_static" not in path.parts
+        if not {"_static", "lab"} & set(path.relative_to(html).parts)
     )
     lessons = sorted(path.stem for path in (html / "live" / "lessons").glob("*.ipynb"))
     if given.run or (given.pages and given.run is None):

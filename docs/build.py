@@ -197,9 +197,11 @@ def main():
     status = build(given.out.resolve())
     if given.live:
         sys.path.insert(0, str(DOCS / "live"))
-        from gather import into
+        from gather import into, pinned
+        from lite import lite
 
         into(given.out.resolve() / "html")
+        lite(given.out.resolve() / "html", pinned())
     sys.exit(status)
 
 

@@ -39,6 +39,7 @@ PAGES = [
     "inverse",
     "teaching",
     "add-an-exercise",
+    "hosting",
     "conventions",
     "cheat-sheet",
     "arms",

