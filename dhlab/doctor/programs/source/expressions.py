@@ -7,6 +7,8 @@ from itertools import combinations, permutations
 
 import numpy as np
 
+from .operators import in_other_orders, is_product, of_two, whole
+
 __all__ = ["in_place_of"]
 
 SISTERS = {"cos": "sin", "sin": "cos", "multiply": "matmul", "hstack": "vstack"}
@@ -17,7 +19,6 @@ WRAPPERS = {
 }  # fmt: skip
 EXACT = [np.pi * k for k in (0.25, 0.5, 1, 1.5, 2)] + [180 / np.pi, np.pi / 180]
 DEG = "(3.141592653589793 / 180)"
-WHOLE = (ast.Name, ast.Constant, ast.Call, ast.Subscript, ast.Attribute, ast.List, ast.Tuple)
 SIGNS = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 
 
@@ -37,7 +38,7 @@ def in_place_of(node, parent, scope, text):
         A rank, 0 for what goes wrong most often, and the text that would stand there.
     """
     kind = {
-        ast.BinOp: _of_two,
+        ast.BinOp: of_two,
         ast.UnaryOp: _of_sign,
         ast.Constant: _of_number,
         ast.Call: _of_call,
@@ -53,7 +54,7 @@ def in_place_of(node, parent, scope, text):
     if kind is not None:
         yield from kind(node, parent, scope, text)
     if _is_number(node, parent):
-        yield 1, f"-{_whole(node, text)}"
+        yield 1, f"-{whole(node, text)}"
     if isinstance(parent, ast.Subscript) and isinstance(node, ast.BinOp):
         yield 1, f"{text.of(node)} - 1"
         yield 1, f"{text.of(node)} + 1"
@@ -63,11 +64,6 @@ def in_place_of(node, parent, scope, text):
             yield 0, f"({name} + {text.of(node)})"
         for row in _row_of(node, scope, text):
             yield 1, f"({row}[0] + {text.of(node)})"
-
-
-def _whole(node, text):
-    """The text of a node, in brackets where it needs them."""
-    return text.of(node) if isinstance(node, WHOLE) else f"({text.of(node)})"
 
 
 def _is_number(node, parent):
@@ -101,89 +97,9 @@ def _row_of(node, scope, text):
     yield from scope.rows
 
 
-def _is_product(node):
-    return len(_factors(node)) > 1
-
-
-def _factors(node):
-    """The factors of a matrix product, written with @, with .dot or with dot and matmul; how two of
-    them are joined.
-    """
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
-        return [*_factors(node.left), *_factors(node.right)]
-    if isinstance(node, ast.Call) and not node.keywords:
-        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-        if name == "dot" and len(node.args) == 1:
-            return [*_factors(node.func.value), *_factors(node.args[0])]
-        if name in ("dot", "matmul") and len(node.args) == 2:
-            return [*_factors(node.args[0]), *_factors(node.args[1])]
-    return [node]
-
-
-def _in_other_orders(node, text):
-    factors = _factors(node)
-    if not 2 <= len(factors) <= 4:
-        return
-    shown = [_whole(factor, text) for factor in factors]
-    for order in permutations(shown):
-        if list(order) != shown:
-            yield 0 if list(order) == shown[::-1] else 1, _joined(node, order, text)
-
-
-def _joined(node, order, text):
-    if isinstance(node, ast.BinOp):
-        return " @ ".join(order)
-    if len(node.args) == 1:
-        return order[0] + "".join(f".dot({factor})" for factor in order[1:])
-    made = order[0]
-    for factor in order[1:]:
-        made = f"{text.of(node.func)}({made}, {factor})"
-    return made
-
-
-def _of_two(node, parent, scope, text):
-    left, right = _whole(node.left, text), _whole(node.right, text)
-    op = type(node.op)
-    if op is ast.MatMult:
-        if not _is_product(parent):
-            yield from _in_other_orders(node, text)
-        yield 1, f"{left} @ {right}.T"
-        yield 1, f"{left}.T @ {right}"
-    elif op is ast.Mult:
-        yield from _of_product(node, left, right, text)
-    elif op is ast.Add:
-        yield 0, f"{left} - {right}"
-        yield 1, f"{left} @ {right}"
-        yield 2, f"{left} * {right}"
-        if isinstance(parent, (ast.List, ast.Tuple, ast.Call)):
-            yield 0, f"{left}, {right}"
-    elif op is ast.Sub:
-        yield 0, f"{left} + {right}"
-        yield 0, f"{right} - {left}"
-        if isinstance(parent, (ast.List, ast.Tuple, ast.Call)):
-            yield 0, f"{left}, -{right}"  # a comma is missing
-    elif op is ast.Div:
-        yield 1, f"{left} * {right}"
-    elif op is ast.FloorDiv:
-        yield 0, f"{left} / {right}"
-    if op in (ast.Mult, ast.Div) and isinstance(node.left, ast.BinOp):
-        yield 0, _whole(node.left.left, text)
-    yield 1, left
-    yield 1, f"-{right}" if op is ast.Sub else right
-
-
-def _of_product(node, left, right, text):
-    if isinstance(node.left, ast.List) and not isinstance(node.left.elts[0], ast.Constant):
-        yield 0, f"[{text.of(node.left.elts[0])} for _ in range({right})]"
-    yield 0, f"{left} @ {right}"
-    yield 1, f"{left} + {right}"
-    yield 2, f"{left} / {right}"
-    yield 2, f"{left} - {right}"
-
-
 def _of_sign(node, parent, scope, text):
     if isinstance(node.op, ast.USub):
-        yield 0, _whole(node.operand, text)
+        yield 0, whole(node.operand, text)
 
 
 def _of_number(node, parent, scope, text):
@@ -228,8 +144,8 @@ def _of_call(node, parent, scope, text):
     def call(arguments, keywords=keywords, called=called):
         return f"{called}({', '.join([*arguments, *keywords])})"
 
-    if name in ("dot", "matmul") and not _is_product(parent):
-        yield from _in_other_orders(node, text)
+    if name in ("dot", "matmul") and not is_product(parent):
+        yield from in_other_orders(node, text)
     if name == "exp":
         yield from ((0, call([f"1j * ({one})"])) for one in arguments)
     if name in SISTERS:
