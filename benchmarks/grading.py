@@ -3,6 +3,7 @@ seconds each, peak memory, the marks that come out.
 
     python benchmarks/grading.py                # ours, nbgrader, otter
     python benchmarks/grading.py --many 1000    # ours alone, on so many submissions with two jobs
+    python benchmarks/grading.py --lessons 20   # ours alone, so many solutions of each lesson
 
 Otter is installed into a temporary environment.
 
@@ -33,9 +34,11 @@ import corpus  # noqa: E402
 from wrong_programs import WRONG  # noqa: E402
 
 from dhlab.course.exercises import exercises  # noqa: E402
+from dhlab.grading.cage.cage import Cage  # noqa: E402
 from dhlab.grading.exports.nbgrader import export_nbgrader  # noqa: E402
 from dhlab.grading.intake.roster import Student  # noqa: E402
-from dhlab.grading.judging.questions import handed_out_checks  # noqa: E402
+from dhlab.grading.judging import work  # noqa: E402
+from dhlab.grading.judging.questions import Course, handed_out_checks, seed  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 
 LESSON = "05-link-matrix"
@@ -272,6 +275,72 @@ def otter(python):
     return grade
 
 
+def of_each_lesson(count):
+    """Seconds of processor and MB of each lesson, on so many copies of its solution."""
+    print(
+        "| lesson | points | CPU s each | of these in the cage | MB, 1 job | MB, 2 jobs |"
+        "\n|---|---|---|---|---|---|"
+    )
+    for lesson in sorted({path.name[:2] for path in (ROOT / "solutions").glob("*.ipynb")}):
+        files = {
+            path.name: path.read_bytes()
+            for path in sorted((ROOT / "solutions").glob(f"{lesson}*.ipynb"))
+        }
+        points, outside, inside = _processor(lesson, files, count)
+        peaks = [_peak(lesson, files, count, jobs) for jobs in (1, 2)]
+        print(
+            f"| {lesson} | {points} | {outside + inside:.3f} | {inside:.3f} | {peaks[0]:.0f} |"
+            f" {peaks[1]:.0f} |",
+            flush=True,
+        )
+
+
+def _processor(lesson, files, count):
+    """(points, seconds outside the cage, seconds in it) of one submission; what is done once for
+    all is left out. The cage itself tells what its processes took.
+    """
+    course, inside = Course((lesson,), Settings(), {}), []
+    finish = Cage._finish
+
+    def counted(cage):
+        told = finish(cage)
+        inside.append(told[1])
+        return told
+
+    def task(number):
+        seeds = {e.id: seed(None, str(number), "s", e.id) for e in course.exercises}
+        handed = tuple(work.Handed(name, raw) for name, raw in files.items())
+        return work.Task("s", handed, number=str(number), seeds=seeds)
+
+    Cage._finish = counted
+    try:
+        work.work(task(0), course)
+        inside.clear()
+        begun = time.process_time()
+        for number in range(count):
+            graded = work.work(task(number), course)
+        outside = time.process_time() - begun
+    finally:
+        Cage._finish = finish
+        work.close()
+    return f"{graded.points:g} of {graded.of:g}", outside / count, sum(inside) / count
+
+
+def _peak(lesson, files, count, jobs):
+    """MB that ``dhlab grade`` holds at most, all its processes together."""
+    watched = Watched()
+    with tempfile.TemporaryDirectory() as top:
+        (Path(top) / "course.yaml").write_text(f'lessons: {{"{lesson}": {{}}}}\n', encoding="utf-8")
+        for number in range(count):
+            folder = Path(top) / "in" / f"s{number}"
+            folder.mkdir(parents=True)
+            for name, raw in files.items():
+                (folder / name).write_bytes(raw)
+        words = ["grade", f"{top}/in", "--out", f"{top}/out", "--course", f"{top}/course.yaml"]
+        watched.run([sys.executable, "-m", "dhlab", *words, "--jobs", jobs])
+    return watched.peak / 1e6
+
+
 def table(rows, marks):
     """The table in Markdown, and in how many submissions each agrees with ours."""
     print(
@@ -291,7 +360,11 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--many", type=int, default=0)
+    parser.add_argument("--lessons", type=int, default=0)
     options = parser.parse_args()
+    if options.lessons:
+        of_each_lesson(options.lessons)
+        return
     if options.many:
         begun, watched = time.perf_counter(), Watched()
         marks = ours(submissions(options.many), watched, jobs=2)

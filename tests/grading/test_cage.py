@@ -349,3 +349,27 @@ def test_cells_that_only_show_something_need_not_run():
     assert demonstrations.skippable(cells, prints, ()) == {2, 4, 7}
     assert demonstrations.skippable(cells, prints, ("shown",)) == {2, 4}
     assert demonstrations.skippable(cells, (), ()) == set()
+
+
+def test_a_diagnosis_that_is_only_shown_is_not_made():
+    import ast
+
+    import dhlab
+    from dhlab.grading.inside.cells import _only_shows
+
+    def shows(source, **names):
+        return _only_shows(ast.parse(source).body[0], {"dh": dhlab, **names})
+
+    assert shows("print(dh.diagnose(table, task['q'], noise=(1, 2)))")
+    assert shows("dh.equivalent(a, b)")
+    for source in (
+        "found = dh.diagnose(table)",
+        "print(dh.diagnose(mine()))",
+        "print(dh.diagnose(table), file=there)",
+        "dh.diagnose(table).save('x')",
+        "print(dh.diagnose(q := 3))",
+        "print(table)",
+    ):
+        assert not shows(source), source
+    assert not shows("dh.diagnose(table)", dh=3)
+    assert not shows("print(dh.diagnose(table))", print=3)

@@ -6,6 +6,7 @@ import ast
 import asyncio
 import builtins
 import linecache
+import sys
 from typing import Any
 
 __all__ = ["parsed", "run_cell", "run_statement"]
@@ -13,6 +14,9 @@ __all__ = ["parsed", "run_cell", "run_statement"]
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
 LINE_RUNS = ("time", "prun")
+# what the library works out for a reader, and what could do more than that in its arguments
+SHOWN = ("diagnose", "diagnose_axes", "diagnose_function", "equivalent", "compare")
+ACTING = (ast.Call, ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom)
 
 
 class Absent:
@@ -65,7 +69,26 @@ class Shell:
 def run_cell(source: str, name: str, space: dict[str, Any]) -> None:
     """Run the source of a cell in a namespace; raises what it raises."""
     for statement in parsed(source, name):
-        run_statement(statement, name, space)
+        if not _only_shows(statement, space):
+            run_statement(statement, name, space)
+
+
+def _only_shows(statement, space):
+    """Whether a statement does nothing but show what the library finds, as
+    ``print(dh.diagnose(table, q, poses))`` does: nobody looks, and it may take long.
+    """
+    node = statement.value if isinstance(statement, ast.Expr) else None
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
+        if node.func.id != "print" or "print" in space or node.keywords:
+            return False
+        node = node.args[0]
+    match node:
+        case ast.Call(ast.Attribute(ast.Name("dh"), called)) if called in SHOWN:
+            known = space.get("dh") is sys.modules.get("dhlab")
+            return known and not any(
+                isinstance(one, ACTING) for one in ast.walk(node) if one is not node
+            )
+    return False
 
 
 def parsed(source: str, name: str) -> list[ast.stmt]:

@@ -61,9 +61,19 @@ def _makers(read, run, modules, late):
     needed, found = set(late), set()
     for number in reversed(range(len(read))):
         if number in run:
-            needed |= {name for one in read[number] or () for name in one.reads}
+            needed |= _from_before(read[number] or ())
         elif _written(read[number], modules) & needed:
             found.add(number)
+    return found
+
+
+def _from_before(statements):
+    """The names that a cell reads and has not bound itself by then."""
+    found, own = set(), set()
+    for one in statements:
+        found |= one.reads - own
+        if isinstance(one.node, ast.Assign):
+            own |= {target.id for target in one.node.targets if isinstance(target, ast.Name)}
     return found
 
 

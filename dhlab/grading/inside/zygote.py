@@ -38,6 +38,7 @@ def main() -> None:
         message, files, _, _ = socket.recv_fds(control, 16, 2)
         if not message or len(files) != 2:
             return
+        config["limits"]["in_use"] = confine.memory_in_use()
         child = os.fork()
         if child == 0:
             control.close()
@@ -102,6 +103,7 @@ def _confine(config):
             confine.drop_capabilities()
         confine.no_new_privileges()
         confine.libc and confine.libc.prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
+        confine.look_at_memory()
         if config["level"] == "landlock":
             if not confine.libseccomp() or not confine.landlock_version():
                 return "no Landlock or no libseccomp"

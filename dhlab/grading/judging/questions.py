@@ -10,6 +10,8 @@ import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
 from typing import Any
 
 from ...course.exercises import exercises
@@ -32,8 +34,14 @@ __all__ = [
 ]
 
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
+# what nearly every lesson comes to load, and no lesson names
+ALWAYS = """numpy.random dhlab.arm dhlab.fast dhlab.fast.chain dhlab.fast.many dhlab.fast.one
+dhlab.fast.straight dhlab.fast.walk dhlab.formats.tablefile dhlab.geometry.equivalence
+dhlab.geometry.freedoms dhlab.geometry.procedure.frames dhlab.geometry.zeros dhlab.placing
+dhlab.printing dhlab.robots dhlab.robots.examples dhlab.table tempfile""".split()
 LATER = {
     "dh.diagnose": "dhlab.doctor.arms.poses",
+    "dh.diagnose(": "dhlab.doctor.mistakes.themes",
     "dh.diagnose_function": "dhlab.doctor.programs.functions",
     "dh.recognise": "dhlab.doctor.tables.recognise",
     "dh.symbolic": "sympy",
@@ -139,7 +147,7 @@ def _checks(source):
 
 def warm_modules(lessons: Iterable[str]) -> list[str]:
     """What the lessons import at some point: loaded once, before the first submission."""
-    found = set()
+    found = set(ALWAYS)
     for path in handed_out().glob("[0-9][0-9]*.ipynb"):
         if path.name[:2] in lessons:
             text = "\n".join(
@@ -150,6 +158,10 @@ def warm_modules(lessons: Iterable[str]) -> list[str]:
             found |= {name for name in IMPORT.findall(text) if not name.startswith("dhlab.")} | {
                 module for call, module in LATER.items() if call in text
             }
+    if LATER["dh.diagnose("] in found:  # the doctor reads them one by one
+        themes = import_module(LATER["dh.diagnose("])
+        found |= {f"{themes.__name__}.{one.name}" for one in iter_modules(themes.__path__)}
+        found.add("dhlab.doctor.mistakes.entries")
     return sorted(found)
 
 
