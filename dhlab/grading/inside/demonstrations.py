@@ -69,7 +69,8 @@ def _makers(read, run, modules, late):
 
 def _from_before(statements):
     """The names that a cell reads and has not bound itself by then."""
-    found, own = set(), set()
+    found: set[str] = set()
+    own: set[str] = set()
     for one in statements:
         found |= one.reads - own
         if isinstance(one.node, ast.Assign):
