@@ -11,6 +11,7 @@ import typer
 from .. import __version__
 from .compare import compare
 from .convert import convert
+from .course import course
 from .doctor import doctor
 from .export import export
 from .fk import fk
@@ -53,6 +54,7 @@ app.command()(release)
 app.command()(grade)
 app.command()(review)
 app.add_typer(export, name="export")
+app.add_typer(course, name="course")
 app.command()(doctor)
 app.command()(paste)
 app.command()(fk)

@@ -69,11 +69,21 @@ def _said(exercise):
 def _wrong_values(exercise):
     """Whether enough wrong answers have a name; one that is the right answer is none."""
     given = exercise.given(0)
+    for what, value in (
+        ("answer", exercise.answer(**given)),
+        *(("mistakes", value) for _, _, value in exercise.mistakes(**given)),
+    ):
+        try:
+            np.asarray(value, dtype=float)
+        except (ValueError, TypeError):
+            yield f"expected {what}= to give numbers, found {value!r}; a Value is compared as such"
+            return
     right = np.asarray(exercise.answer(**given), dtype=float)
     named = [
         mistake
         for mistake, _, value in exercise.mistakes(**given)
-        if np.shape(value) != right.shape or exercise.differs(np.asarray(value), right).any()
+        if np.shape(value) != right.shape
+        or exercise.differs(np.asarray(value, dtype=float), right).any()
     ]
     if len(named) < FEWEST:
         yield (
