@@ -5,7 +5,7 @@ Three levels; the first unless another is named, since a mark needs walls that h
 
 - **bubblewrap**: its own file system, network, processes and user, with seccomp and limits on top;
 - **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls
-  by seccomp, with limits; together its files may be larger than the limit of one;
+  by seccomp, with limits; its files together are counted every few hundredths of a second;
 - **rlimits**: limits of memory, time and files only. A submission could read what the teacher can
   read. Said in every report.
 """
