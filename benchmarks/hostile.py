@@ -347,8 +347,8 @@ STOP = [
     (
         "half a letter in an error",
         "a message that no file can hold (a lone surrogate)",
-        first("raise ValueError('\\ud800\\udfff')"),
-        FULL,
+        answer("05.9", "del A_3\nraise ValueError('\\ud800x')"),
+        {"05.9"},
     ),
     (
         "half a letter in its code",

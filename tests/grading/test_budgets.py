@@ -101,3 +101,20 @@ def test_an_answer_of_thousands_of_numbers_is_not_compared():
         line = {"value": encode(answer)}
         found = judge._judged(exercises()["05.9"], line, 0, Settings(), 1)
         assert found.status == "wrong" and "cannot be read" in found.headline
+
+
+def test_half_a_letter_stops_no_class():
+    import os
+    import time
+
+    from dhlab.grading.cage.listener import Listener
+
+    read, write = os.pipe()
+    os.write(
+        write, b'{"cell": 1, "ended": "error", "message": "\\ud800x", "ids": []}\n{"done": 1}\n'
+    )
+    os.close(write)
+    run = Listener(read, 5, time.monotonic() + 5).listen()
+    os.close(read)
+    assert run.ended == "done" and run.lines[0]["message"] == "?x"
+    run.lines[0]["message"].encode()  # what no file could hold ended the run for everybody
