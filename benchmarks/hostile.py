@@ -498,7 +498,8 @@ def _lost(graded):
 def _fair(graded, lost):
     if lost == ANY:
         return 0 <= graded.points <= graded.of
-    return graded.status == "graded" and _lost(graded) == set(lost)
+    found = _lost(graded)  # who loses more by an attack has done that alone
+    return graded.status == "graded" and (set(lost) <= found if lost else not found)
 
 
 def main():
