@@ -76,9 +76,13 @@ def _from_text(text, values, nominal, length):
 
 
 def _larger(found, source):
-    """A table with a heading and more rows, where a program stands beside it: what answers of
-    assistants end with is often only the beginning of it.
+    """A table with a heading and more rows, where a program stands beside it (what answers of
+    assistants end with is often only the beginning of it); or all rows of a file of which only some
+    stand in braces.
     """
+    named = keyed.read(source) if found.why == "as their names say" else None
+    if named is not None and len(named.rows) > len(found.rows):
+        return named
     try:
         other = lines.read(source)
     except ValueError:

@@ -108,7 +108,7 @@ def _row(group, name, known, source, notes, number):
             said = "craig" if text.lower() in ("true", "1") else ""
         elif key.lower() in ("sigma", "jointtype", "type", "joint_type"):
             kind = "P" if text.strip("'\"").lower()[:1] in ("p", "1") else "R"
-        elif role in NAMED:
+        elif role in NAMED and not (role == "r" and text[:1] in "[("):  # a centre of mass
             cells[role] = _cell(text, source, number, role)
     for text in loose:
         word = text.strip("'\"").lower()

@@ -184,6 +184,8 @@ def _table_only(grid):
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
             f" {grid[heads[1]][0]}; paste one of them"
         )
+    if len(rows) > 1 and rows[-1] > rows[-2] + 1 and _is_last_of_matrix(grid[rows[-1]][1]):
+        rows.pop()
     if not rows:
         return [grid[k] for k in heads]
     kept = [grid[k] for k in range(heads[0] + 1, rows[0]) if units_of(grid[k][1])] if heads else []
@@ -196,6 +198,12 @@ def _table_only(grid):
                 f" {' '.join(grid[k][1])[:60]!r}; mend it or leave it out"
             )
     return [grid[heads[0]], *kept] if heads else kept
+
+
+def _is_last_of_matrix(cells):
+    """Whether this is the row 0 0 0 1 of a link matrix that stands below the table."""
+    found = [read_cell(cell) if _good(cell) else None for cell in cells]
+    return len(found) == 4 and [cell and cell.value for cell in found] == [0, 0, 0, 1]
 
 
 def _is_row(cells, width):

@@ -46,7 +46,8 @@ def read(source, nominal=None):
 def _dictionaries(source):
     rows = []
     for group in groups(source.code):
-        if group.mark != "{" and group.name.lower() != "dict":
+        own_class = group.mark == "(" and group.name.lower() != "dict"
+        if group.mark not in "{(":
             continue
         row = {}
         for item in group.items:
@@ -61,7 +62,8 @@ def _dictionaries(source):
                 row[role] = cell_of(value, pair[1])
             elif role == "type" or (pair and pair[0] in ("type", "joint_type", "kind")):
                 row["type"] = pair[1].strip("'\"").lower()
-        if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= 2:
+        wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
+        if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
             rows.append(row)
     if len(rows) < 2:
         return None

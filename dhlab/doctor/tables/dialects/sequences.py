@@ -15,12 +15,18 @@ MOVE = re.compile(
     r"\b(?:E[T2]?S?3?\.)?(rot|trot|transl?|R|T|t|Rot|Trans)_?([xyz])\b\s*\(\s*((?:[^()]|\([^()]*\))*)\)"
     r"|\b(Rot|Trans|rot|trans)\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*((?:[^()]|\([^()]*\))*)\)"
 )
+# a move by three lengths: transl(0.1, 0, 0.3), SE3.Trans(…), Translation(…)
+BY_THREE = re.compile(
+    r"\b(?:SE3\.)?(?:transl|[Tt]rans(?:lation)?)\s*\(\s*\[?([^(),\[\]]+),([^(),\[\]]+),([^(),\[\]]+)\]?\s*\)"
+)
+MOVING = re.compile(r"\b(?:t?rot|transl?|rotation|translation)[xyz]?\s*\(", re.IGNORECASE)
 TURNS = {"x": rot_x, "y": rot_y, "z": rot_z}
 
 
 def read(source, nominal=None):
     """The Readings of a sequence with at least two joints; None of other texts."""
-    moves = [_move(match, source) for match in MOVE.finditer(source.code)]
+    code = BY_THREE.sub(r"transx(\1) * transy(\2) * transz(\3)", source.code)
+    moves = [_move(match, source) for match in MOVE.finditer(code)]
     if len(moves) < 3 or any(move is None for move in moves):
         return None
     joints = [move for move in moves if move[3]]
@@ -32,6 +38,7 @@ def read(source, nominal=None):
         letter and not re.search(r"\d", letter) for *_, letter, _ in joints if letter != "q"
     ):
         return None  # one row for all: the general link matrix
+    _require_all_read(code)
     angles = [abs(value.number) for turns, _, value, _, _ in moves if turns and not value.unit]
     degrees = any(angle > 2 * math.pi + 0.01 for angle in angles)
     lengths = [value.number for turns, _, value, _, _ in moves if not turns]
@@ -42,6 +49,17 @@ def read(source, nominal=None):
 
     notes = _sideways(moves)
     return told("a sequence of elementary transforms", make, lengths, source, why, notes=notes)
+
+
+def _require_all_read(code):
+    """No move may be left out in silence."""
+    left = MOVING.search(MOVE.sub(" ", code))
+    if left:
+        found = MOVE.sub(" ", code)[left.start() : left.start() + 40].split("\n")[0]
+        raise ValueError(
+            "recognise_table: expected moves such as rotz(q1), transx(0.3) or transl(0, 0, 0.3),"
+            f" found {found!r}; write it as one of these"
+        )
 
 
 def _sideways(moves):

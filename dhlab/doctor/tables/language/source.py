@@ -2,6 +2,7 @@
 it says of convention and units.
 """
 
+import html
 import re
 from dataclasses import dataclass, field
 
@@ -126,7 +127,8 @@ def source_of(text, values=None):
 def _prose(text, known):
     """The text without units that are factors of its own, as in 333*mm."""
     text = re.sub(r"\bmm/s\w*|[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
-    return re.sub(r"\b(?:mm|cm)\b", "", text) if {"mm", "cm"} & set(known) else text
+    own = [unit for unit in ("mm", "cm", "inch", "meter", "metre") if unit in known]
+    return re.sub(rf"\b(?:{'|'.join(own)})\b", "", text) if own else text
 
 
 def _joint_value(name, said):
@@ -148,14 +150,15 @@ def _unwrapped(text):
     lines.
     """
     text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
+    text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
     if re.search(r"<t[dh]\b", text, re.IGNORECASE):
-        text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
         text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
         text = re.sub(r"</?(tr|table|thead|tbody)[^>]*>", "\n", text, flags=re.IGNORECASE)
         text = re.sub(r"<[^>\n]{1,80}>", "", text)
-    for code, letter in (("&nbsp;", " "), ("&minus;", "-"), ("&pi;", "pi"), ("&deg;", "°")):
-        text = text.replace(code, letter)
+    text = html.unescape(text).replace("\xa0", " ").replace("−", "-")
     text = re.sub(r"^```.*$", "", text, flags=re.MULTILINE)
+    # the fields of a class, before anything is made of it
+    text = re.sub(r"^[ \t]+\w+[ \t]*:[ \t]*(float|int|str|bool)\b.*$", "", text, flags=re.MULTILINE)
     text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
     text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
@@ -219,7 +222,7 @@ def _assigned(text):
             if said.count("(") > said.count(")"):
                 said += ")"
             try:
-                evaluate(said)
+                evaluate(said, dict(known))
             except NoExpression:
                 continue
             if not re.search(rf"\b{re.escape(name)}\b", said):
