@@ -13,6 +13,8 @@ __all__ = ["DEFINED", "Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
 BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
+RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
+DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
     r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
@@ -162,8 +164,19 @@ def _unwrapped(text):
     text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
     text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
+    text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
     return text
+
+
+def _joined_heading(text):
+    """A table drawn with + and -, with a heading of two or three lines on one."""
+    drawn = DRAWN.search(text)
+    lines = [line.strip().strip("|").split("|") for line in drawn[1].splitlines()] if drawn else []
+    if drawn is None or not 2 <= len(lines) <= 3 or len({len(cells) for cells in lines}) > 1:
+        return text
+    cells = (" ".join(map(str.strip, parts)) for parts in zip(*lines))
+    return text[: drawn.start(1)] + f"| {' | '.join(cells)} |\n" + text[drawn.end(1) :]
 
 
 def _without_comments(text, comments):
