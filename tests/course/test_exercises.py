@@ -72,6 +72,14 @@ def test_nonsense_is_wrong_and_never_an_error(key):
     assert taken == {}
 
 
+@pytest.mark.parametrize("key", [key for key, e in SCORED.items() if isinstance(e, Table)])
+def test_a_number_that_overflows_in_another_unit_is_wrong_and_no_error(key):
+    for column in range(4):
+        rows = SCORED[key].right_arm().table.rows.copy()
+        rows[1, column] = 1e308
+        assert SCORED[key].judge(rows, 0).status == "wrong"
+
+
 @pytest.mark.parametrize("key", VALUES)
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_values_right_in_any_dress(key, variant):

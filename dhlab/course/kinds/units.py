@@ -69,7 +69,11 @@ def in_other_units(
     for change in sorted(_changes(groups), key=len):
         if any(_unlikely(answer[group.where], found) for group, found, _ in change):
             continue
-        if fits(_scaled(answer, change)) and not fits(_scaled(answer, change, nothing=True)):
+        with np.errstate(over="ignore"):
+            scaled = _scaled(answer, change)
+        if not np.isfinite(scaled).all():  # a number that no unit makes larger
+            continue
+        if fits(scaled) and not fits(_scaled(answer, change, nothing=True)):
             return _said(change)
     return None
 
