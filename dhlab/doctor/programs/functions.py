@@ -166,11 +166,20 @@ def _with_lines(diagnosis, f, task):
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED
         return (_half(better, task) if unknown else None) or diagnosis
+    places = list(dict.fromkeys(f"line {line.number}" for line in lines))
+    headline = f"With another {' and '.join(places)} the program is right."
     if diagnosis.headline.startswith(UNKNOWN) or len(lines) < len(diagnosis.findings):
-        places = " and ".join(dict.fromkeys(f"line {line.number}" for line in lines))
-        headline = f"With another {places} the program is right."
         diagnosis = replace(diagnosis, headline=headline, findings=())
+    elif _whole_numbers(diagnosis) and len(places) > 1:
+        diagnosis = replace(diagnosis, headline=headline)
     return replace(diagnosis, verdict=EXPLAINED)
+
+
+def _whole_numbers(diagnosis):
+    """Whether all that is said is that an array holds whole numbers: what else may be wrong is cut
+    off with the digits.
+    """
+    return [finding.mistake for finding in diagnosis.findings] == ["integer-arrays"]
 
 
 def _half(better, task):

@@ -107,6 +107,29 @@ def test_two_lines_are_told_of_two_mistakes(tmp_path):
     assert [line.number for line in answer.lines] == [10, 18] and is_right(answer.repaired)
 
 
+def test_an_array_of_whole_numbers_is_not_called_the_one_mistake_beside_another(tmp_path):
+    text = """\
+import numpy as np
+
+def dh_transform(theta, d, a, alpha):
+    A = np.zeros((4, 4), dtype=int)
+    A[0] = [np.cos(theta), -np.sin(theta) * np.cos(alpha), np.sin(theta) * np.sin(alpha), 0]
+    A[1] = [np.sin(theta), np.cos(theta) * np.cos(alpha), -np.cos(theta) * np.sin(alpha), 0]
+    A[0, 3], A[1, 3] = a * np.cos(theta), a * np.sin(theta)
+    A[2] = [0, np.sin(alpha), np.cos(alpha), d]
+    A[3, 2] = 1
+    return A
+"""
+    path = tmp_path / "whole.py"
+    path.write_text(text, encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("whole", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    answer = diagnose_function(module.dh_transform, "dh_transform")
+    assert {line.number for line in answer.lines} == {4, 9}
+    assert "One mistake" not in answer.headline and "line 9" in answer.headline
+
+
 def test_a_program_of_one_arm_may_know_the_arm(tmp_path):
     text = PROGRAM.replace("def forward_kinematics(rows, q):", f"ROWS = {ROWS.tolist()}\n"
                            "def forward_kinematics(q):\n    rows = ROWS")  # fmt: skip
