@@ -13,6 +13,7 @@ import ast
 import re
 import sys
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -94,7 +95,7 @@ def watch() -> None:
         isinstance(one, _Writer) for one in shell.ast_transformers
     ):
         return
-    shell.events.register("pre_run_cell", _note)
+    shell.events.register("pre_run_cell", partial(_note, shell))
     shell.ast_transformers.append(_Writer(shell))
     _note_now(shell)
 
@@ -280,22 +281,29 @@ def _take_over(explorer, answer):
                 explorer.place(f"{letter}{i}", row[column])
 
 
-def _note(info):
-    cell = getattr(info, "cell_id", None)
+def _note(shell, info):
+    cell = getattr(info, "cell_id", None) or _running(shell)
     _here[0] = cell
     if cell is not None:
         _texts.pop(cell, None)
         _texts[cell] = info.raw_cell
 
 
+def _running(shell):
+    """The id of the cell that runs, as whoever sent it says; None where nobody says."""
+    kernel = getattr(shell, "kernel", None)
+    if kernel is None:
+        return None
+    try:
+        parent = kernel.get_parent("shell")
+    except TypeError:  # JupyterLite's kernel has one channel alone, and passes no id on to events
+        parent = kernel.get_parent()
+    return parent.get("metadata", {}).get("cellId")
+
+
 def _note_now(shell):
     """The cell in which the course is imported has begun before anybody noted it."""
-    try:
-        parent = shell.kernel.get_parent("shell")
-    except TypeError:  # JupyterLite's kernel has one channel alone
-        parent = shell.kernel.get_parent()
-    metadata = parent.get("metadata", {})
-    cell = metadata.get("cellId")
+    cell = _running(shell)
     if cell is not None:
         _here[0], _texts[cell] = cell, shell.history_manager.input_hist_raw[-1]
 
