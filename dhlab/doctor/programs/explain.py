@@ -21,7 +21,7 @@ from .wrong.moves import WRONG_COMPOSE, WRONG_ROT_X
 from .wrong.products import WRONG_PRODUCTS
 from .wrong.solvers import WRONG_SOLVERS
 
-__all__ = ["explain_function", "explain_all", "seen_in", "WRONG_VERSIONS"]
+__all__ = ["explain_function", "explain_all", "hides_the_rest", "seen_in", "WRONG_VERSIONS"]
 
 WRONG_VERSIONS = {
     "dh_transform": WRONG_LINKS,
@@ -116,6 +116,13 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True):
         or _symptom(answers, expected, kind, symptoms)
     )
     return (found,) if found else ()
+
+
+def hides_the_rest(findings):
+    """Whether all that is found is an array of whole numbers: what else may be wrong is cut off
+    with the digits.
+    """
+    return [finding.mistake for finding in findings] == ["integer-arrays"]
 
 
 def _with_right_last_row(answers, expected, tolerance):

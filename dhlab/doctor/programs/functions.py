@@ -20,6 +20,7 @@ from .compared import (
     residual,
     special,
 )
+from .explain import hides_the_rest
 from .running.answers import answers_in_time, single_precision
 from .running.calling import CallFault, is_stub
 from .source.lines import lines_to_change
@@ -170,16 +171,9 @@ def _with_lines(diagnosis, f, task):
     headline = f"With another {' and '.join(places)} the program is right."
     if diagnosis.headline.startswith(UNKNOWN) or len(lines) < len(diagnosis.findings):
         diagnosis = replace(diagnosis, headline=headline, findings=())
-    elif _whole_numbers(diagnosis) and len(places) > 1:
+    elif hides_the_rest(diagnosis.findings) and len(places) > 1:
         diagnosis = replace(diagnosis, headline=headline)
     return replace(diagnosis, verdict=EXPLAINED)
-
-
-def _whole_numbers(diagnosis):
-    """Whether all that is said is that an array holds whole numbers: what else may be wrong is cut
-    off with the digits.
-    """
-    return [finding.mistake for finding in diagnosis.findings] == ["integer-arrays"]
 
 
 def _half(better, task):
