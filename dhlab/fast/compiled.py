@@ -41,14 +41,14 @@ class Work:
 
 
 @cache
-def kernels() -> tuple[Callable, Callable] | None:
-    """The compiled functions for one pose and for many; None without numba."""
+def kernels() -> tuple[list[Callable], Callable] | None:
+    """The compiled functions for one pose, one a question, and for many; None without numba."""
     if find_spec("numba") is None:
         return None
     from .kernel_many import answer_many
-    from .kernel_one import answer_one
+    from .kernel_one import answers_one
 
-    return answer_one, answer_many
+    return answers_one(), answer_many
 
 
 @cache
@@ -71,7 +71,8 @@ class Compiled:
         self.numbers, self.shape = packed(chain, kind), shape
         found = kernels()
         assert found is not None
-        self.one, self.many = found
+        ones, self.many = found
+        self.one = ones[kind]
         self.take = self._taker(fallback)
 
     def _taker(self, fallback):
@@ -88,7 +89,7 @@ class Compiled:
                     answer = empty(shape)
                     if one(q, numbers, answer):
                         return answer
-            except AttributeError:  # no array
+            except (AttributeError, TypeError):  # no array
                 pass
             return fallback(q, out)
 

@@ -1,9 +1,9 @@
 """The walk for one pose, as numba compiles it: the frame stays in registers. Only ``compiled.py``
 imports this file, when numba is wanted.
 
-What remains is the price of a call from Python, about a tenth of a microsecond an argument; so the
-chain comes as one row of numbers, the kind of question in it, and ``kernel_parts.py`` says what
-stands where.
+What remains is the price of a call from Python, about a tenth of a microsecond an array; so the
+chain comes as one row of numbers, and ``kernel_parts.py`` says what stands where. The walk is
+written once and compiled for each of the three questions, what the others want left out.
 """
 
 import math
@@ -11,15 +11,15 @@ import math
 from numba import boolean, float64, njit, types
 
 from .kernel_parts import (  # isort: skip
-    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, KIND, LARGEST_Q, OPTIONS, ROW,
+    BASE, COUPLED, END, FAR, FORWARD, FRAMES, JACOBIAN, JOINTS, LARGEST_Q, OPTIONS, ROW,
     SLIDES, STANDARD, THETA, A, C, D, S, cos_sin, fast, chain_rule,
 )  # fmt: skip
 
-__all__ = ["answer_one"]
+__all__ = ["answers_one"]
 
-# for other types numba would compile again, for seconds, at somebody's call
 ANY_ROW = types.Array(float64, 1, "A", readonly=True)
-TYPES = [boolean(ANY_ROW, ROW, float64[:, ::1]), boolean(ANY_ROW, ROW, float64[:, :, ::1])]
+TO_MATRIX = boolean(ANY_ROW, ROW, float64[:, ::1])
+TO_FRAMES = boolean(ANY_ROW, ROW, float64[:, :, ::1])
 
 
 @fast
@@ -55,12 +55,12 @@ def behind(x, y, z, p, packed, column):
     return summed(summed(p, y, packed[at + 4]), z, packed[at + 8])
 
 
-@njit(TYPES, cache=True, **OPTIONS)
-def answer_one(q, packed, result):
+@njit(inline="always", **OPTIONS)
+def walk(q, packed, result, kind):
     """The end pose, frames or Jacobian of ``q`` (n,) into ``result``; False where q is not n finite
     numbers.
     """
-    n, kind, out = len(q), packed[KIND], result.reshape(-1)
+    n, out = len(q), result.reshape(-1)
     rates = JOINTS + 6 * (n + 1)
     if len(packed) != rates + n * n:
         return False
@@ -137,3 +137,30 @@ def answer_one(q, packed, result):
     if coupled:
         chain_rule(out.reshape(1, -1), packed[rates:], n, 1)
     return True
+
+
+@njit(TO_MATRIX, cache=True, **OPTIONS)
+def forward_one(q, packed, result):
+    return walk(q, packed, result, FORWARD)
+
+
+@njit(TO_FRAMES, cache=True, **OPTIONS)
+def frames_one(q, packed, result):
+    return walk(q, packed, result, FRAMES)
+
+
+@njit(TO_MATRIX, cache=True, **OPTIONS)
+def jacobian_one(q, packed, result):
+    return walk(q, packed, result, JACOBIAN)
+
+
+def answers_one():
+    """The three, as functions that take what the signature says: q of one dimension and doubles,
+    which the caller has to see to (TypeError for what is no array or has smaller numbers). Called
+    by its name a kernel would first look for the version that suits its arguments, a fifth of the
+    time of a pose; here there is only one.
+    """
+    return [
+        next(iter(kernel.overloads.values())).entry_point
+        for kernel in (forward_one, frames_one, jacobian_one)
+    ]

@@ -16,10 +16,11 @@ __all__ = [
 
 FORWARD, FRAMES, JACOBIAN = range(3)
 
-# A packed chain: one number each for STANDARD, COUPLED, KIND and LARGEST_Q; from BASE on x, y, z
-# and p of the base, column by column (12); from END on the three rows of the end (12); from JOINTS
-# on six numbers for joint i and the step behind it, i from 0 (no joint, the step before the first)
-# to n; then the matrix (n, n) of rates, row by row, which is diagonal without coupling.
+# A packed chain: one number each for STANDARD, COUPLED, KIND (of the question; only the kernel for
+# many asks it) and LARGEST_Q; from BASE on x, y, z and p of the base, column by column (12); from
+# END on the three rows of the end (12); from JOINTS on six numbers for joint i and the step behind
+# it, i from 0 (no joint, the step before the first) to n; then the matrix (n, n) of rates, row by
+# row, which is diagonal without coupling.
 STANDARD, COUPLED, KIND, LARGEST_Q, BASE, END, JOINTS = 0, 1, 2, 3, 4, 16, 28
 THETA, D, SLIDES, A, C, S = range(6)
 

@@ -5,6 +5,7 @@ pays. (Skipped by name where numba is not installed; CI has it.)
 import os
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -83,6 +84,10 @@ def test_what_is_no_row_of_doubles_goes_the_slow_way(numba):
     bad[3] = np.nan
     for given_q in ([0] * 6, q.astype(int), q.astype(np.float32), q[:5], np.zeros((2, 6)), bad, 0):
         assert isinstance(take(given_q), str)
+    series = SimpleNamespace(ndim=1, dtype=np.dtype(float), values=q)  # as a column of a table
+    assert isinstance(take(series), str)
+    packed = np.zeros(1, np.dtype([("name", "u1"), ("q", "f8", 6)]))["q"][0]
+    assert not packed.flags.aligned and np.array_equal(take(packed), take(q))
     q.flags.writeable = False
     assert np.array_equal(take(q), take(np.zeros(12)[::2]))
 
