@@ -23,7 +23,7 @@ lab: .venv/lab
 
 # both at once: lint keeps one core busy for a fifth of the time
 check: .venv/test
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target lint quick
+	@$(MAKE) --no-print-directory --jobs=2 lint quick
 
 quick: .venv/test
 	$(PYTEST) -m "not ($(COSTLY))"

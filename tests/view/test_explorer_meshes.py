@@ -74,3 +74,38 @@ def test_files_without_a_urdf_are_told_apart_by_number_and_unit(tmp_path):
         assert part.scale[0] == (1e-3 if i == 2 else 1)
     with pytest.raises(ValueError, match="expected links from 0 to 6, found 9"):
         dh.explore(arm, meshes={9: tmp_path / "upper.stl"})
+
+
+MACROS = """<robot name="bent" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:macro name="part" params="i">
+  <link name="link${i}"><visual><origin xyz="0 0 ${i / 10}"/>
+    <geometry><mesh filename="part${i}.stl"/></geometry></visual></link>
+</xacro:macro>
+%s
+<joint name="turn" type="revolute"><parent link="link0"/><child link="link1"/>
+  <origin xyz="0 0 0.3"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+</joint></robot>"""
+CALLED = '<xacro:part i="0"/><xacro:part i="1"/>'
+ONE_LINK = """<link name="link{0}"><visual><origin xyz="0 0 {1}"/>
+  <geometry><mesh filename="part{0}.stl"/></geometry></visual></link>"""
+
+
+@pytest.mark.parametrize(
+    "links",
+    [CALLED, ONE_LINK.format(0, "0") + ONE_LINK.format(1, "${1 / 10}")],
+    ids=["links from a macro", "a macro's number in a shape alone"],
+)
+@pytest.mark.parametrize("ending", ["xacro", "urdf"])
+def test_links_that_a_macro_writes_are_drawn(judge, tmp_path, links, ending):
+    judge("xacro")
+    for i in range(2):
+        words = "vertex 0 0 0\nvertex 0.1 0 0\nvertex 0 0.1 0"
+        (tmp_path / f"part{i}.stl").write_text(f"solid one\n{words}\nendsolid", encoding="utf-8")
+    file = tmp_path / f"bent.{ending}"
+    file.write_text(MACROS % links, encoding="utf-8")
+    arm = dh.Arm(dh.DHTable.standard([[0, 0.3, 0, 0]], angle="rad"))
+    base, turned = dh.explore(arm, meshes=file).parts
+    assert [base.frame, turned.frame] == [0, 1]
+    # the plate stands 0.3 m up at the joint, where frame 1 lies, and 0.1 m above it
+    np.testing.assert_allclose(base.pose, np.eye(4), atol=1e-12)
+    np.testing.assert_allclose(turned.pose[:3, 3], [0, 0, 0.1], atol=1e-12)

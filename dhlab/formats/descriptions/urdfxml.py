@@ -10,7 +10,7 @@ from xml.parsers import expat
 from ..files import read_text
 from .xacrofile import expanded
 
-__all__ = ["EXPAND", "XACRO", "parsed", "read_parts"]
+__all__ = ["EXPAND", "XACRO", "parsed", "parts", "read_parts", "read_robot"]
 
 XACRO = re.compile(r"\$[({]")
 OTHER_FORMATS = {
@@ -49,11 +49,25 @@ def read_parts(
     ValueError
         One sentence: what was expected, what was found, what to do.
     """
+    robot = read_robot(path, arguments, packages)
+    return robot.get("name", ""), *parts(robot, path)
+
+
+def read_robot(
+    path: str | Path,
+    arguments: Mapping[str, object] | None = None,
+    packages: Mapping[str, str | Path] | None = None,
+    *,
+    looks: bool = False,
+) -> Element:
+    """The element ``<robot>``, expanded where joints, or with ``looks`` also the shapes of links,
+    are written with macros; as :func:`read_parts` otherwise.
+    """
     robot = parsed(path, "a URDF file")
-    if arguments or _wants_expanding(robot):
+    if arguments or _wants_expanding(robot, DEFINED if looks else DEFINED | LOOKS):
         robot = _parse(expanded(path, arguments, packages), path)
     _require_robot(robot, path)
-    return robot.get("name", ""), *_parts(robot, path)
+    return robot
 
 
 def parsed(path: str | Path, what: str) -> Element:
@@ -79,20 +93,20 @@ def _parse(text, path):
     return builder.close()
 
 
-def _wants_expanding(robot):
+def _wants_expanding(robot, without):
     """Whether macros are used: definitions that nothing asks for stand in many a plain file."""
     return robot.tag.startswith("xacro:") or any(
         element.tag.startswith("xacro:") or any(map(XACRO.search, element.attrib.values()))
-        for element in _that_count(robot)
+        for element in _that_count(robot, without)
     )
 
 
-def _that_count(robot):
-    """The elements of a file, without definitions and what joints do not depend on."""
+def _that_count(robot, without):
+    """The elements of a file, but for those of the tags ``without`` and what is in them."""
     waiting = [robot]
     while waiting:
         for child in waiting.pop():
-            if child.tag not in DEFINED | LOOKS:
+            if child.tag not in without:
                 yield child
                 waiting.append(child)
 
@@ -113,25 +127,23 @@ def _refuse_doctype(path):
     )
 
 
-def _parts(robot, path):
+def parts(
+    robot: Element, path: str | Path
+) -> tuple[list[str], list[tuple[str, str, str, Element]]]:
     """Names of the links, and joints as (name, parent, child, element)."""
     links = [_attribute(link, "name", "a link", path) for link in robot.findall("link")]
     joints = []
     for joint in robot.findall("joint"):
         name = _attribute(joint, "name", "a joint", path)
-        ends = [joint.find(end) for end in ("parent", "child")]
-        if None in ends:
+        parent, child = joint.find("parent"), joint.find("child")
+        if parent is None or child is None:
             raise ValueError(
                 f"{path}: joint {name}: expected <parent link=…/> and <child link=…/>, found one"
                 " missing; name both links"
             )
-        joints.append(
-            (
-                name,
-                *(_attribute(end, "link", f"joint {name}: {end.tag}", path) for end in ends),
-                joint,
-            )
-        )
+        above = _attribute(parent, "link", f"joint {name}: parent", path)
+        below = _attribute(child, "link", f"joint {name}: child", path)
+        joints.append((name, above, below, joint))
     if not links or not joints:
         raise ValueError(
             f"{path}: expected links and joints, found {len(links)} links and {len(joints)} joints;"

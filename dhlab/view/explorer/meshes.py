@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...formats.descriptions.urdfjoint import read_joint
-from ...formats.descriptions.urdfxml import parsed, read_parts
+from ...formats.descriptions.urdfxml import parts, read_robot
 from ...transform import from_xyz_rpy, inverse
 
 __all__ = ["Part", "parts_of", "triangles"]
@@ -42,9 +42,9 @@ def parts_of(arm: Arm, meshes: Any) -> list[Part]:
     ----------
     arm : Arm
     meshes : path, sequence of paths or mapping
-        A URDF with the STL files that it names, found beside it; a folder of STL files or a list of
-        them, placed as they were assembled at q = 0, where the last number in a name says the link
-        (0 is the base); or ``{i: file}``, each drawn in its own DH frame i.
+        A URDF, or a xacro file, with the STL files that it names, found beside it; a folder of STL
+        files or a list of them, placed as they were assembled at q = 0, where the last number in a
+        name says the link (0 is the base); or ``{i: file}``, each drawn in its own DH frame i.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def parts_of(arm: Arm, meshes: Any) -> list[Part]:
     if not isinstance(meshes, (str, Path)):
         return _assembled(arm, [Path(file) for file in meshes])
     path = Path(meshes)
-    if path.suffix.lower() in (".urdf", ".xml"):
+    if path.suffix.lower() in (".urdf", ".xacro", ".xml"):
         return _described(arm, path)
     if path.is_dir():
         return _assembled(arm, sorted(p for p in path.iterdir() if p.suffix.lower() == ".stl"))
@@ -96,9 +96,10 @@ def _reach(arm):
 
 def _described(arm: Arm, path: Path) -> list[Part]:
     """The visuals of a URDF, each with the joint above it."""
-    _, _, joints = read_parts(path)
+    robot = read_robot(path, looks=True)
+    _, joints = parts(robot, path)
     children = {child for _, _, child, _ in joints}
-    elements = {link.get("name", ""): link for link in parsed(path, "a URDF file").iter("link")}
+    elements = {link.get("name", ""): link for link in robot.findall("link")}
     places = {name: (np.eye(4), 0) for name in elements if name not in children}
     axes: dict[int, tuple[Any, Any]] = {}
     waiting = list(places)
