@@ -19,6 +19,7 @@ __all__ = [
     "agrees",
     "compared",
     "explained",
+    "explains",
     "from_lists",
     "residual",
     "special",
@@ -67,11 +68,16 @@ def compared(here, there):
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
     findings = explained(here)
     if findings:
-        return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
+        return explains(findings, before)
     seen = seen_in(here.task.bare(here.array), here.task.bare(here.right), here.task.versions)
     findings = (seen,) if seen else ()
     notes = _hints(here, there)
     return Diagnosis(UNEXPLAINED, _unexplained(here), findings, before=before, notes=notes)
+
+
+def explains(findings, before):
+    """The diagnosis that findings together are."""
+    return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
 
 
 def explained(here):

@@ -6,6 +6,8 @@ import inspect
 import time
 from dataclasses import replace
 
+import numpy as np
+
 from ..catalogue import catalogue
 from ..diagnosis import EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
@@ -16,6 +18,7 @@ from .compared import (
     agrees,
     compared,
     explained,
+    explains,
     from_lists,
     residual,
     special,
@@ -29,6 +32,8 @@ from .task import KINDS, RIGHT, Task
 __all__ = ["diagnose_function"]
 
 SECONDS = 1.55  # of the processor, for everything; the lines that must change get what is left
+AS_ARM, HALF_ARM = 1.2, 0.4  # for the program taken for an arm; for one with a line changed
+LINES = 0.6  # at least, for the lines
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
@@ -65,9 +70,9 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
     Raises
     ------
     ValueError
-        ``f`` is no function, the kind or the convention is unknown, or the arm is not one of
-        turning joints with rows of that convention. What ``f`` itself raises is caught and put into
-        words.
+        ``f`` is no function, the kind or the convention is unknown, or ``f`` takes rows and the arm
+        is not one of turning joints with rows of that convention. What ``f`` itself raises is
+        caught and put into words.
 
     Examples
     --------
@@ -131,7 +136,27 @@ def _diagnosed(f, task):
         return _with_lines(_stopped(fault), f, task)
     steps = (compared(here, there), special(here, there), from_lists(f, here))
     wrong = [step for step in steps if step is not None]  # one that is found is false
-    return _with_lines(wrong[0], f, task) if wrong else agrees(here)
+    return _with_lines(_as_arm(wrong[0], here), f, task) if wrong else agrees(here)
+
+
+def _as_arm(diagnosis, here):
+    """The diagnosis of a program that has its table in itself, where no mistake of programs
+    explains it: its answers may be another arm's.
+    """
+    if not diagnosis.headline.startswith(UNKNOWN):
+        return diagnosis
+    findings = _of_its_arm(here, AS_ARM, 2)
+    return explains(findings, diagnosis.before) if findings else diagnosis
+
+
+def _of_its_arm(here, seconds, most):
+    """What explains the answers as those of another arm, where the program knows its rows."""
+    if here.task.names != ("q",):
+        return ()
+    from .search.itsarm import as_its_arm  # with scipy, which nothing else here needs
+
+    q = np.array([case[-1] for case in here.cases])
+    return as_its_arm(here.array, here.task.arm, q, seconds, most)
 
 
 def _takes_lists(f, task):
@@ -162,7 +187,7 @@ def _with_lines(diagnosis, f, task):
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
     left = SECONDS - (time.process_time() - task.started)
-    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
+    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, LINES))
     diagnosis = replace(diagnosis, lines=lines, repaired=whole)
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED
@@ -183,8 +208,10 @@ def _half(better, task):
             here, _ = _answers(g, task)
         except (CallFault, NotImplementedError):
             continue
-        findings = explained(here)
-        if len(findings) == 1 and any(here.off):
+        if not any(here.off):
+            continue
+        findings = explained(here) or _of_its_arm(here, HALF_ARM, 1)
+        if len(findings) == 1:
             (left,), (line,) = findings, lines[:1]
             return Diagnosis(
                 EXPLAINED,

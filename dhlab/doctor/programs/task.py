@@ -14,9 +14,11 @@ __all__ = ["KINDS", "RIGHT", "Task"]
 
 KINDS = {"dh_transform": standard, "forward_kinematics": product}
 RIGHT = {"standard": KINDS, "craig": {"dh_transform": craig, "forward_kinematics": product_craig}}
+OF_ANOTHER = "arm_kinematics"
 IN_CRAIG = {"dh_transform": "craig_transform", "forward_kinematics": "craig_kinematics"}
 SEED = 4
 CALLS = 16
+SLIDE = 0.2  # m for a radian: how far sliding joints move
 # rows of the chains, so that no program can be right for one length alone
 LINKS = (2, 3, 4, 5, 6, 3, 7, 4, 2, 5, 3, 6)
 ROW = ("theta", "d", "a", "alpha")
@@ -51,18 +53,21 @@ class Task:
     Raises
     ------
     ValueError
-        A program takes other arguments, or the arm has sliding joints, joints that count
-        backwards, or rows of the other convention.
+        A program that is given the arm's rows: it has sliding joints, joints that count backwards,
+        or rows of the other convention.
     """
 
     def __init__(self, kind, arm=None, names=("rows", "q"), convention="standard"):
         self.kind, self.arm, self.lists, self.convention = kind, arm, False, convention
+        self.plain = True  # whether rows and q are all there is to the arm
         self.started = 0.0  # s of the processor, when the program was first looked at
         self.names = ROW if kind == "dh_transform" else names
         if kind == "dh_transform":
             self.arm = None
         if self.arm is not None:
-            _check(self.arm, convention)
+            self.plain = _is_plain(self.arm, convention)
+            if not self.plain and "rows" in self.names:
+                raise ValueError(_other_arm(self.arm, convention))
 
     @property
     def is_chain(self):
@@ -70,13 +75,15 @@ class Task:
 
     @property
     def versions(self):
-        """Which wrong versions explain it: a key of ``WRONG_VERSIONS``."""
+        """Which wrong versions explain it: a key of ``WRONG_VERSIONS``, or of nothing there."""
+        if not self.plain:
+            return OF_ANOTHER
         return IN_CRAIG[self.kind] if self.convention == "craig" else self.kind
 
     @property
     def calls(self):
         """The general calls and the special ones: (theta, d, a, alpha) or (rows, q)."""
-        return _calls(self.kind) if self.arm is None else _calls_of(self.arm.table.rows)
+        return _calls(self.kind) if self.arm is None else _calls_of(self.arm.table)
 
     @property
     def simple(self):
@@ -91,8 +98,9 @@ class Task:
 
     def right(self, case):
         """The right answer to a call."""
-        T = RIGHT[self.convention][self.kind](*case)
-        return T if self.arm is None else self.arm.base @ T @ self.arm.tool
+        if self.arm is not None:
+            return self.arm.forward(case[-1])
+        return RIGHT[self.convention][self.kind](*case)
 
     def bare(self, T):
         """Answers (m, 4, 4) without the arm's base and tool."""
@@ -108,15 +116,20 @@ class Task:
         return (rows, q)[-len(self.names) :]
 
 
-def _check(arm, convention):
-    table, plain = arm.table, arm.coupling is None and np.all(arm.sign == 1)
-    if table.convention != convention or "P" in table.joints or not plain:
-        raise ValueError(
-            f"diagnose_function: expected an arm in the {convention} convention whose joints all"
-            f" turn, one by one, and count forwards, found {table.convention}, {table.joints}; the"
-            " program is given its rows and q, and nothing else. Name the convention that the"
-            ' program is for, such as convention="craig" (--convention craig)'
-        )
+def _is_plain(arm, convention):
+    """Whether rows of this convention and q, angles that count forwards, are all there is."""
+    one_by_one = arm.coupling is None and np.all(arm.sign == 1)
+    return arm.table.convention == convention and "P" not in arm.table.joints and one_by_one
+
+
+def _other_arm(arm, convention):
+    return (
+        f"diagnose_function: expected an arm in the {convention} convention whose joints all turn,"
+        f" one by one, and count forwards, found {arm.table.convention}, {arm.table.joints}; the"
+        " program is given its rows and q, and nothing else. Name the convention that the program"
+        ' is for, such as convention="craig" (--convention craig), or hand in a program that knows'
+        " its rows and takes q alone"
+    )
 
 
 @cache
@@ -127,7 +140,9 @@ def _calls(kind):
     return [general_chain(rng, n) for n in LINKS], SPECIAL[kind]
 
 
-def _calls_of(rows):
-    rng, n = np.random.default_rng(SEED), len(rows)
+def _calls_of(table):
+    rng, n = np.random.default_rng(SEED), len(table)
+    size = np.where([letter == "P" for letter in table.joints], SLIDE, 1)
     q = [np.zeros(n), *(np.pi / 2 * np.eye(n)), rng.uniform(-7, 7, n)]
-    return [(rows, general_chain(rng, n)[1]) for _ in LINKS], [(rows, one) for one in q]
+    general = [(table.rows, size * general_chain(rng, n)[1]) for _ in LINKS]
+    return general, [(table.rows, size * one) for one in q]

@@ -142,8 +142,9 @@ def test_a_program_of_one_arm_may_know_the_arm(tmp_path):
     other = ends_in_tool.replace("[0, 0, 1, 0.1]", "[0, 0, 1, 0.135]")
     answer = diagnose_function(written(tmp_path, other), KIND, arm=arm)
     assert answer.lines[0].instead.count("[0, 0, 1, 0.1]") == 1
+    assert diagnose_function(written(tmp_path, ends_in_tool), KIND, arm=arm.to("craig"))
     with pytest.raises(ValueError, match="whose joints all turn"):
-        diagnose_function(written(tmp_path, text), KIND, arm=arm.to("craig"))
+        diagnose_function(written(tmp_path, PROGRAM), KIND, arm=arm.to("craig"))
 
 
 def test_who_does_more_than_calculate_is_called_but_not_tried(tmp_path):

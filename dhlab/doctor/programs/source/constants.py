@@ -63,7 +63,7 @@ def _fitted(value, span, deviation):
 
     def off(x):
         answer = deviation((_edit(x, span),))
-        return None if answer is None else answer.ravel()
+        return answer.ravel() if answer is not None and np.isfinite(answer).all() else None
 
     here, further = off(value), off(value + 1)
     if here is None or further is None or abs(further - here).max() < NEAR:

@@ -1,0 +1,92 @@
+"""A program for one arm, with the table in it, taken for an arm: which arm's poses it answers with,
+and in what that arm's table differs.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ....transform import pose_fault
+from ...arms.given import measured
+from ...arms.search.budget import budget_of
+from ...arms.search.fitting import misfit
+from ...arms.search.pairs import pairs
+from ...arms.search.singles import singles
+from ...arms.words.ranking import named, ranked
+
+__all__ = ["as_its_arm"]
+
+FEW = 6  # calls for the search; what is found must hold in all
+NOISE = (1e-8, 1e-8)  # m and rad; the answers of a program are exact
+
+
+def as_its_arm(answers, arm, q, seconds, most=2):
+    """The Findings that explain the answers as those of another arm; none where they are no arm's
+    with one mistake or two.
+
+    The arm that the program has is sought as if its answers had been measured; on the way back from
+    it to the right one each step is what is wrong with the program.
+
+    Parameters
+    ----------
+    answers : array (m, 4, 4)
+    arm : Arm
+        The right one.
+    q : array (m, n)
+    seconds : float
+        Of the processor.
+    most : 1 or 2
+        How many mistakes it may take.
+
+    Returns
+    -------
+    tuple of Finding
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> right = dh.load("article-6r")
+    >>> rows = right.table.rows
+    >>> rows[2, [1, 2]] = rows[2, [2, 1]]
+    >>> wrong = dh.Arm(dh.DHTable.standard(rows, angle="rad"))
+    >>> q = np.random.default_rng(1).uniform(-2, 2, (12, 6))
+    >>> [(f.mistake, f.joint) for f in as_its_arm(wrong.forward(q), right, q, 1.0)]
+    [('a-d-exchanged', 3)]
+    """
+    if pose_fault(answers) is not None:
+        return ()
+    data = measured(arm, q[:FEW], answers[:FEW], NOISE, "fixed", "fixed")
+    whole = measured(arm, q, answers, NOISE, "fixed", "fixed")
+    clock = budget_of(seconds, "diagnose_function")
+    for search in (singles, pairs)[:most]:
+        tried = clock.within(search(arm, data), "the program's arm", share=1)
+        fitting = [e for e in tried if _fits(e, data, whole)]
+        if fitting:
+            best = min(ranked(arm, fitting, data), key=lambda e: _moves_an_end(e, arm))
+            return tuple(_on_the_way_back(best, data, arm))
+    return ()
+
+
+def _moves_an_end(explanation, arm):
+    """Whether base or tool differ: what a number of the table or a joint's sense does as well is
+    likelier there.
+    """
+    its = explanation.chain[-1]
+    return not (np.allclose(its.base, arm.base) and np.allclose(its.tool, arm.tool))
+
+
+def _fits(explanation, data, whole):
+    """Whether it is an arm's, and that arm answers so in every call; many offsets at once explain
+    too much.
+    """
+    if explanation.data_fault is not None or len(explanation.entries) > explanation.changes:
+        return False
+    return explanation.fit.explains(data) and misfit(explanation.fit.arm, whole).explains(whole)
+
+
+def _on_the_way_back(explanation, data, arm):
+    its = explanation.chain[-1]
+    right = arm.forward(data.q)
+    data = replace(data, p=right[:, :3, 3], R=right[:, :3, :3])
+    back = replace(explanation, chain=explanation.chain[::-1], fit=misfit(arm, data))
+    return named(back, data) if its is not arm else []
