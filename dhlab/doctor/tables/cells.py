@@ -14,7 +14,10 @@ LONGEST = 200
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
     ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
-    ("q", r"(?:q|var|variable|joint|j|phi|qs|angles?|jointangles?)\d*(?:\[.*\])?|q[ijk]|ja\d|x\d"),
+    (
+        "q",
+        r"(?:q\w{0,3}?|var|variable|joints?|ja?|phi|conf\w*|angles?|jointangles?)\d*(?:\[.*\])?|q[ijk]|x\d",
+    ),
     ("d", r"d(?:\d+|[ijk]|\[.*\])?"),
     ("a", r"[ar](?:\d+|[ijk]|\[.*\])?"),
     ("length", r"[lh]\d*|(?:link|len|length)\d+"),

@@ -18,7 +18,8 @@ from .dialects import (
     universal,
 )
 from .dialects.grid import from_grid
-from .language.orders import convention_in
+from .language.axes import axes_in
+from .language.orders import convention_in, previous_in
 from .language.source import source_of
 from .pasted import Pasted
 
@@ -67,8 +68,13 @@ def _from_text(text, values, nominal, length):
     source = source_of(text, values)
     source.asked_length = length or ""
     for read in READERS:
-        found = read(source, nominal)
-        if read is rows.read and found is not None:
+        try:
+            found = read(source, nominal)
+        except ValueError:
+            if said := axes_in(source):
+                raise ValueError(said) from None
+            raise
+        if read in (rows.read, functions.read) and found is not None:
             found = _larger(found, source)
         if found is not None:
             return _with_words(found, source) if isinstance(found, Pasted) else found
@@ -81,6 +87,8 @@ def _larger(found, source):
     stand in braces.
     """
     named = keyed.read(source) if found.why == "as their names say" else None
+    if named is None and (len(found.rows) == 1 or found.form.startswith("calls")):
+        named = _read_or_none(numbered.read, source)
     if named is not None and len(named.rows) > len(found.rows):
         return named
     try:
@@ -88,6 +96,14 @@ def _larger(found, source):
     except ValueError:
         return found
     return other if other.roles is not None and len(other.rows) > len(found.rows) else found
+
+
+def _read_or_none(read, source):
+    """What a reader makes of a text that another one has read; None where it stumbles."""
+    try:
+        return read(source)
+    except ValueError:
+        return None
 
 
 def _with_words(table, source):
@@ -100,6 +116,8 @@ def _with_words(table, source):
             table = replace(table, notes=(*table.notes, note))
         elif computed:
             table = replace(table, convention=computed[0], because=computed[1])
+        elif table.why == "as the comment says" and previous_in(source):
+            table = replace(table, convention="craig", because="by the index i-1 in the comment")
         elif source.convention:
             table = replace(table, convention=source.convention, because="as the text says")
     return replace(table, length=table.length or source.length, angle=table.angle or source.angle)

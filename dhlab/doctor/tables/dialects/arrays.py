@@ -17,8 +17,10 @@ AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$
 BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
 
-def arrays_in(source):
-    """{name: list of Values} of every flat array whose items are expressions."""
+def arrays_in(source, twice=None):
+    """{name: list of Values} of every flat array whose items are expressions; ``twice`` gets the
+    names that are given again with other numbers.
+    """
     code = re.sub(
         r"([\w'\"]+)\s*:\s*((?:\n\s*-\s*[^\n:\[]+)+)",
         lambda m: m[1] + ": [" + ", ".join(re.findall(r"-\s+([^\n]+)", m[2])) + "]\n",
@@ -46,7 +48,9 @@ def arrays_in(source):
                     source.value(f"({cell})*({factor})") if not value.unit else value
                     for cell, value in zip(cells, values)
                 ]
-            found.setdefault(name, [(value, cell) for value, cell in zip(values, cells)])
+            given = [(value, cell) for value, cell in zip(values, cells)]
+            if found.setdefault(name, given) != given and twice is not None:
+                twice.add(name)
     return found
 
 
@@ -66,7 +70,8 @@ def read(source, nominal=None):
     there.
     """
     by_role: dict = {}
-    for name, values in _unnumbered(arrays_in(source)).items():
+    twice: set = set()
+    for name, values in _unnumbered(arrays_in(source, twice)).items():
         if re.search(r"delta_", name):
             continue
         role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
@@ -78,6 +83,12 @@ def read(source, nominal=None):
         by_role["a"] = by_role.pop("r")
     if not {"d", "a", "alpha"} <= set(by_role):
         return None
+    again = [name for name in sorted(twice) if role_of(name)[0] in ("d", "a", "alpha", "r")]
+    if again:
+        raise ValueError(
+            f"recognise_table: expected one arm, found two: {', '.join(again)} given twice with"
+            " other numbers; paste one of them"
+        )
     n = len(by_role["alpha"])
     short = [
         role

@@ -8,6 +8,7 @@ from ..cells import cell_of, read_cell
 from ..language.brackets import cells_in, groups, keyword
 from ..language.roles import role_of
 from ..pasted import Row, from_rows
+from .functions import definitions
 
 __all__ = ["read"]
 
@@ -30,12 +31,21 @@ LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\
 def read(source, nominal=None):
     """The Pasted table of calls of link classes; None when there are none."""
     rows, forms, conventions, notes = [], [], set(), []
-    named = {}
+    named: dict = {}
+    own = {
+        _name(group): definitions(source).get(_name(group))
+        for group in groups(source.code)
+        if group.mark == "(" and _defines(group)
+    }
     for group in groups(source.code):
-        name = group.name.split(".")[-1].split("::")[-1]
+        name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         if known is None or group.mark != "(" or _is_inner(group):
             continue
+        if own.get(name):  # a class of the text's own: its order is the one that it defines
+            known = (*known[:3], " ".join(str(role) for role in own[name]))
+            if _defines(group):
+                continue
         row, said = _row(group, name, known, source, notes, len(rows) + 1)
         if row is None:
             continue
@@ -61,6 +71,17 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _defines(group):
+    """Whether these are the names of a definition: ``DHLink(double a, double alpha, …)``."""
+    texts = [item.text.split(":")[0].strip() for item in group.items]
+    plain = [text for text in texts if re.fullmatch(r"[\w\s*&<>.]+", text)]
+    return sum(role_of(re.split(r"\s+|[*&]", text)[-1])[0] in NAMED for text in plain) >= 4
+
+
+def _name(group):
+    return re.split(r"\.|::", group.name)[-1]
 
 
 def _changed_later(named, rows, source, conventions):

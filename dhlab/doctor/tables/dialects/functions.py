@@ -9,7 +9,7 @@ from ..language.orders import order_in
 from ..language.roles import ROLES, role_of
 from ..pasted import Pasted
 
-__all__ = ["read"]
+__all__ = ["definitions", "read"]
 
 NOT_A_LINK = re.compile(
     r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
@@ -22,16 +22,7 @@ NOT_A_LINK = re.compile(
 def read(source, nominal=None):
     """The Pasted table of calls with four numbers each; None when there are none."""
     calls = [group for group in groups(source.code) if group.mark == "(" and group.name]
-    orders: dict = {}
-    for call in calls:
-        roles = tuple(
-            role_of(_bare(item.text))[0]
-            for item in call.items
-            if item.text not in ("self", "this", "obj", "cls")
-        )
-        named = [role for role in roles if role in (*ROLES, "r")]
-        if len(set(named)) == 4 and "alpha" in named:
-            orders.setdefault(_last(call.name), roles)
+    orders = definitions(source)
     found: dict = {}
     for call in calls:
         cells = _cells(call, source, orders.get(_last(call.name)))
@@ -57,6 +48,21 @@ def read(source, nominal=None):
         tuple(tuple(row) for row in rows), roles, why,
         labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
     )  # fmt: skip
+
+
+def definitions(source):
+    """{name: roles} of the functions and classes that the text defines with four columns."""
+    orders: dict = {}
+    for call in groups(source.code):
+        roles = tuple(
+            role_of(_bare(item.text))[0]
+            for item in call.items
+            if item.text not in ("self", "this", "obj", "cls")
+        )
+        named = [role for role in roles if role in (*ROLES, "r")]
+        if call.mark == "(" and call.name and len(set(named)) == 4 and "alpha" in named:
+            orders.setdefault(_last(call.name), roles)
+    return orders
 
 
 def _last(name):

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..beside import DASH, explained, require_no_fifth, slid, with_theta
 from ..cells import Cell, plain, read_cell
 from ..columns import LENGTHS
 from ..language.roles import ROLES, role_of, unit_in
@@ -23,7 +24,6 @@ ROOM = re.compile(
     r"|up|down|left|right|forward|backward|vertical|horizontal"
 )
 NO_UNIT = ("", "-", "1", *"unit units einheit einheiten unite unité unidad 单位 單位".split())
-FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 KINDS = {
     "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
     "prismatic": "P", "p": "P", "linear": "P", "pris": "P", "t": "P", "sliding": "P",
@@ -98,11 +98,15 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         The order of the columns where something else than a heading says it.
     """
     said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
+    taken = False
     for where, cells in grid:
         head = header(cells) if not rows else None
         if head:
             roles, heads, said = head
             roles, notes = _with_directions(roles, grid)
+            below = [other for place, other in grid if place != where and not units_of(other)]
+            named, (roles, beside) = roles, explained(roles, cells, below)
+            notes, taken = (*notes, *beside), roles != named
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
             why, because = "as the header says", _because(said)
             continue
@@ -114,7 +118,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         if not rows and _is_title(cells):
             continue
         rows.append(_row(cells, roles, where, source))
-        _require_no_fifth(names, cells, where)
+        require_no_fifth(names, cells, where)
     if not rows:
         raise ValueError(
             "recognise_table: expected at least one row of four numbers, found none; paste the"
@@ -122,6 +126,12 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         )
     cells, labels, kinds, signs = zip(*rows)
     kept = roles and tuple(role for role in roles if role in KEPT)
+    if any(cell is DASH for row in cells for cell in row):
+        notes = (*notes, "a dash is taken for 0")
+    if kept:
+        cells = tuple(slid(row, kept) for row in cells) if taken else cells
+        cells, kept, beside = with_theta(cells, kept)
+        notes = (*notes, *beside)
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
         labels, kinds, signs, form=form, notes=notes,
@@ -149,17 +159,6 @@ def _with_directions(roles, grid):
         note = "the column of directions is taken for the sense in which each joint counts"
         return roles, (note,)
     return roles, ()
-
-
-def _require_no_fifth(names, cells, where):
-    """A fifth number that is not 0 makes the row another one than Denavit and Hartenberg's."""
-    for name, cell in zip(names, cells):
-        read = _try(cell) if name in FIFTH else None
-        if read is not None and (read.value or read.letters):
-            raise ValueError(
-                f"recognise_table: {where}: expected four numbers of Denavit and Hartenberg, found"
-                f" {name} = {str(cell)[:20]} as well; give the joint axes instead, as an axis sheet"
-            )
 
 
 def _because(said):
@@ -245,7 +244,9 @@ def _cell(cell, where, k, source):
                 " look at where it was computed"
             )
         return Cell(float(cell))
-    if isinstance(cell, str) and plain(cell) in ("-", "", "nan", "n/a", "?"):
+    if isinstance(cell, str) and plain(cell).strip("*` ") in ("-", "--", "---"):
+        return DASH
+    if isinstance(cell, str) and plain(cell) in ("", "nan", "n/a", "?"):
         raise ValueError(
             f"recognise_table: {where}, cell {k + 1}: expected a number, found an empty cell; write"
             " 0 where 0 is meant"

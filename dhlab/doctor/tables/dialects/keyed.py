@@ -5,10 +5,11 @@ YAML, what simulators print.
 import re
 
 from ..cells import cell_of
+from ..language.brackets import groups, keyword
 from ..language.roles import role_of
 from ..pasted import Row, from_rows
 
-__all__ = ["read"]
+__all__ = ["in_groups", "read"]
 
 PAIR = re.compile(
     r"(?<![\w.\])])['\"]?([A-Za-z_][A-Za-z_]*?)_?(\d*)['\"]?\s*(?:=|:(?!:))\s*"
@@ -79,3 +80,59 @@ def _pairs(line, source):
         if value is not None:
             found["theta"] = cell_of(value, alone[1].strip())
     return found
+
+
+def in_groups(source):
+    """The Pasted table of dictionaries and structures, one a row; None without two of them."""
+    rows = []
+    found = groups(source.code)
+    for group in found:
+        own_class = group.mark == "(" and group.name.lower() != "dict"
+        if group.mark not in "{(" or _is_made_room_for(group, source):
+            continue
+        row = {}
+        for pair in _items(group):
+            role = role_of(pair[0])[0] if pair else None
+            value = (
+                source.value(pair[1])
+                if pair and role in ("theta", "d", "a", "alpha", "r", "offset")
+                else None
+            )
+            if value is not None:
+                row[role] = cell_of(value, pair[1])
+            elif pair and (role == "type" or pair[0] in ("type", "joint_type", "kind")):
+                row["type"] = pair[1].strip("'\"").lower()
+        wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
+        if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
+            rows.append(row)
+    if len(rows) < 2:
+        return None
+    if all("r" in row and "a" not in row for row in rows):
+        rows = [
+            {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
+        ]
+    kinds = [row.pop("type", "")[:1].upper() for row in rows]
+    return from_rows(
+        [
+            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""))
+            for row, kind in zip(rows, kinds)
+        ],
+        why="as their names say",
+    )
+
+
+def _items(group):
+    """(name, text) or None of each item; MATLAB's ``struct('d', 0.1, 'a', 0)`` by twos."""
+    texts = [item.text for item in group.items]
+    if group.name.lower() == "struct":
+        return [(name.strip("'\""), text) for name, text in zip(texts[::2], texts[1::2])]
+    return [keyword(text) for text in texts]
+
+
+def _is_made_room_for(group, source):
+    """Whether ``Link = struct(…)`` only makes room for ``Link(1) = struct(…)`` below it."""
+    if group.name.lower() != "struct" or not group.target:
+        return False
+    indexed = rf"^\s*{re.escape(group.target)}\s*\(\d+\)\s*=\s*struct"
+    line = source.code.split("\n")[group.line - 1]
+    return not re.match(indexed, line) and bool(re.search(indexed, source.code, re.MULTILINE))

@@ -2,15 +2,22 @@
 
 import re
 from collections import Counter
+from dataclasses import replace
 
 from ..cells import read_cell
 from ..language.brackets import cells_in
+from ..language.orders import order_in, order_of_names
 from ..language.roles import ROLES, role_of
 from .grid import from_grid, header, units_of
 
 __all__ = ["read"]
 
 RULE = re.compile(r"[-|:+=\s().;_*#~]*")  # a line that only separates
+# a row with its name before it: Joint 1: (0, 0.1, 0, 90), J2 = [0, 0, 0.4, 0]
+ROW = re.compile(
+    r"\s*[-*]?\s*([A-Za-z][\w ]{0,20}?)\s*[:=-]?\s*"
+    r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
+)
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
 MOST_WORDS = 4  # of a row's label
@@ -27,21 +34,62 @@ def read(source, nominal=None):
     code = source.code
     if re.search(r"\d", re.sub(r"[a-z]\w*", "", code)) is None:
         code = source.text
+    try:
+        return _from_lines(_broken(code).split("\n"), source)
+    except ValueError as error:
+        table = _in_comments(source)
+        if table is None:
+            raise error
+        return table
+
+
+def _in_comments(source):
+    """The Pasted table that stands in the comments of a program, with its heading; None without
+    one.
+    """
+    lines = [""] * (source.text.count("\n") + 1)
+    for k, comment in source.comments:
+        if k <= len(lines):
+            lines[k - 1] = comment
+    if not any(header(_cells(line, False)) or header(line.split("|")) for line in lines if line):
+        return None
+    try:
+        table = _from_lines(lines, source)
+    except ValueError:
+        return None
+    return replace(table, notes=(*table.notes, "the table was read from the comments"))
+
+
+def _from_lines(texts, source):
     lines = [
-        (k, _without_brackets(line))
-        for k, line in enumerate(_broken(code).split("\n"), 1)
+        (k, _listed(_without_brackets(line)))
+        for k, line in enumerate(texts, 1)
         if line.strip() and not RULE.fullmatch(line) and not _assignment(line)
     ]
     split, mark = _splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
     grid = _with_heading(_upright(grid), source, split)
-    grid = _one_cell_a_line(grid, lines) or _table_only(grid)
+    grid = _one_cell_a_line(grid, lines) or _named_one_a_line(lines) or _table_only(grid)
     if len(grid) > MOST_LINES:
         raise ValueError(
             f"recognise_table: expected at most {MOST_LINES} lines, found {len(grid)}; paste the"
             " rows only"
         )
+    order = None if any(header(cells) for _, cells in grid) else order_in(source)
+    if order and {len(cells) for _, cells in grid} == {5}:
+        return from_grid(grid, source, ("label", *order[0]), order[2], order[1])
     return from_grid(grid, source)
+
+
+def _listed(line):
+    """``Joint 1: (θ1, 0.1, 0, 90°)`` with its cells at commas; a sentence that names the columns in
+    brackets is no row.
+    """
+    found = ROW.fullmatch(line)
+    if found and len(cells_in(found[2])) >= 4:
+        return f"{found[1].strip()}, {', '.join(cells_in(found[2]))}"
+    told = re.search(r"\w\s+\(([^()]*,[^()]*)\)", line)
+    return "" if told and order_of_names(told[1]) else line
 
 
 def _upright(grid):
@@ -136,7 +184,9 @@ def _cells(line, wide):
 
 
 def _good(cell):
-    """Whether a cell is a number, or a letter with its index."""
+    """Whether a cell is a number, a dash, or a letter with its index."""
+    if cell.strip("*` ") == "-":
+        return True
     try:
         found = read_cell(cell)
     except ValueError:
@@ -158,6 +208,21 @@ def _one_cell_a_line(grid, lines):
         if len(rows[-1]) < len(cells):
             rows.pop()
         return [grid[k], *((f"line {row[0][0]}", [line for _, line in row]) for row in rows)]
+    return None
+
+
+def _named_one_a_line(lines):
+    """The same where the cells of the heading stand in lines of their own, too."""
+    words = [line for _, line in lines]
+    if len(words) < 8 or any("|" in word or len(_cells(word, True)) > 1 for word in words):
+        return None
+    for first in range(len(words)):
+        for width in (5, 6, 4):
+            cells = words[first : first + width]
+            if not header(cells) or any(_good(cell) for cell in cells):
+                continue
+            rest = range(first, len(words) - width + 1, width)
+            return [(f"line {lines[at][0]}", words[at : at + width]) for at in rest]
     return None
 
 
@@ -202,8 +267,9 @@ def _table_only(grid):
 
 def _is_last_of_matrix(cells):
     """Whether this is the row 0 0 0 1 of a link matrix that stands below the table."""
-    found = [read_cell(cell) if _good(cell) else None for cell in cells]
-    return len(found) == 4 and [cell and cell.value for cell in found] == [0, 0, 0, 1]
+    if not all(_good(cell) and cell.strip("*` ") != "-" for cell in cells):
+        return False
+    return [read_cell(cell).value for cell in cells] == [0, 0, 0, 1]
 
 
 def _is_row(cells, width):

@@ -14,6 +14,9 @@ __all__ = ["read"]
 FIELD = re.compile(
     r"\w+\s*[\[({](\d+)[\])}]\s*\.\s*(\w+)\s*=\s*([^;\n=]+)|\b[A-Za-z]+_?(\d+)\.(\w+)\s*=\s*([^;\n=]+)"
 )
+# the number within the name: DH_0_THETA, J1_d
+WITHIN = re.compile(r"[A-Za-z_]*?(\d+)_?([A-Za-z]+)")
+NAMED_WITHIN = re.compile(r"\b([A-Za-z_]+\d+_[A-Za-z]+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
 CELL = re.compile(r"\b([A-Za-z_]+)\s*[\[(](\d+)[\])]\s*=\s*([^;\n=]+)")
 PAIR = re.compile(r"(?<![\w.])([A-Za-z_]+?)_?(\d+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
@@ -26,6 +29,8 @@ def read(source, nominal=None):
     for name, index, text in _named(source.code):
         role = role_of(name)[0]
         value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
+        if text.strip().startswith("["):
+            continue  # A12 = [ … is a matrix
         if role in NAMES and value is None:
             unread.setdefault((role, int(index)), text.strip())
         elif role in NAMES:
@@ -87,6 +92,11 @@ def _named(code):
     for name, text in DEFINED.findall(code):
         if found := re.fullmatch(r"([A-Za-z_]+?)_?(\d+)", name):
             yield found[1], found[2], text.split("//")[0].strip()
+        elif found := WITHIN.fullmatch(name):
+            yield found[2], found[1], text.split("//")[0].strip()
+    for name, text in NAMED_WITHIN.findall(code):
+        if found := WITHIN.fullmatch(name):
+            yield found[2], found[1], text
 
 
 def _shift(found):

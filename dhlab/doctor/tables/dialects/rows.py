@@ -6,12 +6,13 @@ import re
 from dataclasses import replace
 
 from ..cells import cell_of
-from ..language.brackets import cells_in, groups, keyword
+from ..language.brackets import cells_in, groups
+from ..language.expressions import Value
 from ..language.orders import order_in
 from ..language.roles import role_of
-from ..pasted import Row, from_rows
 from .arrays import arrays_in
 from .grid import from_grid
+from .keyed import in_groups
 
 __all__ = ["read"]
 
@@ -40,52 +41,16 @@ NAMED = (
 
 def read(source, nominal=None):
     """The Pasted table of the largest group of rows; None when there is none."""
-    return _dictionaries(source) or _numbers(source)
-
-
-def _dictionaries(source):
-    rows = []
-    for group in groups(source.code):
-        own_class = group.mark == "(" and group.name.lower() != "dict"
-        if group.mark not in "{(":
-            continue
-        row = {}
-        for item in group.items:
-            pair = keyword(item.text)
-            role = role_of(pair[0])[0] if pair else None
-            value = (
-                source.value(pair[1])
-                if pair and role in ("theta", "d", "a", "alpha", "r", "offset")
-                else None
-            )
-            if value is not None:
-                row[role] = cell_of(value, pair[1])
-            elif role == "type" or (pair and pair[0] in ("type", "joint_type", "kind")):
-                row["type"] = pair[1].strip("'\"").lower()
-        wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
-        if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
-            rows.append(row)
-    if len(rows) < 2:
-        return None
-    if all("r" in row and "a" not in row for row in rows):
-        rows = [
-            {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
-        ]
-    kinds = [row.pop("type", "")[:1].upper() for row in rows]
-    return from_rows(
-        [
-            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""))
-            for row, kind in zip(rows, kinds)
-        ],
-        why="as their names say",
-    )
+    return in_groups(source) or _numbers(source)
 
 
 def _numbers(source):
     found = groups(source.code)
+    matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
+    _require_one(matrices)
     grid = max(
         (
-            *(rows for rows in map(_matrix, found) if _is_table(rows, source)),
+            *(rows for _, rows in matrices),
             _one_a_call(found),
             _one_a_name(found),
             *_streams(source.code),
@@ -115,7 +80,7 @@ def _numbers(source):
     if order and width > 6:  # limits and the like stand behind
         grid, fits = [(where, row[:4]) for where, row in grid], order
     elif order and width > 4:
-        fits = _with_more(order, [row for _, row in grid])
+        fits = _with_more(order, [row for _, row in grid], source)
     table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
@@ -139,14 +104,35 @@ def _without_theta(table, source):
     return replace(table, rows=tuple(rows), notes=(*table.notes, *notes))
 
 
-def _with_more(order, rows):
+def _require_one(matrices):
+    """Two tables by their names, dh_left and dh_right, are two arms: nobody can say which."""
+    tables: dict = {}
+    for group, rows in matrices:
+        if len(rows) > 1 and re.search(r"dh|table|param", group.target.lower()):
+            tables.setdefault(str([cells for _, cells in rows]), (group.target, len(rows[0][1])))
+    widths = [width for _, width in tables.values()]
+    if len(tables) > 1 and len(set(widths)) == 1:
+        names = ", ".join(name for name, _ in tables.values())
+        raise ValueError(
+            f"recognise_table: expected one table, found two or more: {names[:60]}; paste one of"
+            " them"
+        )
+
+
+def _with_more(order, rows, source):
     """The order where an index or a name stands before the four, or sigma and an offset after."""
+    more = ("sigma", "offset")
+    if any(_value(row[4], source) not in (Value(0.0), Value(1.0)) for row in rows):
+        more = ("offset", "sigma")
+    if any(re.search(r"al(?:ph|f)a\W+(?:theta_?)?offset", text) for _, text in source.comments):
+        more = ("offset", "sigma")
     first, width = [str(row[0]).strip("'\" ") for row in rows], len(rows[0])
     if all(word.upper() in ("R", "P", "REVOLUTE", "PRISMATIC") for word in first):
-        return ("type", *order, *("sigma", "offset")[: width - 5])
-    if first == [str(k) for k in range(1, len(rows) + 1)] or not re.match(r"[-\d.]", first[0]):
-        return ("label", *order, *("sigma", "offset")[: width - 5])
-    return (*order, *("sigma", "offset")[: width - 4])
+        return ("type", *order, *more[: width - 5])
+    named = not any(re.match(r"[-+.]?\d|[-+]", word) for word in first)
+    if first == [str(k) for k in range(1, len(rows) + 1)] or named:
+        return ("label", *order, *more[: width - 5])
+    return (*order, *more[: width - 4])
 
 
 def _made_by(source):
@@ -189,7 +175,9 @@ def _matrix(group):
         ]
     if not rows or len({len(cells) for _, cells in rows}) > 1 or not 4 <= len(rows[0][1]) <= 8:
         return []
-    if len(rows) == 1 and (group.mark == "(" or (not inner and group.mark != "[")):
+    if len(rows) == 1 and (
+        group.mark == "(" or (not inner and group.mark != "[") or len(rows[0][1]) > 5
+    ):
         return []
     return rows
 
@@ -224,9 +212,9 @@ def _with_beside(table, source):
 
 
 def _is_table(rows, source):
-    """Whether rows are no matrix of formulas, nor the last row of one."""
+    """Whether rows are no matrix of formulas, no pose, nor the last row of one."""
     read = all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
-    last = len(rows) == 1 and [str(cell).strip() for cell in rows[0][1]] == LAST_ROW
+    last = len(rows) in (1, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
     return read and bool(rows) and not last
 
 

@@ -51,6 +51,8 @@ FUNCTIONS = {
     "sin": math.sin,
     "cos": math.cos,
     "tan": math.tan,
+    "sind": lambda degrees: math.sin(math.radians(degrees)),
+    "cosd": lambda degrees: math.cos(math.radians(degrees)),
     "c": math.cos,
     "s": math.sin,
     "abs": abs,
@@ -63,6 +65,10 @@ INVERSE = {
     **dict.fromkeys(("asin", "arcsin"), math.asin),
     **dict.fromkeys(("acos", "arccos"), math.acos),
 }
+
+
+# arrays of joint values, as MATLAB indexes them: q(1), jA(1), config(1)
+JOINT_VALUES = re.compile(r"q\w{0,3}|th|theta\w{0,3}|ja?|joints?|angles?|conf\w*|phi|jointangles?")
 
 
 class NoExpression(Exception):
@@ -239,7 +245,7 @@ class _Parser:
     def named(self, text):
         name = key(text)
         low = text.split(".")[-1].split("::")[-1].lower()
-        if self.peek() == ("op", "(") and not re.fullmatch(r"(q|theta|th)", low):
+        if self.peek() == ("op", "(") and not (JOINT_VALUES.fullmatch(low) and self.is_indexed()):
             return self.called(low)
         if self.peek()[1] in ("(", "[") and self.peek(1)[0] == "number":
             bracket, index = self.take()[1], self.take()[1]
@@ -258,6 +264,11 @@ class _Parser:
         if low in ("rad", "mm", "cm") or low in ("inf", "nan", "none", "true", "false", "null"):
             raise NoExpression
         return Value(0.0, {name: 1.0})
+
+    def is_indexed(self):
+        """Whether one whole number stands between the brackets that follow."""
+        index = self.peek(1)
+        return index[0] == "number" and index[1].isdigit() and self.peek(2) == ("op", ")")
 
     def looked_up(self, name):
         """What a letter stands for; each is worked out once, whoever asks."""

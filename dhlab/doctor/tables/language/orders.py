@@ -11,9 +11,10 @@ from .brackets import cells_in, groups
 from .expressions import NoExpression, evaluate, key
 from .roles import ROLES, role_of, unit_in
 
-__all__ = ["convention_in", "order_in", "order_of_names"]
+__all__ = ["convention_in", "order_in", "order_of_names", "previous_in"]
 
-NAME = re.compile(r"[A-Za-z][\w.]*(?:\(i-1\)|_\{?i-1\}?|(?<=_i)-1)?")
+NAME = re.compile(r"[A-Za-z][\w.]*(?:[({\[]i(?:\s*-\s*1)?[)}\]]|_\{?i-1\}?|(?<=_i)-1)?")
+PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
@@ -48,6 +49,19 @@ def order_in(source):
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
     return None
+
+
+def previous_in(source):
+    """Whether the comment that names the columns counts a or alpha from the link before.
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> previous_in(source_of("% a(i-1), alpha(i-1), d(i), theta(i)\\nDH = [0 0 1 0]"))
+    True
+    """
+    named = (text for _, text in source.comments if order_of_names(text))
+    return any(PREVIOUS.search(text) for text in named)
 
 
 def order_of_names(text, in_code=False):

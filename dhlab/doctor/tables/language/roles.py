@@ -51,7 +51,13 @@ PHRASES = (  # the first that fits
     (r"\b(qlim|limits?|range|bounds?)\b", "limits"),
     (r"\boffsets?\b", "offset"),
 )
-LETTERS = {"d": "d", "a": "a", "r": "r", "q": "theta", "al": "alpha", "t": "theta"}
+LETTERS = {
+    **dict.fromkeys(("d", "dz", "dd"), "d"),
+    **dict.fromkeys(("a", "dx", "aa"), "a"),
+    "r": "r",
+    **dict.fromkeys(("q", "t", "tt", "v"), "theta"),  # ϑ is typed as v
+    **dict.fromkeys(("al", "alf"), "alpha"),
+}
 LABELS = (
     "i j k n no # link joint row name frame axis linki frames links joints transformation"
     " gelenk achse glied nr articulation liaison axe articulacion eje giunto 关节 轴 连杆 关节号"

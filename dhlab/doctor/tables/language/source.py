@@ -18,7 +18,7 @@ DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
     r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
-    r"([^=;\n,|{}\[\]:'\"]{1,120})"
+    r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
 )
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?\[([-+.\deE,\s]+)\]")

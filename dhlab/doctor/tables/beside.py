@@ -1,0 +1,126 @@
+"""Columns of a pasted table beside the four: what they are, or the question what they are; none is
+left out in silence.
+"""
+
+import re
+from itertools import pairwise
+
+from .cells import Cell, read_cell
+
+__all__ = ["DASH", "explained", "require_no_fifth", "slid", "with_theta"]
+
+DASH = Cell(0.0, text="-")
+FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
+# what stands in tables beside the four and moves nothing
+APART = re.compile(
+    r"mass|weight|inerti|speed|veloc|torque|gear|ratio|range|limit|max|min|home|servo|motor|port"
+    r"|pin|pulse|steps?\b|note|comment|remark|name|desc|example|pose|power|payload|accel|encoder|id\b"
+    r"|^#$|child|parent|initial|current|value|page|step|^mu\b|^q[^\w\s]",
+    re.IGNORECASE,
+)
+
+
+def explained(roles, heading, rows):
+    """(roles, notes) where columns without a known name hold numbers: the joint variable, something
+    apart, or a question.
+
+    Parameters
+    ----------
+    roles : tuple of str or None
+    heading : list of str
+    rows : list of list
+        The cells of each line.
+
+    Raises
+    ------
+    ValueError
+        A column of numbers has a name that says nothing.
+
+    Examples
+    --------
+    >>> explained(("label", None, "a", "alpha", "d"), ["i", "var", "a", "al", "d"], [list("1") +
+    ...     ["q1", "0", "90", "0.1"]])
+    (('label', 'theta', 'a', 'alpha', 'd'), ('the column var is taken for theta',))
+    """
+    roles, notes = list(roles), []
+    whole = [cells for cells in rows if len(cells) == len(roles)]
+    for k, (role, name) in enumerate(zip(roles, heading)):
+        found = [one for cells in whole if (one := _read(cells[k])) is not None]
+        again = role == "label" and "label" in roles[:k]  # one column names the rows
+        again = again and all(cell.is_constant for cell in found)
+        if (role is not None and not again) or 2 * len(found) <= len(whole) or _counts(found):
+            continue
+        name = str(name).strip(" *$`") or f"number {k + 1}"
+        letters = {letter for cell in found for letter, _ in cell.letters}
+        if letters and "theta" not in roles:
+            roles[k] = "theta"
+            notes.append(f"the column {name[:20]} is taken for theta")
+        elif letters and letters <= _letters(whole, k) | _plain(roles, whole):
+            continue  # the variable is named once more
+        elif APART.search(name):
+            notes.append(f"the column {name[:20]} was left out")
+        elif any(cell.value or cell.letters for cell in found):
+            raise ValueError(
+                f"recognise_table: expected columns theta, d, a, alpha, found a column of numbers"
+                f" {name[:20]!r}; what is it? Give it one of these names, or leave it out"
+            )
+    return tuple(roles), tuple(notes)
+
+
+def _read(cell):
+    try:
+        return read_cell(str(cell))
+    except ValueError:
+        return None
+
+
+def _counts(cells):
+    """Whether the numbers are those of links, one after the other."""
+    values = [cell.value for cell in cells]
+    return all(cell.is_constant for cell in cells) and all(
+        after - before == 1 for before, after in pairwise(values)
+    )
+
+
+def _letters(rows, without):
+    """The letters of all columns but one."""
+    cells = (_read(cell) for row in rows for k, cell in enumerate(row) if k != without)
+    return {letter for cell in cells if cell is not None for letter, _ in cell.letters}
+
+
+def _plain(roles, rows):
+    """The variables that a column of numbers leaves to be understood."""
+    return {f"theta{k}" for k in range(len(rows) + 2)} if "theta" in roles else set()
+
+
+def slid(row, roles):
+    """A row whose column of variables names the length that its joint changes."""
+    if not {"theta", "d"} <= set(roles):
+        return row
+    theta, d = (row[roles.index(role)] for role in ("theta", "d"))
+    if theta.variable != "d" or not (d.is_constant or d.letters == theta.letters):
+        return row
+    moved = Cell(d.value, theta.letters, d.unit, f"{d.text}*")
+    swapped = {"theta": Cell(0.0), "d": moved}
+    return tuple(swapped.get(role, cell) for role, cell in zip(roles, row))
+
+
+def with_theta(table_rows, roles):
+    """(rows, roles, notes) where a heading has d, a and alpha and no column theta."""
+    if "theta" in roles or "offset" in roles or not {"d", "alpha"} & set(roles):
+        return table_rows, roles, ()
+    if not {"d", "a", "alpha"} <= set(roles) and not {"d", "r", "alpha"} <= set(roles):
+        return table_rows, roles, ()
+    note = "no column theta: each row is taken for a joint that turns, with its zero at theta = 0"
+    return tuple((*row, Cell(0.0)) for row in table_rows), (*roles, "theta"), (note,)
+
+
+def require_no_fifth(names, cells, where):
+    """A fifth number that is not 0 makes the row another one than Denavit and Hartenberg's."""
+    for name, cell in zip(names, cells):
+        read = _read(cell) if name in FIFTH else None
+        if read is not None and (read.value or read.letters):
+            raise ValueError(
+                f"recognise_table: {where}: expected four numbers of Denavit and Hartenberg, found"
+                f" {name} = {str(cell)[:20]} as well; give the joint axes instead, as an axis sheet"
+            )
