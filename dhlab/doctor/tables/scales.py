@@ -2,6 +2,8 @@
 it, else their size; every unit that fits where these do not settle it.
 """
 
+import re
+
 import numpy as np
 
 from ...units import convert
@@ -19,6 +21,7 @@ UNIT_WORDS = {
     "cm": "centimetres",
     "in": "inches",
 }
+SCALED = re.compile(r"mm_?(?:2|to)_?m|[*/]\s*(?:1000(?:\.0*)?|1e-?0?3|0?\.001|10\^-3)(?![\d.])")
 SMALL_ARM, TOY = 70.0, 3.0  # the longest number: above, millimetres; between, nobody knows
 
 
@@ -84,6 +87,8 @@ def length_units(table, columns, given):
             if not table.length or said != table.length
             else "as the text says"
         )
+        if said == "mm" and longest < TOY and any(SCALED.search(cell.text) for cell in cells):
+            return [("m", "by the factor in the cells")]
         if said == "mm" and longest < TOY:
             return [("m", "though the text says millimetres"), ("mm", why)]
         if said == "m" and longest > SMALL_ARM and np.median(sizes) > 1:

@@ -11,6 +11,7 @@ from ..pasted import Pasted
 
 __all__ = ["definitions", "read"]
 
+CLASS = re.compile(r"\s*class\s+(\w+)")
 NOT_A_LINK = re.compile(
     r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
     r"|twist|pose|transl?|vec3|tuple|list|origin\w*|size|inertia|cuboid|box|mass|rgba|trplot|axis"
@@ -26,7 +27,7 @@ def read(source, nominal=None):
     found: dict = {}
     for call in calls:
         cells = _cells(call, source, orders.get(_last(call.name)))
-        if cells and not NOT_A_LINK.match(_last(call.name)):
+        if cells and (_last(call.name) in orders or not NOT_A_LINK.match(_last(call.name))):
             found.setdefault((_last(call.name), len(cells)), []).append(cells)
     found = {name: rows for name, rows in found.items() if len(rows) >= 2}
     if not found:
@@ -61,8 +62,16 @@ def definitions(source):
         )
         named = [role for role in roles if role in (*ROLES, "r")]
         if call.mark == "(" and call.name and len(set(named)) == 4 and "alpha" in named:
-            orders.setdefault(_last(call.name), roles)
+            orders.setdefault(_class_of(call, source) or _last(call.name), roles)
     return orders
+
+
+def _class_of(call, source):
+    """The class whose ``__init__`` this is; "" of another function."""
+    if _last(call.name) != "__init__":
+        return ""
+    before = source.code.split("\n")[: call.line]
+    return next((found[1] for line in before[::-1] if (found := CLASS.match(line))), "")
 
 
 def _last(name):

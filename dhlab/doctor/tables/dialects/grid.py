@@ -130,7 +130,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         notes = (*notes, "a dash is taken for 0")
     if kept:
         cells = tuple(slid(row, kept) for row in cells) if taken else cells
-        cells, kept, beside = with_theta(cells, kept)
+        cells, kept, beside = with_theta(cells, kept) if None not in roles else (cells, kept, ())
         notes = (*notes, *beside)
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
@@ -211,6 +211,8 @@ def _row(cells, roles, where, source):
         word = plain(cell).strip("*`'\" ") if isinstance(cell, str) else ""
         if role == "label":
             label = word or str(cell)
+            told = re.search(r"\((r|p)\*?\)$", label)  # 3 (P)
+            kind = kind or (told[1].upper() if told else "")
         elif role == "type" or (role is None and word in KINDS and (k == 0 or len(word) > 1)):
             kind = KINDS.get(word.split(" ")[0], KINDS.get(word[:1], ""))
         elif role in ("sign", "direction"):

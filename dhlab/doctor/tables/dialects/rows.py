@@ -28,6 +28,7 @@ MAKERS = {
     "robotserial": ("d a alpha theta", None, "visual_kinematics"),
     "nlinkarm": ("theta alpha a d", "standard", "PythonRobotics"),
     "robotdef": ("alpha a d theta", None, "SymPyBotics"),
+    "dq_kinematics": ("theta d a alpha", None, "DQ Robotics"),
     "dq_serialmanipulatordh": ("theta d a alpha", "standard", "DQ Robotics"),
     "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
     "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
@@ -82,6 +83,7 @@ def _numbers(source):
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
     table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
+    table = _with_types(table, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
@@ -159,7 +161,7 @@ def _matrix(group):
     if len(inner) >= 1 and len(inner) == len(group.items):
         rows = [(f"line {part.line}", [item.text for item in part.items]) for part in inner]
         rows = [(where, cells_in(cells[0]) if len(cells) == 1 else cells) for where, cells in rows]
-    elif not inner:
+    elif all(part.mark == "(" for part in inner):
         line: list = []
         for item in group.items:
             line.append(item)
@@ -207,6 +209,27 @@ def _with_beside(table, source):
             rows=tuple((*row, cell) for row, cell in zip(table.rows, zero)),
             roles=(*roles, "offset"),
             notes=(*table.notes, f"{name} is added to theta"),
+        )
+    return table
+
+
+def _with_types(table, source):
+    """The table with the types of ``rigidBodyJoint('j1', 'prismatic')`` and of lists of types."""
+    word = r"['\"](revolute|prismatic|fixed)['\"]"
+    made = re.findall(
+        rf"Joint\s*\(\s*(?:['\"][^'\"\n]*['\"]|\[[^\]\n]*\])\s*,\s*{word}", source.code
+    )
+    listed = re.search(rf"[\[{{(]\s*{word}(?:[\s,;]+{word})+\s*[\]}})]", source.code)
+    types = re.findall(word, listed[0]) if listed else made
+    if "prismatic" not in types or any(table.kinds):
+        return table
+    if len(types) == len(table.rows):
+        kinds = {"revolute": "R", "prismatic": "P", "fixed": "fixed"}
+        return replace(table, kinds=tuple(kinds[one] for one in types))
+    if all(cell.is_constant for row in table.rows for cell in row):
+        raise ValueError(
+            "recognise_table: a joint of this text is prismatic; which row is it? Write its"
+            " variable, as d3, into the row"
         )
     return table
 

@@ -21,6 +21,8 @@ def read(source, nominal=None):
     found = groups(source.code)
     calls = [group for group in found if group.mark == "("]
     segments = [group for group in calls if _last(group) == "segment"]
+    if segments and any(re.search(r"\[\s*[a-z]\s*\]", one.text) for one in segments):
+        return None  # filled in a loop: the numbers stand in arrays
     if segments:
         return _kdl(segments, source)
     frames = [

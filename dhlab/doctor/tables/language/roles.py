@@ -30,12 +30,16 @@ FOREIGN = (  # German, French, Spanish, Italian; Chinese and Japanese; without a
 PHRASES = (  # the first that fits
     (r"\balphas?\b|\balfas?\b|\balp\b|\btwist", "alpha"),
     (
-        r"\b(theta|th|joint)_?\s*off(set)?s?\b(?!.*\bd\b)|\boffset_?\s*(theta|angle|q)\b"
+        r"\b(theta|th|joint)_?\s*off(set)?s?\b(?!.*\bd(?:\b|_))|\boffset_?\s*(theta|angle|q)\b"
         r"|\bq\w*_?offset\b",
         "offset",
     ),
+    (r"\bphi(?:\b|_)", "theta"),
     (r"\bthetas?_?0?\b|\bjoint angle|\bth\b", "theta"),
-    (r"\blink offset|\bjoint distance|\blink[- ]?distance|\bjoint offset.*\bd\b", "d"),
+    (
+        r"^dist\.?$|\blink offset|\bjoint distance|\blink[- ]?distance|\bjoint offset.*\bd(?:\b|_)",
+        "d",
+    ),
     (r"\blink length|\bcommon normal", "a"),
     (
         r"^(sign|dir|direction|rot\w* dir\w*|joint dir\w*|motor dir\w*|sense|axis dir\w*|polarity"

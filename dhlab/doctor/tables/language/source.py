@@ -22,6 +22,10 @@ ASSIGNED = re.compile(
 )
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?\[([-+.\deE,\s]+)\]")
+# a1, a2 = 0.3, 0.25
+TOGETHER = re.compile(
+    r"^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*([^=\n()\[\]{}#]+?)[ \t]*$", re.MULTILINE
+)
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
@@ -110,6 +114,7 @@ def source_of(text, values=None):
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     known = _assigned(code)
+    _require_apart(code)
     for _, comment in comments:
         for name, value in _assigned(comment).items():
             known.setdefault(name, value)
@@ -164,9 +169,21 @@ def _unwrapped(text):
     text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
     text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
+    if len(re.findall(r"^.*\|\|.*\|\|.*$", text, re.MULTILINE)) > 1:
+        text = text.replace("||", "|")
+    text = _listed_table(text)
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
     return text
+
+
+def _listed_table(text):
+    """The rows of reStructuredText's ``list-table``, a cell a line, as lines."""
+    if "list-table::" not in text:
+        return text
+    text = re.sub(r"\n[ \t]*:[\w-]+:[^\n]*", "", text)
+    text = re.sub(r"\n[ \t]*-[ \t]+([^\n]*)", r" | \1", text)
+    return re.sub(r"^[ \t]*\*[ \t]+-[ \t]+", "| ", text, flags=re.MULTILINE)
 
 
 def _joined_heading(text):
@@ -229,6 +246,11 @@ def _comment_at(line):
 def _assigned(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
+    for names, values in TOGETHER.findall(text):
+        parts = [part.strip() for part in values.split(",")]
+        for name, said in zip(names.split(","), parts):
+            if len(parts) == names.count(",") + 1:
+                known.setdefault(key(name.strip()), said)
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         for said in (value, *_shorter(value)):
             said = said.strip().rstrip(".)")
@@ -245,6 +267,21 @@ def _assigned(text):
         for k, item in enumerate(re.split(r"\s*,\s*|\s+", items.strip())):
             known.setdefault(key(f"{name}[{k}]"), item.strip())
     return known
+
+
+def _require_apart(code):
+    """``a1`` and ``a_1`` are one name here; a text that gives them two values would be misread."""
+    values: dict = {}
+    for name, value in re.findall(r"^[ \t]*(\w+)[ \t]*=[ \t]*([^=\n;#]+)", code, re.MULTILINE):
+        if not re.match(r"q|th?(?:eta)?_?\d", name.lower()):  # joint values are given again
+            values.setdefault(key(name), {})[name] = value.strip()
+    for names in values.values():
+        if len(names) > 1 and len(set(names.values())) > 1:
+            shown = " and ".join(list(names)[:2])
+            raise ValueError(
+                f"recognise_table: {shown} are different numbers in this text; what is each? Give"
+                " them names that differ in more than an underscore"
+            )
 
 
 def _shorter(value):
