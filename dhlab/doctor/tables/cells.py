@@ -105,6 +105,6 @@ def _trimmed(text):
     text = text.strip().strip("`'\"").strip()
     bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
     text = next(part for part in bold.groups() if part) if bold else text
-    text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([a-z][a-z .,-]{2,}\)$", "", text)
+    text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
     return re.sub(r"^=\s*", "", text)

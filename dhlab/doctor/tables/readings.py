@@ -82,6 +82,17 @@ def _conventions(table, columns, given, order):
     return both[::-1] if _looks_like_craig(columns) else both
 
 
+def _said_twice(columns):
+    """What is assumed of a column of offsets that stand in theta too, as in q2 - 90 beside -90."""
+    angles, zeros = columns["theta"], columns.get("offset", ())
+    if not any(cell.value for cell in zeros) or any(
+        cell.value != zero.value or (cell.value and cell.unit != zero.unit) or cell.is_constant
+        for cell, zero in zip(angles, zeros)
+    ):
+        return []
+    return ["the offsets stand in theta and in a column of their own, and count once"]
+
+
 def _looks_like_craig(columns):
     """The first row without a and alpha, the last row with: a Craig table more often than not."""
     first, last = (
@@ -103,7 +114,8 @@ def _reading(table, columns, order, choice, tidy):
             for role in COLUMNS
         ]
     )
-    for i, cell in enumerate(columns.get("offset", ())):
+    twice = _said_twice(columns)
+    for i, cell in enumerate(() if twice else columns.get("offset", ())):
         if joints[i] == "P":
             rows[i, 1] += in_metres(cell, metre)
         else:
@@ -120,7 +132,7 @@ def _reading(table, columns, order, choice, tidy):
     return Reading(
         _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
         "; ".join(words),
-        tuple(dict.fromkeys(assumed)),
+        tuple(dict.fromkeys([*assumed, *twice])),
         tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, fixed, ""))),
     )
 

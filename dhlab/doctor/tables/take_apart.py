@@ -108,6 +108,11 @@ def _read_or_none(read, source):
 
 def _with_words(table, source):
     """What the words of the text and its own functions add to what the dialect says."""
+    if not (table.roles or any(cell.value or cell.letters for row in table.rows for cell in row)):
+        raise ValueError(
+            "recognise_table: expected a table, found zeros only, as of an arm that stands at"
+            " q = 0; paste the rows with the lengths and angles"
+        )
     if not table.convention:
         computed = convention_in(source)
         if computed and source.convention and computed[0] != source.convention:

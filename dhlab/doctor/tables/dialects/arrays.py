@@ -75,6 +75,7 @@ def read(source, nominal=None):
         if re.search(r"delta_", name):
             continue
         role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
+        role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
         role = None if "home" in name.lower() else role
         if role and (role not in by_role or len(values) > len(by_role[role])):

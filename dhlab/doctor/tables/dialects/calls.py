@@ -16,8 +16,10 @@ ROBOTICS_TOOLBOX = "links of the Robotics Toolbox"
 # (name, form, convention, order of numbers without names, whether its theta is ignored)
 CLASSES = (
     (r"(revolute|prismatic)mdhlink", "pybotics", "craig", "alpha a theta d"),
-    (r"(revolute|prismatic)mdh", ROBOTICS_TOOLBOX, "craig", "d a alpha theta offset"),
-    (r"(revolute|prismatic)dh", ROBOTICS_TOOLBOX, "standard", "d a alpha theta offset"),
+    (r"revolutemdh", ROBOTICS_TOOLBOX, "craig", "d a alpha offset"),
+    (r"prismaticmdh", ROBOTICS_TOOLBOX, "craig", "theta a alpha offset"),
+    (r"revolutedh", ROBOTICS_TOOLBOX, "standard", "d a alpha offset"),
+    (r"prismaticdh", ROBOTICS_TOOLBOX, "standard", "theta a alpha offset"),
     (r"revolute|prismatic", ROBOTICS_TOOLBOX, "standard", ""),
     (r"dhlink|dhrobotlink", "DHLink", "", "d a alpha theta"),
     (r"link", ROBOTICS_TOOLBOX, "", "theta d a alpha sigma offset"),

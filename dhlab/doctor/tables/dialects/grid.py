@@ -27,6 +27,9 @@ NO_UNIT = ("", "-", "1", *"unit units einheit einheiten unite unité unidad 单�
 KINDS = {
     "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
     "prismatic": "P", "p": "P", "linear": "P", "pris": "P", "t": "P", "sliding": "P",
+    "dreh": "R", "drehgelenk": "R", "rotativa": "R", "rotoide": "R", "旋转": "R", "转动": "R",
+    "回転": "R", "schub": "P", "schubgelenk": "P", "prismatica": "P", "移动": "P", "平移": "P",
+    "直動": "P", "prismática": "P",
     "fixed": "fixed", "f": "fixed", "static": "fixed",
 }  # fmt: skip
 SIGNS = {

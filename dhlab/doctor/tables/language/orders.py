@@ -2,6 +2,7 @@
 or the head of a function; and which matrix its own function computes.
 """
 
+import math
 import re
 
 import numpy as np
@@ -20,6 +21,7 @@ BETWEEN = re.compile(
 )
 UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
 ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
+SHORT = re.compile(r"(c|s)(?:os|in)?_?([tqa])(?:h|heta|l|lpha|lfa)?_?\d?", re.IGNORECASE)
 MOVES = re.compile(
     r"(?:\brot(?:ate|ation)?|\br|\btrot|\bt|\btrans(?:late|lation|l)?|\bdh)_?([xyz])\b\s*\(\s*([^()]*)\)"
     r"|\brot\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^()]*)\)"
@@ -152,7 +154,9 @@ def _of_matrix(group, source):
     known = dict(source.assigned)
     for name in set(re.findall(r"[A-Za-z_]\w*", group.text + " ".join(map(str, known.values())))):
         role = role_of(name)[0]
-        if role in (*ROLES, "r"):
+        if short := SHORT.fullmatch(name):  # often assigned within a function, where nobody looks
+            known.setdefault(key(name), _shortened(*short.groups()))
+        elif role in (*ROLES, "r"):
             known[key(name)] = ANGLES["a" if role == "r" else role]
     try:
         entries = [evaluate(cell, known) for cell in cells]
@@ -166,6 +170,11 @@ def _of_matrix(group, source):
         if np.allclose(M, link_matrices(convention, *row)[:3], atol=1e-6):
             return convention
     return None
+
+
+def _shortened(function, angle):
+    of = math.cos if function.lower() == "c" else math.sin
+    return of(ANGLES["theta" if angle.lower() in "tq" else "alpha"])
 
 
 def _matrix_rows(group):

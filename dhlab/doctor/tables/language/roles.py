@@ -49,7 +49,7 @@ PHRASES = (  # the first that fits
     (r"^(inverted|invert|reversed?|flip(ped)?|negated?)$", "turned"),
     (r"\b(axis|direction)\b", "direction"),
     (r"\b(sigma|prismatic)\b", "sigma"),
-    (r"\b(joint)?[ _]?type\b|^p/r$|^r/p$", "type"),
+    (r"\b(joint)?[ _]?type\b|^p/r$|^r/p$|^(gelenk)?typ$|^tipo\b|类型|類型|種類|種別", "type"),
     (r"\blower\b|\bmin(imum)?\b|\bqmin\b", "low"),
     (r"\bupper\b|\bmax(imum)?\b|\bqmax\b", "high"),
     (r"\b(qlim|limits?|range|bounds?)\b", "limits"),
@@ -65,7 +65,8 @@ LETTERS = {
 LABELS = (
     "i j k n no # link joint row name frame axis linki frames links joints transformation"
     " gelenk achse glied nr articulation liaison axe articulacion eje giunto 关节 轴 连杆 关节号"
-    " 序号 關節 軸 関節 リンク".split()
+    " bemerkung kommentar beschreibung remark remarks note notes comment comments description"
+    " observaciones remarque 备注 说明 備考 序号 關節 軸 関節 リンク".split()
 )
 FILLER = re.compile(
     r"\b(dh|mdh|sdh|params?|parameters?|vals?|values?|list|arr|array|vec|vector|robot|self|this|std"

@@ -37,6 +37,10 @@ WORDS_FOR = {
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準",
 }
+CONVENTION = re.compile(
+    r"^[ \t]*['\"]?(?:dh_?)?convention['\"]?[ \t]*[:=][ \t]*['\"]?([\w -]+)",
+    re.MULTILINE | re.IGNORECASE,
+)
 LENGTH_WORDS = {
     "mm": r"\b(mm|milli-?met(?:er|re)s?)\b",
     "cm": r"\b(cm|centi-?met(?:er|re)s?)\b",
@@ -113,6 +117,7 @@ def source_of(text, values=None):
     code = _without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
+    code = _from_zero(code)
     known = _assigned(code)
     _require_apart(code)
     for _, comment in comments:
@@ -125,7 +130,7 @@ def source_of(text, values=None):
         known,
         comments,
         {**{name: said for name, said in known.items() if not _joint_value(name, said)}, **given},
-        _only(text, WORDS_FOR),
+        _convention(text),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),
     )
@@ -136,6 +141,12 @@ def _prose(text, known):
     text = re.sub(r"\bmm/s\w*|[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
     own = [unit for unit in ("mm", "cm", "inch", "meter", "metre") if unit in known]
     return re.sub(rf"\b(?:{'|'.join(own)})\b", "", text) if own else text
+
+
+def _convention(text):
+    """What a line ``convention: …`` says, else what words in the text do."""
+    said = [_only(value, WORDS_FOR) for value in CONVENTION.findall(text)]
+    return said[0] if len(said) == 1 and said[0] else _only(text, WORDS_FOR)
 
 
 def _joint_value(name, said):
@@ -171,6 +182,11 @@ def _unwrapped(text):
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
     if len(re.findall(r"^.*\|\|.*\|\|.*$", text, re.MULTILINE)) > 1:
         text = text.replace("||", "|")
+    # LaTeX's lines of equations, and decimal commas before a unit
+    text = re.sub(
+        r"(\w+)\s*&=\s*(?:[^\n=&]*=)*\s*([^\n=&]*?)\s*(?:\\\\)?$", r"\1 = \2", text, flags=re.M
+    )
+    text = re.sub(r"(=\s*-?\d+),(\d+\s*(?:mm|cm|m)\b)", r"\1.\2", text)
     text = _listed_table(text)
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
@@ -284,7 +300,19 @@ def _require_apart(code):
             )
 
 
+def _from_zero(code):
+    """MATLAB counts the items of a list from 1: ``l(1)`` of a list l is ``l[0]``."""
+    for name, _ in LISTED.findall(code):
+        code = re.sub(
+            rf"\b{name}\((\d{{1,2}})\)", lambda m, name=name: f"{name}[{int(m[1]) - 1}]", code
+        )
+    return code
+
+
 def _shorter(value):
     """A value before the words that follow it."""
+    measure = re.match(r"-?\d+\.?\d*\s*(?:mm|cm|m)\b", value.strip())
+    if measure:
+        yield measure[0]
     yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
     yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]
