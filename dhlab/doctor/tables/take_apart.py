@@ -86,8 +86,9 @@ def _larger(found, source):
     assistants end with is often only the beginning of it); or all rows of a file of which only some
     stand in braces.
     """
-    named = keyed.read(source) if found.why == "as their names say" else None
-    if named is None and (len(found.rows) == 1 or found.form.startswith("calls")):
+    alone = len(found.rows) == 1
+    named = keyed.read(source) if alone or found.why == "as their names say" else None
+    if named is None and (alone or found.form.startswith("calls")):
         named = _read_or_none(numbered.read, source)
     if named is not None and len(named.rows) > len(found.rows):
         return named

@@ -75,6 +75,7 @@ def read(source, nominal=None):
         if re.search(r"delta_", name):
             continue
         role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
+        role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
         role = None if "home" in name.lower() else role

@@ -8,6 +8,7 @@ WORDS = re.compile(
     r"\b(?:ax[ei]s|screws?|twists?|[SB]list|direction\w*|point\w*|through|omega|[wvrq]_?\d)\b",
     re.IGNORECASE,
 )
+ROWS = re.compile(r"\balpha|\btwist angle|\blink (?:twist|length|off)|\bdh\b", re.IGNORECASE)
 NUMBER = r"[-+]?\s*[\w.+*/()-]+"
 TRIPLE = re.compile(rf"[\[({{]\s*(?:{NUMBER}\s*[,; ]\s*){{2}}{NUMBER}\s*[\])}}]")
 SIX = re.compile(r"(?:-?\d[\d.]*[\s,;]+){5}-?\d[\d.]*")
@@ -24,7 +25,7 @@ def axes_in(source):
  direction each; write them as an axis sheet, and dhlab from-axes (dh.assign_frames) makes the\
  table'
     """
-    if not WORDS.search(source.text) or re.search(r"\balpha|\btwist angle", source.text.lower()):
+    if not WORDS.search(source.text) or ROWS.search(source.text):
         return ""
     if len(TRIPLE.findall(source.code)) >= 3:
         form = "a point and a direction each"

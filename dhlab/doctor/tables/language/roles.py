@@ -37,7 +37,8 @@ PHRASES = (  # the first that fits
     (r"\bphi(?:\b|_)", "theta"),
     (r"\bthetas?_?0?\b|\bjoint angle|\bth\b", "theta"),
     (
-        r"^dist\.?$|\blink offset|\bjoint distance|\blink[- ]?distance|\bjoint offset.*\bd(?:\b|_)",
+        r"^dist\.?$|^disp(?:lacement)?s?$|\blink offset|\bjoint distance|\blink[- ]?distance"
+        r"|\bjoint offset.*\bd(?:\b|_)",
         "d",
     ),
     (r"\blink length|\bcommon normal", "a"),

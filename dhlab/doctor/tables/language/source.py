@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
+from .restated import restated
 
 __all__ = ["DEFINED", "Source", "source_of"]
 
@@ -182,11 +183,7 @@ def _unwrapped(text):
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
     if len(re.findall(r"^.*\|\|.*\|\|.*$", text, re.MULTILINE)) > 1:
         text = text.replace("||", "|")
-    # LaTeX's lines of equations, and decimal commas before a unit
-    text = re.sub(
-        r"(\w+)\s*&=\s*(?:[^\n=&]*=)*\s*([^\n=&]*?)\s*(?:\\\\)?$", r"\1 = \2", text, flags=re.M
-    )
-    text = re.sub(r"(=\s*-?\d+),(\d+\s*(?:mm|cm|m)\b)", r"\1.\2", text)
+    text = restated(text)
     text = _listed_table(text)
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)

@@ -1,0 +1,70 @@
+"""Other spellings of an assignment, a number or a row, said as ``name = value`` or plainly, before
+anything is read.
+"""
+
+import re
+
+__all__ = ["restated"]
+
+# LinuxCNC's setp genserkins.ALPHA-1 -1.571
+SETP = re.compile(r"^[ \t]*setp[ \t]+[\w.]*\.(A|ALPHA|D|THETA)-(\d+)[ \t]+(\S+)", re.MULTILINE)
+# link_0 (offset -90) (D 0.2) (A 0) (alpha 90)
+IN_BRACKETS = re.compile(r"\(\s*([A-Za-z]\w*)\s+(-?\d[\d.]*)\s*\)")
+# rows of LaTeX one behind the other
+ONE_LINE = re.compile(r"\\begin\{(?:array|tabular)\}[^\n]*\\\\[^\n]*\\\\[^\n]*")
+EQUATION = re.compile(r"(\w+)\s*&=\s*(?:[^\n=&]*=)*\s*([^\n=&]*?)\s*(?:\\\\)?$", re.MULTILINE)
+DECIMAL_COMMA = re.compile(r"(=\s*-?\d+),(\d+\s*(?:mm|cm|m)\b)")
+MIXED = re.compile(r"(?<![\w./])(-?)(\d+)[ -](\d+)/(\d+)(?=\s*(?:\"|″|''|in\b|inch))")
+INCHES = re.compile(r"(?<![\w.'\"])(-?\d+(?:\.\d+)?)(?:\"|″|'')(?=\s|$|[,;|)])", re.MULTILINE)
+# KDL: const Joint rotZ(Joint::RotZ);
+KDL_JOINT = re.compile(r"\bJoint\s+(\w+)\s*[({]\s*((?:\w+::)*Joint::\w+)\s*[)}]\s*;")
+MATRIX = re.compile(r"\b([A-Za-z]\w*)[ \t]*=[ \t]*\[([^\[\]]*;[^\[\]]*)\]")
+
+
+def restated(text):
+    r"""The text, with what is spelled otherwise said plainly.
+
+    Examples
+    --------
+    >>> restated("setp genserkins.ALPHA-1 -1.571")
+    'alpha1 = -1.571'
+    >>> restated('a = 7 3/8"')
+    'a = 7.375in'
+    >>> restated("dh = [1 2; 3 4]; d = dh(2,1)")
+    'dh = [1 2; 3 4]; d = (3)'
+    """
+    text = SETP.sub(lambda m: f"{m[1].lower()}{m[2]} = {m[3]}", text)
+    text = "\n".join(_named(line) for line in text.split("\n"))
+    text = ONE_LINE.sub(lambda m: re.sub(r"\\\\\s*(?:\\hline)?", "\n", m[0]), text)
+    text = EQUATION.sub(r"\1 = \2", text)
+    text = DECIMAL_COMMA.sub(r"\1.\2", text)
+    text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
+    text = INCHES.sub(r"\1in", text)
+    for name, kind in KDL_JOINT.findall(text):
+        text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
+    return _without_indices(text)
+
+
+def _named(line):
+    """``(D 0.2) (A 0)`` as ``D = 0.2, A = 0``, where a line has three of them."""
+    if len(IN_BRACKETS.findall(line)) < 3:
+        return line
+    return ", ".join(f"{name} = {value}" for name, value in IN_BRACKETS.findall(line))
+
+
+def _without_indices(text):
+    """``dh(2,1)`` as the number that stands there in ``dh = [ …; … ]``."""
+    for name, inside in MATRIX.findall(text):
+        plain = re.sub(r"%.*|\.\.\.", "", inside)
+        rows = [
+            re.split(r"[ \t]*,[ \t]*|[ \t]+", row.strip()) for row in re.split(r"[;\n]+", plain)
+        ]
+        rows = [row for row in rows if row != [""]]
+
+        def entry(match, rows=rows):
+            i, j = int(match[1]) - 1, int(match[2]) - 1
+            there = 0 <= i < len(rows) and 0 <= j < len(rows[i])
+            return f"({rows[i][j]})" if there else match[0]
+
+        text = re.sub(rf"\b{name}\((\d+)\s*,\s*(\d+)\)(?!\s*=)", entry, text)
+    return text
