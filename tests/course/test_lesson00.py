@@ -97,7 +97,7 @@ def test_every_answer_is_noted_none_judged(key):
         assert (verdict.mistake is None) == (
             verdict.known or letter == "?"
         ) and verdict.mistake in {None, *catalogue()}
-    for nonsense in ("z", 3, ["a"], ""):
+    for nonsense in ("z", 3, ["a", "b"], ""):
         assert (
             exercise.judge(nonsense).status == "wrong"
             and "expected one of" in exercise.judge(nonsense).headline

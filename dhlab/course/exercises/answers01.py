@@ -11,7 +11,6 @@ from ...transform import from_xyz_rpy, inverse, rot_x, rot_y, rot_z, trans
 from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
 
 __all__ = [
-    "STANDING",
     "draw_corner",
     "draw_pose",
     "general_pose",
@@ -62,15 +61,6 @@ def misread_axis(T_01: NDArray) -> Mistakes:
     yield "rotation-transposed", _a_row("third"), T_01[2, :3]
 
 
-STANDING = Said(
-    "the right numbers, but one below the other",
-    next=(
-        "Three numbers in a row are asked: end the line with .ravel(), or take the column as [:3,"
-        " k] with a plain number k."
-    ),
-)
-
-
 def misshapen_axis(answer: object, T_01: NDArray) -> Known | None:
     array = as_numbers(answer)
     if is_array_of(array.ravel(), T_01[:, 0]):
@@ -80,8 +70,6 @@ def misshapen_axis(answer: object, T_01: NDArray) -> Known | None:
         )
     if is_array_of(array.ravel(), T_01[0]):
         return "rotation-transposed", _a_row("first")
-    if array.ndim == 2 and is_array_of(array.ravel(), T_01[:3, 0]):
-        return None, STANDING
     return None
 
 

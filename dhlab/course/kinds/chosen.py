@@ -165,6 +165,11 @@ class Order(Lettered):
         return [self.question, "\n".join(places)] if places else [self.question]
 
     def compare(self, answer: Any, variant: int) -> Verdict:
+        if isinstance(answer, (set, frozenset)):
+            return self.wrong(
+                headline="expected letters in their order, found a set, which has no order",
+                next="Put square brackets in place of the curly ones.",
+            )
         words = _words(answer)
         ids = [self.id_of(word, variant) for word in words]
         if None in ids:

@@ -3,6 +3,7 @@
 import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
@@ -10,8 +11,9 @@ import numpy as np
 from ...doctor import catalogue
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
-__all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "no_draw", "untouched"]
+__all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "listed", "no_draw", "untouched"]
 
+MOST = 1000  # entries that are taken of an answer that may have no end
 UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
 # variants from here on, which only a released lesson has, show options in an order of their own
 SHUFFLED = 2**32
@@ -92,6 +94,7 @@ class Exercise:
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         """The Verdict on an answer; never raises because of the answer."""
+        answer = listed(answer)
         if untouched(answer):
             return self.say(
                 NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again."
@@ -204,6 +207,18 @@ class Exercise:
 def no_draw(rng: np.random.Generator) -> dict[str, Any]:
     """The numbers of a task that is the same for everybody: none."""
     return {}
+
+
+def listed(answer: Any) -> Any:
+    """An answer that can be walked through once only (zip, map, a generator) as a list; any other
+    as it is.
+
+    Examples
+    --------
+    >>> listed(map(abs, [-1, 2]))
+    [1, 2]
+    """
+    return list(islice(answer, MOST)) if isinstance(answer, Iterator) else answer
 
 
 def untouched(answer: Any) -> bool:

@@ -13,6 +13,7 @@ from .exercise import SHUFFLED, UNDECIDED, Exercise
 __all__ = ["UNDECIDED", "Lettered", "Option"]
 
 I_DONT_KNOW = "I don't know yet"
+AROUND = " ().\"'“”"  # what may stand around a letter
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,9 @@ class Lettered(Exercise):
         """The id of the option that an answer names by its letter or its id; "?" of "?"; None of
         anything else.
         """
-        word = answer.strip().lower() if isinstance(answer, str) else ""
+        if isinstance(answer, (list, tuple)) and len(answer) == 1:
+            answer = answer[0]
+        word = answer.strip(AROUND).lower() if isinstance(answer, str) else ""
         if word == UNDECIDED or word in self.texts():
             return word
         return {letter: key for key, letter in self.letters(variant).items()}.get(word)

@@ -16,7 +16,7 @@ from ...table import DHTable
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .arms import SAME, apart, in_table_units, size, where
 from .drawn import drawn_table
-from .exercise import Exercise, Said, no_draw, untouched
+from .exercise import Exercise, Said, listed, no_draw, untouched
 from .functions import CASES
 from .reading import Unreadable, plain, unusable
 
@@ -28,6 +28,10 @@ OF_TABLES = {  # where the title is about more than a row
         next="How far is it along the last axis to the end, and in which row does that stand?",
     )
 }
+ON_ITS_SIDE = Said(
+    "rows and columns have changed places",
+    next="One row per joint, with four numbers in each: np.transpose turns a table round.",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,6 +67,7 @@ class Table(Exercise):
         )
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
+        answer = listed(answer)
         rows = list(answer) if isinstance(answer, (list, tuple)) else []
         stubs = [
             i
@@ -105,6 +110,8 @@ class Table(Exercise):
 
     def _explained(self, arm, right, q, variant):
         """The Verdict on another arm than the right one."""
+        if len(right) == 4 and max(apart(_turned_round(arm), right, q)) <= SAME:
+            return self.told(None, ON_ITS_SIDE)
         unit = in_table_units(arm, right, q)
         if unit:
             return self.told(*unit)
@@ -165,6 +172,8 @@ class Table(Exercise):
 
     def arm_of(self, answer: Any, right: Arm) -> Arm | Verdict:
         """The answer as an Arm of as many joints as the right one; what is said of any other."""
+        if _lies_on_its_side(answer, len(right)):
+            return self.told(None, ON_ITS_SIDE)
         try:
             arm = as_arm(answer, right)
         except ValueError as error:
@@ -194,6 +203,22 @@ def as_arm(answer: Any, right: Arm) -> Arm:
     if len(answer) != len(right):
         return Arm(answer)
     return Arm(answer, base=right.base, tool=right.tool, sign=right.sign)
+
+
+def _lies_on_its_side(answer, joints):
+    """Whether an answer has a column for each joint where it must have a row."""
+    try:
+        shape = plain(answer).shape
+    except Unreadable:
+        return False
+    return shape == (4, joints) != (joints, 4)
+
+
+def _turned_round(arm):
+    """The arm of a table of four joints whose rows and columns have changed places."""
+    in_degrees = arm.table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
+    make = DHTable.standard if arm.table.convention == "standard" else DHTable.craig
+    return replace(arm, table=make(in_degrees.T, angle="deg", joints=arm.table.joints))
 
 
 def _rows_of(answer):

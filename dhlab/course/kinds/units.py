@@ -27,12 +27,14 @@ SLIPS = {
     "m/s": (("millimetres per second", 1e-3),),
     "rad/s": (("degrees per second", 1 / DEGREES),),
 }
-NEXT = {
+NEXT = {  # by what an answer is in, or by the unit that is asked
     "deg": "np.rad2deg makes degrees of radians. Convert once, and all angles.",
     "rad": "np.deg2rad makes radians of degrees. Convert once, and all angles.",
     "rad/s": "np.deg2rad makes radians of degrees. Convert once, and all angles.",
-    "m": "Divide millimetres by 1000, once, and all lengths.",
     "m/s": "Divide millimetres by 1000, once, and all lengths.",
+    "millimetres": "Divide millimetres by 1000, once, and all lengths.",
+    "centimetres": "Divide centimetres by 100, once, and all lengths.",
+    "metres, divided by 1000": "These lengths were divided by 1000 once too often.",
 }
 
 
@@ -132,13 +134,17 @@ def _said(change):
         return "length-unit", Said(
             f"in other units: {_names(angles)} in {in_angle}, {_names(lengths)} in {in_length};"
             f" {ASKED[a.unit]} and {ASKED[b.unit]} are asked",
-            next=f"{NEXT[a.unit]} {NEXT[b.unit]}",
+            next=f"{_next(a, in_angle)} {_next(b, in_length)}",
         )
     group, found, _ = change[0]
     return "angle-unit" if angles else "length-unit", Said(
         f"in other units: {_names(change)} in {found}; {ASKED[group.unit]} are asked",
-        next=NEXT[group.unit],
+        next=_next(group, found),
     )
+
+
+def _next(group, found):
+    return NEXT.get(found) or NEXT[group.unit]
 
 
 def _names(parts):

@@ -16,6 +16,14 @@ from .units import LOOSELY, Group, in_other_units, of_places
 __all__ = ["Value"]
 
 ROW = ("deg", "m", "m", "deg")  # theta, d, a, alpha of one link
+STANDING = Said(
+    "the right numbers, but one below the other",
+    next="They are asked in a row: end the line with .ravel(), which makes one row of them.",
+)
+NESTED = Said(
+    "the right numbers, in more brackets than one pair",
+    next="One pair of brackets is asked: end the line with .ravel(), or take one pair away.",
+)
 CUT_OFF = Said(
     "these are the right numbers with their decimals cut off",
     next="An array of whole numbers cuts off what is written into it: say dtype=float.",
@@ -66,6 +74,12 @@ class Value(Exercise):
         if array.size == expected.size == 1:
             array = array.reshape(expected.shape)  # one number in a list is that number
         if array.shape != expected.shape:
+            if (
+                expected.ndim == 1
+                and array.size == expected.size
+                and not self.differs(array.ravel(), expected).any()
+            ):
+                return self.told(None, STANDING if len(array) == array.size else NESTED)
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")

@@ -152,9 +152,18 @@ def another_arm(answer, given, found):
     )
 
 
+def _on_its_side(answer, given, found):
+    """Of as many columns as there are joints; of four joints, right when it is turned round."""
+    numbers, right = np.asarray(answer, dtype=float), right_of(given)
+    if numbers.shape != (4, len(right)):
+        return False
+    return len(right) != 4 or same(with_rows(right, numbers.T), right)
+
+
 OFF = r"this is another arm: up to (?P<mm>[\d., ]+) mm and (?P<deg>[\d., ]+)° off at the end @ "
 LENGTHS = r"(?P<lengths>; the rotation is right at every pose, so look at the lengths)?"
 ANOTHER = [
+    (r"rows and columns have changed places", _on_its_side),
     (OFF + r"every joint's axis is where it must be, only the end is not" + LENGTHS, another_arm),
     (OFF + r"the axis of joint (?P<joint>1) is not where it must be" + LENGTHS, another_arm),
     (

@@ -73,10 +73,6 @@ ARROW = [
         r"the last 0 is not part of the arrow",
         lambda a, g, f: near(np.ravel(a), [*(row[0] for row in g["T_01"][:3]), 0]),
     ),
-    (
-        r"the right numbers, but one below the other",
-        lambda a, g, f: np.ndim(a) == 2 and near(np.ravel(a), right_of(g)),
-    ),
 ]
 
 
