@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...transform import pose_fault
 from ..catalogue import catalogue
 from ..diagnosis import EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
@@ -32,8 +33,7 @@ from .task import KINDS, RIGHT, Task
 __all__ = ["diagnose_function"]
 
 SECONDS = 1.55  # of the processor, for everything; the lines that must change get what is left
-AS_ARM, HALF_ARM = 1.2, 0.4  # for the program taken for an arm; for one with a line changed
-LINES = 0.6  # at least, for the lines
+AS_ARM = 0.9  # for the program taken for an arm, with one mistake or with two
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
@@ -136,27 +136,41 @@ def _diagnosed(f, task):
         return _with_lines(_stopped(fault), f, task)
     steps = (compared(here, there), special(here, there), from_lists(f, here))
     wrong = [step for step in steps if step is not None]  # one that is found is false
-    return _with_lines(_as_arm(wrong[0], here), f, task) if wrong else agrees(here)
+    if not wrong:
+        return agrees(here)
+    bent = pose_fault(here.array) is not None
+    diagnosis = _with_lines(_as_arm(wrong[0], here, f, 1), f, task, bent)
+    return diagnosis if diagnosis.lines else _as_arm(diagnosis, here, f, 2)
 
 
-def _as_arm(diagnosis, here):
+def _as_arm(diagnosis, here, f, mistakes):
     """The diagnosis of a program that has its table in itself, where no mistake of programs
-    explains it: its answers may be another arm's.
+    explains it: its answers may be those of an arm with one mistake in its table, or with two.
     """
     if not diagnosis.headline.startswith(UNKNOWN):
         return diagnosis
-    findings = _of_its_arm(here, AS_ARM, 2)
+    findings = _of_its_arm(here, f, mistakes)
     return explains(findings, diagnosis.before) if findings else diagnosis
 
 
-def _of_its_arm(here, seconds, most):
+def _of_its_arm(here, f, mistakes):
     """What explains the answers as those of another arm, where the program knows its rows."""
-    if here.task.names != ("q",):
+    task = here.task
+    if task.names != ("q",) or pose_fault(here.array) is not None:
         return ()
-    from .search.itsarm import as_its_arm  # with scipy, which nothing else here needs
+    from .search.itsarm import STEP, as_its_arm, is_a_chain  # with scipy, which nothing else needs
 
     q = np.array([case[-1] for case in here.cases])
-    return as_its_arm(here.array, here.task.arm, q, seconds, most)
+    n = q.shape[1]
+    rows = task.arm.table.rows
+    calls = [task.arguments((rows, values)) for values in (np.zeros(n), *(STEP * np.eye(n)))]
+    try:
+        called, (zero, *alone) = answers_in_time(f, calls, (4, 4), task.names)
+    except CallFault:
+        return ()
+    if len(called) <= n or not is_a_chain(zero, alone, q, here.array):
+        return ()
+    return as_its_arm(here.array, task.arm, q, AS_ARM, mistakes)
 
 
 def _takes_lists(f, task):
@@ -180,18 +194,18 @@ def _answers(f, task):
     return [Answers(*part, task, single) for part in found]
 
 
-def _with_lines(diagnosis, f, task):
+def _with_lines(diagnosis, f, task, bent=False):
     """A diagnosis, with the lines that must change where they are found."""
     calls = [
         (task.arguments(case), task.right(case))
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
     left = SECONDS - (time.process_time() - task.started)
-    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, LINES))
+    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
     diagnosis = replace(diagnosis, lines=lines, repaired=whole)
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED
-        return (_half(better, task) if unknown else None) or diagnosis
+        return (_half(better, task, bent) if unknown else None) or diagnosis
     places = list(dict.fromkeys(f"line {line.number}" for line in lines))
     headline = f"With another {' and '.join(places)} the program is right."
     if diagnosis.headline.startswith(UNKNOWN) or len(lines) < len(diagnosis.findings):
@@ -201,8 +215,10 @@ def _with_lines(diagnosis, f, task):
     return replace(diagnosis, verdict=EXPLAINED)
 
 
-def _half(better, task):
-    """The diagnosis of a program in which one change of its text leaves one known mistake; None."""
+def _half(better, task, bent):
+    """The diagnosis of a program in which one change of its text leaves one known mistake; None.
+    With ``bent`` the answers were no poses, so that they were not looked at as an arm's.
+    """
     for lines, g in better[:HALVES]:
         try:
             here, _ = _answers(g, task)
@@ -210,7 +226,7 @@ def _half(better, task):
             continue
         if not any(here.off):
             continue
-        findings = explained(here) or _of_its_arm(here, HALF_ARM, 1)
+        findings = explained(here) or (bent and _of_its_arm(here, g, 1)) or ()
         if len(findings) == 1:
             (left,), (line,) = findings, lines[:1]
             return Diagnosis(

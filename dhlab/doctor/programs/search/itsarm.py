@@ -5,8 +5,9 @@ and in what that arm's table differs.
 from dataclasses import replace
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from ....transform import pose_fault
+from ....transform import inverse, pose_fault
 from ...arms.given import measured
 from ...arms.search.budget import budget_of
 from ...arms.search.fitting import misfit
@@ -14,13 +15,57 @@ from ...arms.search.pairs import pairs
 from ...arms.search.singles import singles
 from ...arms.words.ranking import named, ranked
 
-__all__ = ["as_its_arm"]
+__all__ = ["STEP", "as_its_arm", "is_a_chain"]
+
+STEP = 0.7  # rad or m: of each joint alone, for its axis
 
 FEW = 6  # calls for the search; what is found must hold in all
 NOISE = (1e-8, 1e-8)  # m and rad; the answers of a program are exact
 
 
-def as_its_arm(answers, arm, q, seconds, most=2):
+def is_a_chain(zero, alone, q, answers):
+    """Whether answers are those of joints one behind the other, each turning about an axis of its
+    own or sliding along it: then they are the product of the joints' motions from the zero pose.
+
+    Parameters
+    ----------
+    zero : array (4, 4)
+        The answer at q = 0.
+    alone : array (n, 4, 4)
+        With each joint alone at ``STEP``.
+    q : array (m, n)
+    answers : array (m, 4, 4)
+    """
+    if pose_fault(np.array([zero, *alone, *answers])) is not None:
+        return False
+    moves = np.array(alone) @ inverse(np.array(zero))
+    turns = Rotation.from_matrix(moves[:, :3, :3]).as_rotvec()
+    for values, right in zip(q, answers):
+        T = np.eye(4)
+        for move, turn, value in zip(moves, turns, values):
+            T = T @ _part(move, turn, value / STEP)
+        if not np.allclose(T @ zero, right, rtol=1e-6, atol=1e-6):
+            return False
+    return True
+
+
+def _part(move, turn, share):
+    """A motion, or a multiple of it: the turn about its axis, the slide along it."""
+    R = Rotation.from_rotvec(share * turn).as_matrix()
+    angle, T = np.linalg.norm(turn), np.eye(4)
+    T[:3, :3] = R
+    if angle < 1e-9:
+        T[:3, 3] = share * move[:3, 3]
+        return T
+    along = turn / angle
+    slide = along * (along @ move[:3, 3])
+    aside = move[:3, 3] - slide
+    point = (aside + np.cross(along, aside) / np.tan(angle / 2)) / 2
+    T[:3, 3] = point - R @ point + share * slide
+    return T
+
+
+def as_its_arm(answers, arm, q, seconds, mistakes=1):
     """The Findings that explain the answers as those of another arm; none where they are no arm's
     with one mistake or two.
 
@@ -35,8 +80,8 @@ def as_its_arm(answers, arm, q, seconds, most=2):
     q : array (m, n)
     seconds : float
         Of the processor.
-    most : 1 or 2
-        How many mistakes it may take.
+    mistakes : 1 or 2
+        How many it takes.
 
     Returns
     -------
@@ -58,13 +103,13 @@ def as_its_arm(answers, arm, q, seconds, most=2):
     data = measured(arm, q[:FEW], answers[:FEW], NOISE, "fixed", "fixed")
     whole = measured(arm, q, answers, NOISE, "fixed", "fixed")
     clock = budget_of(seconds, "diagnose_function")
-    for search in (singles, pairs)[:most]:
-        tried = clock.within(search(arm, data), "the program's arm", share=1)
-        fitting = [e for e in tried if _fits(e, data, whole)]
-        if fitting:
-            best = min(ranked(arm, fitting, data), key=lambda e: _moves_an_end(e, arm))
-            return tuple(_on_the_way_back(best, data, arm))
-    return ()
+    search = singles if mistakes == 1 else pairs
+    tried = clock.within(search(arm, data), "the program's arm", share=1)
+    fitting = [e for e in tried if _fits(e, data, whole)]
+    if not fitting:
+        return ()
+    best = min(ranked(arm, fitting, data), key=lambda e: _moves_an_end(e, arm))
+    return tuple(_on_the_way_back(best, data, arm))
 
 
 def _moves_an_end(explanation, arm):
