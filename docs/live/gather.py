@@ -32,6 +32,15 @@ OWN = ("*.js", "*.css", "bridge.py", "anywidget.py", "bench.py")
 # of a wheel, what nobody in a page imports or reads
 LEFT_OUT = re.compile(
     r"(^|/)(tests|include|sample_data)/|\.(pyi|pxd|h|c|pyx|a|txt\.gz)$|/mpl-data/images/"
+    r"|\.dist-info/RECORD$"
+)
+# of Python's own library, what a page cannot do: terminals, mail, servers; and old sets of
+# letters (zipfile reads cp437, matplotlib mac_roman)
+STDLIB_LEFT_OUT = re.compile(
+    r"^(curses|dbm|ensurepip|idlelib|pydoc_data|tkinter|turtledemo|venv|wsgiref|xmlrpc)/"
+    r"|^(ftplib|imaplib|mailbox|poplib|smtplib|turtle|pickletools|_pyio)\.py$"
+    r"|^encodings/(?!cp437|cp1252|iso8859_1\.|iso8859_15|mac_roman)"
+    r"(big5|cp|euc|gb|hp|hz|iso|johab|koi8|kz|mac_|ptcp|shift|tis)\w*\.py$"
 )
 # of dhlab: what marks a class, what builds lessons, and the files that the site has already
 OWN_LEFT_OUT = re.compile(r"(^|/)(grading|building|js|__pycache__)/|\.js$")
@@ -50,6 +59,8 @@ def gather(out):
         data = (CACHE / name).read_bytes()
         if name in SQUEEZED:  # .bin: a server that knows .gz would undo it once more
             (out / f"{name}.gz.bin").write_bytes(gzip.compress(data, 9, mtime=0))
+        elif name.endswith(".zip"):
+            _smaller(CACHE / name, out / name, STDLIB_LEFT_OUT)
         else:
             (out / name).write_bytes(data)
     wheels = lock["wheels"]["pyodide"] | lock["wheels"]["pypi"]
@@ -143,10 +154,10 @@ def _keep(found, path, digest):
     new.replace(path)
 
 
-def _smaller(wheel, out):
+def _smaller(wheel, out, left_out=LEFT_OUT):
     """A wheel without what a page has no use for."""
     with zipfile.ZipFile(wheel) as held:
-        zipped(out, {n: held.read(n) for n in held.namelist() if not LEFT_OUT.search(n)})
+        zipped(out, {n: held.read(n) for n in held.namelist() if not left_out.search(n)})
 
 
 def _own_wheel(out):
