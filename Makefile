@@ -3,6 +3,7 @@
 # make test     everything that is tested, as CI does
 # make fuzz     the quick tests on other numbers in every run
 # make site     the static pages, in docs/_build/html; make site LIVE=1: lessons run in their page
+#               make site CLASS=1: the class edition, without the worked answers
 # make lessons  the notebooks from their sources; make lessons LESSON=05 does one
 # make bench    exactness and speed; make bench QUICK=yes draws less
 
@@ -49,7 +50,7 @@ test-deps:
 	@$(PYTHON) tests/system_packages.py
 
 site: .venv/test
-	$(BIN)/python docs/build.py $(if $(LIVE),--live)
+	$(BIN)/python docs/build.py $(if $(LIVE),--live) $(if $(CLASS),--class)
 
 lessons: .venv/test
 	$(BIN)/python -m dhlab.course.building.build $(LESSON)

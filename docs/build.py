@@ -4,6 +4,7 @@ reader's browser sent elsewhere.
     python docs/build.py          # docs/_build/html
     python docs/build.py OUT      # OUT/html
     python docs/build.py --live   # lessons that run in their page as well, 37 MB more
+    python docs/build.py --class  # the class edition: without the worked answers
 
 In OUT the folders html, source, doctrees and executed belong to the build.
 
@@ -13,6 +14,7 @@ warning of Sphinx, ends the build.
 
 import argparse
 import hashlib
+import os
 import re
 import shutil
 import sys
@@ -23,6 +25,7 @@ from pathlib import Path
 
 import jupytext
 import nbformat
+from answers import with_answers
 from finishing import finish
 from library import library, linked, with_arms
 from nbclient import NotebookClient
@@ -46,16 +49,17 @@ ALIASES = {"02-parameters": "! atan2, ! arctan2"}  # what the search finds a les
 PARTS = ("", "reference/", "benchmarks/", "bench/")  # where pages, and what pages include, stand
 
 
-def build(out):
+def build(out, answers=True):
     """Everything, into ``out``; returns Sphinx's exit status. Only the runs of notebooks are kept
-    from the build before.
+    from the build before. With ``answers`` a worked one is folded under each exercise.
     """
     source, html, doctrees = out / "source", out / "html", out / "doctrees"
     texts = pages(out / "executed")
     for folder in (source, html, doctrees):
         shutil.rmtree(folder, ignore_errors=True)
     for name, text in texts.items():
-        _write(source / name, text)
+        lesson = Path(name).stem if name.startswith("lessons/") and answers else ""
+        _write(source / name, with_answers(text, lesson) if lesson[:2].isdigit() else text)
     for picture in DOCS.glob("benchmarks/*.svg"):
         shutil.copy(picture, source / "benchmarks")
     (source / "_static").mkdir()
@@ -173,7 +177,7 @@ def _run(name, notebook):
                 kernel_name="python3",
                 extra_arguments=["--IPKernelApp.log_level=40"],
                 resources={"metadata": {"path": empty}},
-            ).execute()
+            ).execute(env=os.environ | {"DHLAB_NARROW_PICTURES": "yes"})
         except CellExecutionError as error:
             raise SystemExit(f"{name}: a cell failed, so no site was built\n{error}") from None
     for cell in without_widgets(notebook).cells:
@@ -193,8 +197,11 @@ def main():
     )
     parser.add_argument("out", nargs="?", type=Path, default=DOCS / "_build")
     parser.add_argument("--live", action="store_true", help="with Python for the pages")
+    parser.add_argument(
+        "--class", action="store_false", dest="answers", help="without the worked answers"
+    )
     given = parser.parse_args()
-    status = build(given.out.resolve())
+    status = build(given.out.resolve(), given.answers)
     if given.live:
         sys.path.insert(0, str(DOCS / "live"))
         from gather import into, pinned

@@ -38,6 +38,7 @@ LANDMARKS = [
     (r'<a href="([\w-]+)\.ipynb">', r'<a href="\1.html">'),  # the map on top of a lesson
 ]
 STILL = re.compile(r'src="data:image/png;base64,([^"]+)" width="(\d+)"')
+NARROW = re.compile(r'srcset="data:image/png;base64,([^"]+)" width="(\d+)" height="\d+"')
 DESIGN = re.compile(
     r"<link [^>]*sphinx-design\.min\.css[^>]*>|<script [^>]*design-tabs\.js.*?</script>"
 )
@@ -97,11 +98,19 @@ def _with_stills(text, html, root):
         image = Image.open(io.BytesIO(base64.b64decode(found[1])))
         return _sources(image, int(found[2]), html, root)
 
+    def narrow(found):
+        return re.sub(r'^src="(\S+)"(?: srcset="(.*?)")?|loading.*', _as_set, still(found)).strip()
+
     def shot(found):
         image = Image.open(html / "_images" / found[1])
         return _sources(image, image.width, html, root)
 
-    return SHOT.sub(shot, STILL.sub(still, text))
+    return SHOT.sub(shot, STILL.sub(still, NARROW.sub(narrow, text)))
+
+
+def _as_set(found):
+    """What a ``<source>`` has of the attributes of an ``<img>``."""
+    return f'srcset="{", ".join(filter(None, found.groups()))}"' if found[1] else ""
 
 
 def _sources(image, width, html, root):

@@ -1,10 +1,11 @@
 """The site, built and then opened in Chromium: nothing fetched from elsewhere, nothing broken,
-nothing given away.
+nothing given away in the class edition.
 """
 
 import gzip
 import importlib.util
 import re
+import shutil
 import subprocess
 import sys
 import threading
@@ -114,6 +115,21 @@ def test_pictures_have_words(opened, name):
         )
         shown = "i => { i.loading = 'eager'; return i.decode().then(() => i.naturalWidth); }"
         assert image.evaluate(shown) > 100
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_no_picture_scrolls_sideways_on_a_telephone(new_page, address, name):
+    page = new_page(viewport={"width": 390, "height": 844})
+    page.goto(f"{address}/lessons/{name}.html")
+    wide = "f => f.scrollWidth > f.clientWidth + 1"
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    for figure in page.locator("figure.dhlab-picture").all():
+        assert not figure.evaluate(wide)
+        image = figure.locator("img")
+        image.evaluate("i => { i.loading = 'eager'; return i.decode(); }")
+        shown, whole = image.evaluate("i => [i.clientWidth, i.naturalWidth]")
+        # drawn for this width, so that its letters are as large as elsewhere
+        assert not shown or abs(whole / shown - 1) < 0.15, (name, shown, whole)
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -399,7 +415,44 @@ def _solution_regions():
             )
 
 
-def test_site_gives_no_solution_away(site):
+@pytest.fixture(scope="session")
+def class_edition(site, tmp_path_factory):
+    """The folder of the class edition, of the same runs as the site."""
+    out = tmp_path_factory.mktemp("class")
+    shutil.copytree(site.parent / "executed", out / "executed")
+    build = [sys.executable, ROOT / "docs" / "build.py", "--class", out]
+    done = subprocess.run(build, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return out / "html"
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_each_exercise_has_its_worked_answer_folded(opened, name):
+    page = opened[f"lessons/{name}"][0]
+    solution = nbformat.read(ROOT / "solutions" / f"{name}.ipynb", as_version=4)
+    regions = {
+        cell.metadata["exercise"]: re.findall(
+            r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", cell.source, re.DOTALL
+        )
+        for cell in solution.cells
+        if cell.cell_type == "code" and cell.metadata.get("exercise")
+    }
+    answers = page.locator("details.worked-answer")
+    assert (
+        answers.count() == len(regions) and page.locator("details.worked-answer[open]").count() == 0
+    )
+    for exercise, texts in regions.items():
+        answer = answers.filter(has=page.locator("summary", has_text=re.compile(f"to {exercise}$")))
+        lines = {
+            " ".join(line.split()) for line in answer.locator("pre").text_content().splitlines()
+        }
+        for line in (line for text in texts for line in text.splitlines() if line.strip()):
+            unknown = line.strip().endswith('= "?"')  # there the right letter stands
+            assert unknown or " ".join(line.split()) in lines, f"{exercise}: {line}"
+
+
+def test_the_class_edition_gives_no_solution_away(class_edition):
+    site = class_edition
     files = [
         path
         for path in site.rglob("*")
@@ -418,15 +471,20 @@ def test_site_gives_no_solution_away(site):
     )
     handed_out = " ".join(handed_out.split())
     checks = re.findall(r'check\("[^)]+\)', handed_out)
+    assert "The worked answer" not in words
     assert checks and all(line in words for line in checks), (
         "code is not found on the pages, so this test would see nothing"
     )
     regions = list(_solution_regions())
     assert len(regions) > 20
     for lesson, lines in regions:
-        assert " ".join(lines) not in words, f"{lesson}: the site shows the solution {lines}"
+        assert " ".join(lines) not in words, (
+            f"{lesson}: the class edition shows the solution {lines}"
+        )
         for line in lines:  # lines such as "def f(x):" stand in the task as well
-            assert line in handed_out or line not in words, f"{lesson}: the site shows {line!r}"
+            assert line in handed_out or line not in words, (
+                f"{lesson}: the class edition shows {line!r}"
+            )
 
 
 def _examples():

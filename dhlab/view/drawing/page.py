@@ -2,7 +2,10 @@
 that pyplot never hears of.
 """
 
+import textwrap
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -15,12 +18,35 @@ from .paint import Panel, paint
 from .scene import Scene
 from .style import FONT, INK, QUIET, SIZES
 
-__all__ = ["View", "compose"]
+__all__ = ["NARROW", "NARROW_PIXELS", "Page", "View", "compose", "heading"]
 
-# page points: views side by side, and one above the other
-WIDTH, HEIGHT, TALL = 560.0, 420.0, 500.0
-LEAST_WIDTH, EDGE, GAP = 340.0, 8.0, 12.0
+EDGE, GAP = 8.0, 12.0  # page points
 DPI = 150
+LETTER = 0.6  # how wide the letters of this type are, of their size; roughly
+NARROW_PIXELS = 336  # what a telephone of 390 has for a picture
+
+
+@dataclass(frozen=True)
+class Room:
+    """What a page may take, page points: views side by side, and one above the other (tall)."""
+
+    width: float
+    height: float
+    tall: float
+    least: float
+    narrow: bool = False
+
+
+WIDE = Room(560.0, 420.0, 500.0, 340.0)
+NARROW = Room(
+    274.0, 300.0, 480.0, 274.0, narrow=True
+)  # the letters as large, hence less of all else
+
+
+class Page(Figure):
+    """A figure that can be had for a narrow screen as well: drawn anew, its letters as large."""
+
+    narrow: Callable[[], "Page"]
 
 
 @dataclass
@@ -58,7 +84,7 @@ class View:
         return np.diff(self.box(), axis=0)[0] * scale + [left + right, bottom + top]
 
 
-def compose(views: list[View], title: str = "") -> Figure:
+def compose(views: list[View], title: str = "") -> Page:
     """Put one view on a page, or a large and a small one.
 
     Parameters
@@ -71,17 +97,25 @@ def compose(views: list[View], title: str = "") -> Figure:
 
     Returns
     -------
-    matplotlib.figure.Figure
-        With one axes per view, each of equal scale in both directions.
+    Page
+        A matplotlib figure with one axes per view, each of equal scale in both directions;
+        ``narrow()`` draws it for a narrow screen.
     """
-    scales, corners, area = _arrange(views)
-    head = 8.0 + 17.0 * len(title.splitlines())
+    page = _drawn(views, title, WIDE)
+    page.narrow = partial(_drawn, views, title, NARROW)
+    return page
+
+
+def _drawn(views, title, room):
+    lines = heading(title, room.width if room.narrow else None)
+    scales, corners, area = _arrange(views, room)
+    head = 8.0 + 17.0 * len(lines)
     page = np.array(
-        [max(area[0], _title_width(title), LEAST_WIDTH), area[1] + head]
+        [max(area[0], _title_width(lines), room.least), area[1] + head]
     ) + 2 * EDGE * np.array([1, 0.5])
-    figure = Figure(figsize=(page[0] / 72, page[1] / 72), dpi=DPI, facecolor="white")
+    figure = Page(figsize=(page[0] / 72, page[1] / 72), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
-    for k, line in enumerate(title.splitlines()):
+    for k, (line, kind) in enumerate(lines):
         figure.text(
             0.5,
             1 - (8 + 17 * k) / page[1],
@@ -89,8 +123,8 @@ def compose(views: list[View], title: str = "") -> Figure:
             ha="center",
             va="top",
             family=FONT,
-            fontsize=SIZES["note" if k else "title"],
-            color=QUIET if k else INK,
+            fontsize=SIZES[kind],
+            color=INK if kind == "title" else QUIET,
             parse_math=False,
             usetex=False,
         )
@@ -100,17 +134,23 @@ def compose(views: list[View], title: str = "") -> Figure:
     return figure
 
 
-def _arrange(views):
+def _arrange(views, room):
     """Scales, lower left corners and the whole area (2,) of the views, page points."""
     if len(views) == 1:
-        scale = views[0].scale((WIDTH, HEIGHT))
+        scale = views[0].scale((room.width, room.height))
         return [scale], [np.zeros(2)], views[0].size(scale)
-    beside, below = _beside(*views), _below(*views)
+    below = _below(views[0], views[1], room)
+    if room.narrow:
+        return below
+    beside = _beside(views[0], views[1], room)
     return below if below[0][0] > 1.3 * beside[0][0] else beside
 
 
-def _beside(large, small):
-    scales = [large.scale((0.63 * WIDTH - GAP, HEIGHT)), small.scale((0.37 * WIDTH, HEIGHT))]
+def _beside(large, small, room):
+    scales = [
+        large.scale((0.63 * room.width - GAP, room.height)),
+        small.scale((0.37 * room.width, room.height)),
+    ]
     (w1, h1), (w2, h2) = large.size(scales[0]), small.size(scales[1])
     height = max(h1, h2)
     return (
@@ -120,8 +160,11 @@ def _beside(large, small):
     )
 
 
-def _below(large, small):
-    scales = [large.scale((WIDTH, 0.64 * TALL)), small.scale((0.8 * WIDTH, 0.36 * TALL - GAP))]
+def _below(large, small, room):
+    scales = [
+        large.scale((room.width, 0.64 * room.tall)),
+        small.scale((0.8 * room.width, 0.36 * room.tall - GAP)),
+    ]
     (w1, h1), (w2, h2) = large.size(scales[0]), small.size(scales[1])
     width = max(w1, w2)
     return (
@@ -131,15 +174,20 @@ def _below(large, small):
     )
 
 
-def _title_width(title):
-    """Roughly: the letters of this type are about 0.6 of its size wide."""
-    return max(
-        (
-            0.6 * SIZES["note" if k else "title"] * len(line)
-            for k, line in enumerate(title.splitlines())
-        ),
-        default=0,
-    )
+def heading(title: str, width: float | None = None) -> list[tuple[str, str]]:
+    """The lines of a title and what they are, "title" or "note"; none wider than ``width`` page
+    points.
+    """
+    kinds = ["title", *["note"] * len(title.splitlines())]
+    return [
+        (part, kind)
+        for line, kind in zip(title.splitlines(), kinds)
+        for part in (textwrap.wrap(line, int(width / (LETTER * SIZES[kind]))) if width else [line])
+    ]
+
+
+def _title_width(lines):
+    return max((LETTER * SIZES[kind] * len(line) for line, kind in lines), default=0)
 
 
 def _draw(figure, view, scale, lower, page):

@@ -2,16 +2,17 @@
 configuration by configuration.
 """
 
+from functools import partial
+
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 from numpy.typing import ArrayLike
 
 from ...arm import Arm
 from ...printing import number
 from .. import words
-from ..drawing.page import DPI
+from ..drawing.page import DPI, NARROW, Page, heading
 from ..drawing.style import AXES, FLOOR, FONT, INK, QUIET, SIZES
 from ..given import require_arm
 from ..picture import Picture
@@ -116,9 +117,20 @@ def _given(arm, qs, joint):
 
 
 def _figure(arm, along, numbers, joint, title):
-    figure = Figure(figsize=(560 / 72, 250 / 72), dpi=DPI, facecolor="white")
+    name = title if title is not None else f"{arm.name or 'Arm'}: how near to a singularity"
+    label = f"joint {joint} ({_unit(arm, joint)[1]})"
+    figure = _page(along, numbers, label, heading(name), 560.0)
+    lines = heading(name, NARROW.width)
+    figure.narrow = partial(_page, along, numbers, label, lines, NARROW.width)
+    return figure
+
+
+def _page(along, numbers, label, lines, width):
+    head = 10.0 + 17.0 * len(lines)
+    height = 223.0 + head
+    figure = Page(figsize=(width / 72, height / 72), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
-    axes = figure.add_axes((0.1, 0.2, 0.86, 0.66))
+    axes = figure.add_axes((56 / width, 50 / height, 1 - 78 / width, 1 - (58 + head) / height))
     lost = numbers > SINGULAR
     top = 2 * numbers[~lost].max(initial=10 * numbers.min())
     # where there is no number the curve rises past the upper edge, so that no peak is seen
@@ -136,19 +148,19 @@ def _figure(arm, along, numbers, joint, title):
             fontsize=SIZES["tick"],
         )
     axes.set(xlim=(along.min(), along.max()), ylim=(0.7 * numbers.min(), top))
-    _letter(axes, f"joint {joint} ({_unit(arm, joint)[1]})")
-    name = title if title is not None else f"{arm.name or 'Arm'}: how near to a singularity"
-    figure.text(
-        0.5,
-        0.97,
-        name,
-        ha="center",
-        va="top",
-        family=FONT,
-        fontsize=SIZES["title"],
-        color=INK,
-        parse_math=False,
-    )
+    _letter(axes, label)
+    for k, (line, kind) in enumerate(lines):
+        figure.text(
+            0.5,
+            1 - (8 + 17 * k) / height,
+            line,
+            ha="center",
+            va="top",
+            family=FONT,
+            fontsize=SIZES[kind],
+            color=INK,
+            parse_math=False,
+        )
     return figure
 
 

@@ -1,12 +1,14 @@
 """Where the end of an arm can be: its reach, seen from above and from the side."""
 
+from functools import partial
+
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...arm import Arm
 from ...printing import number
+from ..drawing.page import NARROW, Page, heading
 from ..drawing.style import FLOOR, FONT, INK, QUIET, SIZES
 from ..given import require_arm
 from ..picture import Picture
@@ -54,10 +56,9 @@ def workspace(arm: Arm, n: int = 200_000, seed: int = 0, *, title: str | None = 
     require_arm(arm, "view.workspace")
     points = arm.workspace(n, seed)
     out = np.hypot(points[:, 0], points[:, 1])
-    figure = _page(title or f"{arm.name or 'Arm'}: where its end can be")
-    top, side = figure.subplots(1, 2, gridspec_kw={"wspace": 0.32})
-    _density(top, points[:, 0], points[:, 1], ("x (m)", "y (m)"), "from above")
-    _density(side, out, points[:, 2], ("distance from the z axis (m)", "z (m)"), "section")
+    title = title or f"{arm.name or 'Arm'}: where its end can be"
+    figure = _page(title, points, out)
+    figure.narrow = partial(_page, title, points, out, narrow=True)
     ends = [*zip("xyz", points.T), ("from the z axis", out)]
     rows = [[name, number(values.min(), 3), number(values.max(), 3)] for name, values in ends]
     picture = Picture(
@@ -72,13 +73,31 @@ def workspace(arm: Arm, n: int = 200_000, seed: int = 0, *, title: str | None = 
     return picture
 
 
-def _page(title):
-    figure = Figure(figsize=(WIDTH, HEIGHT), dpi=150)
+def _page(title, points, out, narrow=False):
+    width, height = (NARROW.width / 72, 7.4) if narrow else (WIDTH, HEIGHT)
+    left = 0.2 if narrow else 0.09
+    figure = Page(figsize=(width, height), dpi=150)
     FigureCanvasAgg(figure)
-    figure.subplots_adjust(left=0.09, right=0.98, bottom=0.13, top=1 - HEAD / HEIGHT - 0.05)
-    figure.text(
-        0.09, 1 - 0.25 / HEIGHT, title, size=SIZES["title"], color=INK, family=FONT, va="center"
+    figure.subplots_adjust(
+        left=left,
+        right=0.95 if narrow else 0.98,
+        bottom=0.13 * HEIGHT / height,
+        top=1 - (HEAD + 0.05 * HEIGHT) / height,
     )
+    for k, (line, _) in enumerate(heading(title, 0.8 * NARROW.width if narrow else None)):
+        figure.text(
+            left,
+            1 - (0.25 + 0.2 * k) / height,
+            line,
+            size=SIZES["title"],
+            color=INK,
+            family=FONT,
+            va="center",
+        )
+    apart = {"wspace": 0.32, "hspace": 0.3}
+    top, side = figure.subplots(*((2, 1) if narrow else (1, 2)), gridspec_kw=apart)
+    _density(top, points[:, 0], points[:, 1], ("x (m)", "y (m)"), "from above")
+    _density(side, out, points[:, 2], ("distance from the z axis (m)", "z (m)"), "section")
     return figure
 
 
