@@ -156,6 +156,43 @@ def test_enter_in_the_box_of_mode_place_moves_the_point(live):
     )
 
 
+def test_a_chosen_origin_is_dragged_along_its_line_and_snaps_to_what_is_offered(live):
+    explorer = dh.explore(dh.load("cobra600"), mode="place")
+    for i, frame in enumerate(explorer.placing.placement.model.frames(np.zeros(4))):
+        assert explorer.place(f"z{i}", frame[:3, 2], frame[:3, 3])
+    page, answer = live(explorer), explorer._answer
+    z, p = explorer.placing.placement.z[0], explorer.placing.placement.axes[0].p
+    values = [np.array(offer["value"]) for offer in answer["offers"]]
+    on = [value for value in values if np.linalg.norm(np.cross(value - p, z)) < 1e-9]
+    start, goal = on[0], max(on, key=lambda value: np.linalg.norm(value - on[0]))
+
+    def at(point):
+        return page.evaluate(
+            "p => { const { stage } = document.querySelector('main > div').explorer;"
+            " const { x, y } = stage.canvas.getBoundingClientRect();"
+            " const [u, v] = stage.camera.flat(p); return [x + u, y + v]; }",
+            list(point),
+        )
+
+    def drag(a, b):
+        page.mouse.move(*a)
+        page.mouse.down()
+        page.mouse.move(*b, steps=5)
+        page.mouse.up()
+
+    page.wait_for_function("document.querySelector('main > div').explorer.stage.drawn > 0")
+    page.mouse.click(*at(start))
+    slider = page.get_by_role("slider", name="Along the line of z")
+    middle = (start + goal) / 2
+    drag(at(start), at(middle))
+    assert float(slider.input_value()) == pytest.approx((middle - p) @ z, abs=0.01)
+    drag(at(middle), np.array(at(goal)) + 3)
+    sent = "document.querySelector('main > div').explorer.host"
+    page.evaluate(f"{sent}.send = (message) => {{ window.sent = message; }}")
+    page.mouse.click(*at(goal))
+    np.testing.assert_allclose(page.evaluate("window.sent.value"), goal, atol=1e-9)
+
+
 def test_a_number_with_more_digits_than_shown_stays_as_typed(opened, modes):
     page = opened(modes["arm"])
     box = page.get_by_role("spinbutton").first

@@ -13,6 +13,7 @@ const ASKS = { z: (i) => `Along which line, and which way, does z${below(i)} run
 const START = "Place every z, then origin and x, frame by frame. Turn the view to see which line is which.";
 const NOBODY = "Python has not answered. Run the cell above again, or wait until it is done with other cells.";
 const PATIENCE = 4000; // milliseconds
+const STILL = 4; // points that a hand may move in a click
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
 export function placeMode(host, redraw) {
@@ -150,15 +151,19 @@ function judged(host, mode, redraw) {
       show();
       return { placed: mapOf(answer.placed, data), words: spoken() };
     },
-    // A click near an offer chooses it, a second one places it; an origin that may stand anywhere on its line can be dragged along it.
+    // A click near an offer chooses it, a second one places it; a chosen origin that may stand anywhere on its line can be dragged along
+    // it, and snaps to the offers there.
     grab(at, camera, near) {
-      const one = nearest(at, camera, near), own = one || answer.next?.[0] !== "o" ? null : line();
-      if (one) return (_, done) => done && (one === chosen ? submit.click() : take(one));
-      if (!own || !chosen || Math.hypot(...camera.flat(chosen.value).map((v, k) => v - at[k])) > near) return null;
-      return (to) => {
+      const one = nearest(at, camera, near), own = answer.next?.[0] === "o" ? line() : null;
+      const held = own && chosen && Math.hypot(...camera.flat(chosen.value).map((v, k) => v - at[k])) <= near && (!one || one === chosen);
+      if (!held) return one && ((_, done) => done && (one === chosen ? submit.click() : take(one)));
+      let moved = false;
+      return (to, done) => {
+        moved ||= Math.hypot(to[0] - at[0], to[1] - at[1]) > STILL;
+        if (!moved) return done && one && submit.click();
         const [p, z] = own, [a, b] = [camera.flat(p), camera.flat(along(p, z, 1))], way = [b[0] - a[0], b[1] - a[1]];
         const far = ((to[0] - a[0]) * way[0] + (to[1] - a[1]) * way[1]) / (way[0] ** 2 + way[1] ** 2 || 1);
-        choose(nearest(to, camera, near) ?? free(far));
+        take(nearest(to, camera, near) ?? free(far));
       };
     },
     hover: (at, camera, near) => at && nearest(at, camera, near),
