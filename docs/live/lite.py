@@ -19,6 +19,7 @@ import gather
 __all__ = ["lite"]
 
 KERNEL = "@jupyterlite/pyodide-kernel-extension"
+UNWINDOWED = {"windowingMode": "none"}
 OWN = ("piplite-", "ipykernel-", "pyodide_kernel-", "widgetsnbextension-4")
 # what a page fetches of dhlab, and the modules that a notebook's widgets read
 LEFT_OUT = re.compile(r"(^|/)(grading|building|js|node_modules|__pycache__)/")
@@ -112,6 +113,8 @@ def _say(path, packages):
         "loadPyodideOptions": {"packages": packages},
     }
     settings = {"appName": "dhlab", "litePluginSettings": {f"{KERNEL}:kernel": kernel}}
+    # an explorer that is scrolled out of sight stays as hands left it
+    settings["settingsOverrides"] = {"@jupyterlab/notebook-extension:tracker": UNWINDOWED}
     data = {"jupyter-lite-schema-version": 0, "jupyter-config-data": settings}
     path.write_text(json.dumps(data), encoding="utf-8")
 
