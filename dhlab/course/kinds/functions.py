@@ -114,7 +114,7 @@ class Function(Exercise):
         if self.handed_out or self.read is not np.asarray:
             return verdict
         calls = [(case, np.asarray(self.answer(*case), dtype=float)) for case in cases]
-        lines, _, _ = lines_to_change(f, calls, NEAR, SECONDS)
+        lines, *_ = lines_to_change(f, calls, NEAR, SECONDS)
         if not lines:
             return verdict
         numbers = " and ".join(str(number) for number in dict.fromkeys(x.number for x in lines))

@@ -201,14 +201,14 @@ def _with_lines(diagnosis, f, task, bent=False):
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
     left = SECONDS - (time.process_time() - task.started)
-    lines, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
+    lines, steps, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
     diagnosis = replace(diagnosis, lines=lines, repaired=whole)
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED
         return (_half(better, task, bent) if unknown else None) or diagnosis
     places = list(dict.fromkeys(f"line {line.number}" for line in lines))
     headline = f"With another {' and '.join(places)} the program is right."
-    if diagnosis.headline.startswith(UNKNOWN) or len(lines) < len(diagnosis.findings):
+    if diagnosis.headline.startswith(UNKNOWN) or steps < len(diagnosis.findings):
         diagnosis = replace(diagnosis, headline=headline, findings=())
     elif hides_the_rest(diagnosis.findings) and len(places) > 1:
         diagnosis = replace(diagnosis, headline=headline)

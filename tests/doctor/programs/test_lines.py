@@ -107,6 +107,70 @@ def test_two_lines_are_told_of_two_mistakes(tmp_path):
     assert [line.number for line in answer.lines] == [10, 18] and is_right(answer.repaired)
 
 
+APART = """\
+import numpy as np
+
+def turn(theta, alpha):
+    ct, st = np.cos(theta), np.sin(theta)
+    ca, sa = np.cos(alpha), np.sin(alpha)
+    return np.array([[ct, -st * ca, st * sa],
+                     [st, ct * ca, -ct * sa],
+                     [0.0, sa, ca]])
+
+def forward_kinematics(rows, q):
+    R = np.eye(3)
+    p = np.zeros(3)
+    for k in range(len(rows)):
+        theta = rows[k][0] + q[k]
+        d, a, alpha = rows[k][1:]
+        step = np.array([a * np.cos(theta), a * np.sin(theta), d])
+        p = p + R @ step
+        R = R @ turn(theta, alpha)
+    T = np.eye(4)
+    T[:3, :3] = R
+    T[:3, 3] = p
+    return T
+"""
+
+
+@pytest.mark.parametrize(
+    "program, lines, wrong",
+    [  # of each two, none alone makes anything right
+        (PROGRAM, {7, 18}, {"= math.cos(theta), math.sin(theta)":
+            "= round(math.cos(theta), 3), round(math.sin(theta), 3)", "theta + q": "theta - q"}),
+        (PROGRAM, {11, 17}, {"[0, sa, ca, d]": "[0, ca, sa, d]", "q[i], d, a": "q[i], a, d"}),
+        (APART, {16, 17}, {"a * np.cos(theta), a * np.sin(theta)":
+            "a * np.sin(theta), a * np.cos(theta)", "p + R @ step": "p + step"}),
+        (APART, {8, 18}, {"[0.0, sa, ca]": "[0.0, ca, sa]", "R @ turn(theta, alpha)":
+            "turn(theta, alpha) @ R"}),
+        (APART, {17, 18}, {"p + R @ step": "p + step", "R @ turn(theta, alpha)":
+            "turn(theta, alpha) @ R"}),
+    ],
+)  # fmt: skip
+def test_two_lines_are_told_where_neither_alone_mends_much(
+    program, lines, wrong, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("dhlab.doctor.programs.functions.SECONDS", 20)  # on any machine
+    text = program
+    for old, new in wrong.items():
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    answer = diagnose_function(written(tmp_path, text), KIND)
+    assert is_right(program) and not is_right(text) and is_right(answer.repaired)
+    assert {line.number for line in answer.lines} == lines
+
+
+def test_two_mistakes_in_one_line_are_named_and_their_line_is_told_once(tmp_path):
+    text = PROGRAM.replace(
+        "T @ link(theta + q[i], d, a, alpha)", "link(theta - q[i], d, a, alpha) @ T"
+    )
+    answer = diagnose_function(written(tmp_path, text), KIND)
+    assert {finding.mistake for finding in answer.findings} == {
+        "offset-subtracted", "product-reversed"}  # fmt: skip
+    (line,) = answer.lines
+    assert line.number == 18 and is_right(answer.repaired)
+
+
 def test_an_array_of_whole_numbers_is_not_called_the_one_mistake_beside_another(tmp_path):
     text = """\
 import numpy as np

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from .expressions import in_place_of
 from .formulas import formula_changes
+from .missing import missing_changes
 from .statements import statement_edits
 from .tables import table_changes
 from .text import Edit
@@ -50,6 +51,7 @@ def changes_of(text):
             *_out_of_loops(text),
             *formula_changes(text),
             *table_changes(text),
+            *missing_changes(text),
             *_of_three(text),
         ],
         key=lambda change: change[0].rank,

@@ -6,8 +6,9 @@ import io
 import sys
 import warnings
 
-from .repair import Tried, lines_of, repaired
+from .repair import lines_of, repaired
 from .text import text_of
+from .tried import Tried
 
 __all__ = ["lines_to_change"]
 
@@ -26,18 +27,20 @@ def lines_to_change(f, calls, tolerance, seconds):
 
     Returns
     -------
-    (tuple of Line, str or None, list of (tuple of Line, function))
-        The lines, empty when no small change of the text makes it right; the whole text with them
-        changed; then single changes that make more right, with the functions that they make.
+    (tuple of Line, int, str or None, list of (tuple of Line, function))
+        The lines, empty when no small change of the text makes it right; how many places
+        change, also where they stand in one line; the whole text with them changed; then
+        single changes that make more right, with the functions that they make.
     """
     text = text_of(f)
     if text is None or (sys.platform == "emscripten" and _may_go_on(text)):
-        return (), None, []
+        return (), 0, None, []
     with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         changes, better = repaired(text, Tried(calls, tolerance), seconds)
     whole = text.edited([edit for change in changes for edit in change]) if changes else None
-    return lines_of(text, changes), whole, [(lines_of(text, [change]), g) for change, g in better]
+    halves = [(lines_of(text, [change]), g) for change, g in better]
+    return lines_of(text, changes), sum(len(c) or 1 for c in changes), whole, halves
 
 
 def _may_go_on(text):

@@ -2,10 +2,9 @@
 or two, until it is right in every call.
 """
 
-import copy
 import time
 from functools import cached_property
-from itertools import chain, product
+from itertools import chain, combinations, product
 
 import numpy as np
 
@@ -13,91 +12,19 @@ from ...diagnosis import Line
 from ..running.deadline import OutOfTime, limited
 from .constants import fitted_numbers
 from .edits import changes_of
+from .text import Edit
+from .tried import FIRST
 
-__all__ = ["Tried", "lines_of", "repaired"]
+__all__ = ["lines_of", "repaired"]
 
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
-FIRST = 4  # calls that tell which changes make more right
+GENERAL = (7, 9, 11)  # calls with numbers of either sign
 ALL = 16 * FIRST
 UNFELT, BENT = -1, -2  # in place of a score
 STRAIGHT = 16  # what an answer counts that becomes a pose, in entries
-WEIGHT = 8  # of a right turn between two calls, in entries
 LIKELIEST = 3  # of them, which are tried with every other change first
+LIKELY = 12  # of them, which are tried with each other before
 BEST = 40  # changes that make more right than was right before, tried in pairs
-
-
-def turns_between(poses):
-    """The trace of the turn from the first pose to each other one, (m - 1,): the same whatever
-    constant base and tool stand at the ends.
-
-    Examples
-    --------
-    >>> poses = np.array([np.eye(4), np.diag([-1, -1, 1, 1])])
-    >>> turns_between(poses)
-    array([-1.])
-    """
-    return np.einsum("kij,ij->k", poses[1:, :3, :3], poses[0, :3, :3])
-
-
-class Tried:
-    """The calls by which a program is judged: ``calls`` of (arguments, right answer), the simplest
-    first.
-    """
-
-    def __init__(self, calls, tolerance):
-        self.calls, self.tolerance = calls, tolerance
-
-    def entries(self, f, k):
-        """Which entries of the answer to call k are right; None where there is no answer, or the
-        arguments are changed.
-        """
-        off = self.deviation(f, k)
-        return None if off is None else self.is_none(off, k)
-
-    def is_none(self, off, k):
-        """Which entries of a deviation in call k are none."""
-        return np.abs(off) <= self.tolerance * (1 + np.abs(self.calls[k][1]))
-
-    def deviation(self, f, k):
-        """The answer to call k minus the right one; None as for :meth:`entries`."""
-        given, right = self.calls[k]
-        mine = copy.deepcopy(given)
-        try:
-            answer = np.asarray(f(*mine), dtype=float)
-        except (Exception, SystemExit):
-            return None
-        same = answer.shape == right.shape and all(map(np.array_equal, given, mine))
-        return answer - right if same else None
-
-    def score(self, f):
-        """How much is right in the first calls: entries, and what wrong ends leave as it is; None
-        when all entries are right.
-        """
-        calls = self.calls[:FIRST]
-        offs = [self.deviation(f, k) for k in range(len(calls))]
-        if any(off is None for off in offs):
-            return sum(self.is_none(off, k).sum() for k, off in enumerate(offs) if off is not None)
-        right = sum(int(self.is_none(off, k).sum()) for k, off in enumerate(offs))
-        if right == sum(T.size for _, T in calls):
-            return None
-        with np.errstate(all="ignore"):
-            answers = np.array([off + T for off, (_, T) in zip(offs, calls)])
-            kept = np.abs(turns_between(answers) - self.turns) <= self.tolerance
-        return right + WEIGHT * int(kept.sum())
-
-    @cached_property
-    def turns(self):
-        """:func:`turns_between` the right answers."""
-        return turns_between(np.array([T for _, T in self.calls[:FIRST]]))
-
-    def is_right(self, f, k):
-        """Whether the answer to a call is right."""
-        entries = self.entries(f, k)
-        return entries is not None and bool(entries.all())
-
-    def all_right(self, f):
-        """Whether all answers are right, and the first once more at the end."""
-        return all(self.is_right(f, k) for k in (*range(len(self.calls)), 0))
 
 
 def repaired(text, tried, seconds):
@@ -113,7 +40,8 @@ def repaired(text, tried, seconds):
     Returns
     -------
     (tuple of tuples of Edit, list of (tuple of Edit, function))
-        The changes, empty when none is found in time; and then single ones that make more of the
+        The changes, empty when none is found in time, the second an empty one where the first holds
+        both; and then single ones that make more of the
         answers right, with the functions that they make, the best first.
     """
     search = _Search(text, tried, time.process_time() + seconds)
@@ -129,22 +57,25 @@ class _Search:
     def __init__(self, text, tried, end):
         self.text, self.tried, self.end = text, tried, end
         self.changes, self.better = changes_of(text), []
-        self.felt, self.others = [], []
+        self.felt, self.far, self.others, self.bent = [], [], [], []
 
     def single(self):
         """The first change that makes everything right; on the way those that make more right are
         noted, and those that change the first wrong answer.
         """
+        self.tried.look_at(self.pivot)
         before = self._made((), self.tried.score) or 0
         scored = []
         for change in self.changes:
             if time.process_time() > self.end:
                 break
-            score = self._made(change, self._score, UNFELT)
+            near, score = self._made(change, self._score, (False, UNFELT))
             if score is None and self._made(change, self.tried.all_right, False):
                 return (change,)
-            if score != BENT:
-                (self.others if score == UNFELT else self.felt).append(change)
+            kind = self.felt if near else self.bent if score == BENT else self.others
+            kind.append(change)
+            if not near and score not in (UNFELT, BENT):
+                self.far.append(change)
             if score is None or score > before:
                 scored.append((score or ALL, change))
         scored.sort(key=lambda entry: -entry[0])
@@ -152,19 +83,40 @@ class _Search:
         return ()
 
     def _score(self, f):
-        """:meth:`Tried.score`, None where the first wrong answer is right, UNFELT where it is as it
-        was or there is none, BENT where it was a pose and is none now.
+        """Whether the first wrong answer changes and is a pose still, and :meth:`Tried.score`: None
+        where that answer is right, UNFELT where nothing changes.
         """
         off = self.tried.deviation(f, self.pivot)
-        if off is None or (self.off is not None and np.array_equal(off, self.off)):
-            return UNFELT if self.wrong else None
+        if off is None:
+            return False, UNFELT if self.wrong else None
+        if self.off is not None and np.array_equal(off, self.off):
+            return False, self._score_elsewhere(f) if self.wrong else None
         if self.tried.is_none(off, self.pivot).all():
-            return None
+            return True, None
         is_pose = self._is_pose(off)
         if self.was_pose and not is_pose:
-            return BENT
+            return False, BENT
         score = self.tried.score(f)
-        return score and score + (STRAIGHT if is_pose and not self.was_pose else 0)
+        return True, score and score + (STRAIGHT if is_pose and not self.was_pose else 0)
+
+    def _score_elsewhere(self, f):
+        """The score of a change that the first wrong call does not feel: the other mistake may be
+        seen in others alone.
+        """
+        for k, before in self.elsewhere:
+            off = self.tried.deviation(f, k)
+            if off is None:
+                return UNFELT
+            if before is None or not np.array_equal(off, before):
+                score = self.tried.score(f)
+                return UNFELT if score is None else score
+        return UNFELT
+
+    @cached_property
+    def elsewhere(self):
+        """(k, the deviation in call k) of general calls; None where there is no answer."""
+        calls = [k for k in GENERAL if k < len(self.tried.calls)]
+        return [(k, self._made((), lambda f, k=k: self.tried.deviation(f, k))) for k in calls]
 
     def _is_pose(self, off):
         """Whether the first wrong answer, with another deviation, is a pose."""
@@ -217,12 +169,18 @@ class _Search:
         """The first two changes that together make everything right."""
         best = self.better
         tried = chain(
+            combinations(best[:LIKELY], 2),
             product(best[:LIKELIEST], self.felt),
-            ((first, second) for i, first in enumerate(best) for second in best[:i]),
-            product(best[:LIKELIEST], self.others),
+            combinations(best, 2),
             product(best[LIKELIEST:], self.felt),
+            product(best[:LIKELIEST], self.others),
+            product(best[:LIKELIEST], self.bent),
+            product(best[LIKELIEST:], self.far),
         )
-        return next((pair for pair in tried if self._are_right(*pair)), ())
+        for pair in tried:
+            if changes := self._are_right(*pair):
+                return changes
+        return ()
 
     def _made(self, edits, look, otherwise=None):
         """What a look at the changed program shows; ``otherwise`` where it is none or takes too
@@ -238,14 +196,34 @@ class _Search:
             return otherwise
 
     def _are_right(self, first, second):
+        """The two changes, as :func:`_together` has them, if they make all right."""
         if time.process_time() > self.end:
             raise OutOfTime
-        if not all(a.end <= b.start or b.end <= a.start for a in first for b in second):
-            return False
-        edits = (*first, *second)
-        return self._made(
-            edits, lambda f: self.tried.is_right(f, self.pivot), False
-        ) and self._made(edits, self.tried.all_right, False)
+        changes = _together(first, second, self.text)
+        edits = tuple(edit for change in changes for edit in change)
+        right = (
+            bool(edits)
+            and self._made(edits, lambda f: self.tried.is_right(f, self.pivot), False)
+            and self._made(edits, self.tried.all_right, False)
+        )
+        return changes if right else ()
+
+
+def _together(first, second, text):
+    """Two changes of a text that can be made together; where the one stands in the other, as a
+    sign in a product whose factors are exchanged, the first holds both; none where they exclude
+    each other.
+    """
+    if all(a.end <= b.start or b.end <= a.start for a in first for b in second):
+        return first, second
+    if len(first) > 1 or len(second) > 1:
+        return ()
+    (outer,), (inner,) = sorted((first, second), key=lambda change: change[0].start - change[0].end)
+    old = text.data[inner.start : inner.end]
+    if not outer.start <= inner.start < inner.end <= outer.end or outer.new.count(old) != 1:
+        return ()
+    both = Edit(outer.start, outer.end, outer.new.replace(old, inner.new), outer.rank)
+    return (both,), ()
 
 
 def lines_of(text, changes):
@@ -266,4 +244,4 @@ def lines_of(text, changes):
             where = "behind" if edit.new.startswith(b"\n") else "before"
             instead = f"{edit.new.decode().strip()}  (a new line {where} this one)"
         found.append(Line(number, text.line(number), instead))
-    return tuple(found)
+    return tuple(dict.fromkeys(found))

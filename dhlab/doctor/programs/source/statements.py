@@ -90,6 +90,8 @@ def _of_assignment(statement, text):
     if isinstance(statement.value, ast.Name):  # made anew, as the other was
         for other in _made(statement.value.id, text):
             yield 1, *span, other
+    if isinstance(statement.value, ast.Call) and "stack(" in value:  # rows for columns
+        yield 1, *span, f"{value}.T"
     if isinstance(statement.targets[0], (ast.Name, ast.Subscript)):
         yield 1, *span, f"{target} @ ({value})"
         yield 1, *span, f"({value}) @ {target}"
