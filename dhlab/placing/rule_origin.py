@@ -92,8 +92,9 @@ def _origin_fault(found: Geometry, p: NDArray[np.float64]) -> tuple[str, str]:
             "not-one-row",
             (
                 f"No single row leads here: x{i} must be at right angles to {w} and {z}, and its"
-                f" line must meet {w}. Take the foot of the common normal of {w} and a line along"
-                f" {z}; what is left goes into the tool or the next row."
+                f" line must meet {w}. Choose a line along {z}, and on it the point where it"
+                f" meets {w} or comes nearest to it; what is left goes into the next row, or behind"
+                " the last one into the tool."
             ),
         )
     if np.linalg.norm(p - nearest_on(*found.line, p)) > found.near:

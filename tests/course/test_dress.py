@@ -1,4 +1,6 @@
-"""Answers in another dress: right ones pass, and what is said of their form is true of it."""
+"""Answers in another dress: right ones pass, and what is said of their form is true of it; next
+steps that fit the answer.
+"""
 
 import numpy as np
 import pytest
@@ -75,3 +77,49 @@ def test_the_next_step_after_a_unit_makes_the_lengths_right(factor, word):
     assert word in verdict.next
     too_small = ALL["02.7"].judge(rows * [1, 1e-3, 1e-3, 1], 1).next
     assert "Divide" not in too_small and "once too often" in too_small
+
+
+@pytest.mark.parametrize("key", ["04.4", "04.10", "04.13", "04.15"])
+def test_only_a_frame_with_one_before_it_is_compared_with_the_z_before(key):
+    given = ALL[key].given(1)
+    z0 = np.array(given["axes"][0][1], dtype=float)
+    beside = np.cross(z0, [0.6, 0.8, 0.1]) + given["axes"][0][0]
+    frames = [[z0, beside, np.cross(z0, [0.6, 0.8, 0.1])]] + [[...] * 3 for _ in given["axes"]]
+    verdict = ALL[key].judge(frames, 1)
+    assert "z0" in verdict.headline and "the z before" not in verdict.next
+
+
+@pytest.mark.parametrize("many", [1, 2, 4])
+def test_whoever_returns_a_list_is_told_how_long_it_is_and_of_no_loop(many):
+    verdict = ALL["03.3"].judge(lambda *row: [np.eye(4) * k for k in range(many)], 1)
+    assert "loop" not in verdict.next and "the last" not in verdict.next
+    assert (f"list of {many}" if many > 1 else "alone") in verdict.next
+
+
+@pytest.mark.parametrize(
+    "t, x, said", [(-1, 1, "theta turns"), (1, -1, "alpha turns"), (-1, -1, "theta and alpha turn")]
+)
+def test_a_turn_with_the_other_sign_is_called_by_its_angle(t, x, said):
+    turn = ALL["03.3"].answer
+    verdict = ALL["03.3"].judge(lambda theta, d, a, alpha: turn(t * theta, d, a, x * alpha), 1)
+    assert verdict.headline.startswith(said) and "row vectors" not in str(verdict)
+
+
+def test_a_last_row_carries_the_shift_of_the_matrix_on_its_left():
+    """The reason that is given, tried: with 0 0 0 0 below, the shift on the left is lost."""
+    rng = np.random.default_rng(3)
+    left, right = np.eye(4), np.eye(4)
+    left[:3, 3], right[:3, 3] = rng.uniform(1, 2, (2, 3))
+    without = right * [[1], [1], [1], [0]]
+    assert np.allclose((left @ without)[:3, 3], right[:3, 3])
+    assert np.allclose((left @ right)[:3, 3], left[:3, 3] + right[:3, 3])
+    why = ALL["01.4"].judge(lambda a, b: np.diag([1, 1, 1, 0]) @ a @ b, 1).why
+    assert "on its left" in why and "lost" in why
+
+
+@pytest.mark.parametrize("beside", [0.05, 0.4, 1.0])
+def test_an_origin_beside_its_axis_is_not_taken_for_millimetres(beside):
+    """One origin alone, of an axis through the base's origin: any unit makes it small."""
+    frames = [[[0, 0, 1], [beside, 0, 0], [1, 0, 0]], *([...] * 3 for _ in range(3))]
+    verdict = ALL["04.4"].judge(frames, 1)
+    assert "millimetres" not in verdict.headline and f"{beside:g} m beside z0" in verdict.headline

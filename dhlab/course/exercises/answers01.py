@@ -86,9 +86,15 @@ def plate(x: float, y: float, z: float) -> NDArray:
     return T
 
 
+TURNED_BACK = Said(
+    "turned the other way: the x arrow points against y0",
+    next="The first column is the x arrow, in the base: along y0. The right hand then gives y.",
+)
+
+
 def wrong_plates(x: float, y: float, z: float) -> Mistakes:
     T = plate(x, y, z)
-    yield "rotation-transposed", "", trans([x, y, z]) @ rot_z(-np.pi / 2)
+    yield "rotation-transposed", TURNED_BACK, trans([x, y, z]) @ rot_z(-np.pi / 2)
     yield "matrix-transposed", "", T.T
     yield (
         "pose-inverted",

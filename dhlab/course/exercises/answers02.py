@@ -237,7 +237,10 @@ def wrong_tubes(q2: float) -> Mistakes:
     )
     yield (
         "atan-for-atan2",
-        "θ: the two arguments of arctan2 have changed places",
+        Said(
+            "θ: the angle of x1 at q2 = 0 was taken from y0",
+            next="θ is counted from x0. In np.arctan2(y, x) the part along y0 comes first.",
+        ),
         [q2 + 90 - offset, 0, a, 0],
     )
     yield "angle-unit", "θ: radians were added to degrees", [q2 + np.deg2rad(offset), 0, a, 0]

@@ -109,6 +109,11 @@ def half_to_craig(rows: list[list[float]]) -> Mistakes:
         yield "conversion-incomplete", _half(everywhere), wrong
         if not np.allclose(wrong[1:], right[1:]):
             yield "conversion-incomplete", _half(below), np.vstack([right[:1], wrong[1:]])
+    yield (
+        "conversion-incomplete",
+        _half("the pairs moved down by two rows, and not by one"),
+        _shifted(_shifted(given, 1), 1),
+    )
     round_up = np.column_stack([given[:, :2], np.roll(given[:, 2:], -1, axis=0)])
     yield (
         "conversion-incomplete",
@@ -168,6 +173,11 @@ def half_to_standard(rows: list[list[float]]) -> Mistakes:
         "conversion-incomplete",
         _half("the pairs moved down; from Craig to standard they move up"),
         _shifted(given, 1),
+    )
+    yield (
+        "conversion-incomplete",
+        _half("the pairs moved up by two rows, and not by one"),
+        _shifted(_shifted(given, -1), -1),
     )
     yield (
         "conversion-incomplete",

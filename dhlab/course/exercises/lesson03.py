@@ -21,9 +21,12 @@ from .answers03 import (
     wrong_points,
 )
 from .orders03 import (
+    BOTH_TURNS,
     CRAIG_ORDERS,
     CRAIGS_ALPHA,
+    CRAIGS_THETA,
     ENTRIES,
+    INVERTED,
     OTHER_ORDER,
     PUBLISHED,
     REASONS,
@@ -112,6 +115,9 @@ EXERCISES = [
             "order-taken-for-free": OTHER_ORDER,
             "matrix-entry-mistyped": ENTRIES,
             "alpha-sign": CRAIGS_ALPHA,
+            ("row-vector-convention", "the turn about z"): CRAIGS_THETA,
+            ("row-vector-convention", ""): BOTH_TURNS,
+            "pose-inverted": INVERTED,
         },
         praise="The same four moves, the other way about.",
         hints=(
@@ -165,7 +171,7 @@ EXERCISES = [
             ),
             "mistyped": Option(
                 "the order of moves does not matter, the rows must have been mistyped",
-                "The rows are letter by letter those of the maker. The order does matter.",
+                "The rows are letter by letter those of the right table. The order does matter.",
                 "order-taken-for-free",
             ),
         },

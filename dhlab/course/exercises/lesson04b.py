@@ -226,7 +226,8 @@ EXERCISES = [
             ),
             "length": Option(
                 "one of the tables has a wrong a or d",
-                "Then the difference would change with the joints behind that row.",
+                "Then the difference would change with the joints behind that row; only the last"
+                " row, which leads to the end itself, has none behind it.",
                 "length-value",
             ),
             "base-frame": Option(

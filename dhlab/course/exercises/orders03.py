@@ -14,10 +14,13 @@ from ...table import COLUMNS
 from ..kinds import Function, Known, Said
 
 __all__ = [
+    "BOTH_TURNS",
     "CRAIGS_ALPHA",
+    "CRAIGS_THETA",
     "CRAIG_ORDERS",
     "CraigsMatrix",
     "ENTRIES",
+    "INVERTED",
     "OTHER_ORDER",
     "PUBLISHED",
     "REASONS",
@@ -105,6 +108,21 @@ CRAIGS_ALPHA = Said(
     "alpha turns the wrong way",
     why="In Craig's matrix it is α_{i-1}: measured about x_{i-1}, from z_{i-1} to z_i.",
     next="Set theta, d and a to 0: is what is left rot_x(alpha)?",
+)
+
+
+CRAIGS_THETA = Said(
+    "theta turns the wrong way",
+    why="θ_i is measured about z_i, from x_{i-1} to x_i.",
+    next="Set d, a and alpha to 0: is what is left rot_z(theta)?",
+)
+BOTH_TURNS = Said(
+    "theta and alpha turn the wrong way",
+    next="Give one angle at a time, all else 0: is what is left rot_z(theta), or rot_x(alpha)?",
+)
+INVERTED = Said(
+    "this is the inverse of the right matrix",
+    next="Where is the new frame, seen from the old one? That is asked, and not the reverse.",
 )
 
 

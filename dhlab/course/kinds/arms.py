@@ -110,5 +110,19 @@ def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
     )
     return (
         f"the axis of joint {before} is where it must be, that of joint {joint} is not: {lead} from"
-        f" the one to the other{lengths}"
+        f" the one to the other{lengths}{_hidden(right, before)}"
     )
+
+
+def _hidden(right, before):
+    """Of parallel axes that end with this joint's: a step along them moves none of them."""
+    table = right.table
+    shift = 1 if table.convention == "standard" else 0  # alpha between axes i and i + 1, from 1
+    parallel = [abs(np.sin(table.alpha[i - shift])) < SAME for i in range(1, len(table))]
+    first = before
+    while first > 1 and parallel[first - 2]:
+        first -= 1
+    if first == before or parallel[before - 1] or table.prismatic[first - 1 : before].any():
+        return ""
+    rows = f"{first} {'and' if before == first + 1 else 'to'} {before}"
+    return f"; axes {rows} are parallel: a wrong d in any of these rows shows only here"

@@ -161,7 +161,7 @@ class Function(Exercise):
         if all(np.array_equal(a, answers[0]) for a in answers):
             return self.wrong(
                 headline="the answer is the same whatever goes in",
-                next="Does the function use its arguments, and return what the loop made?",
+                next="Does the function use its arguments, and return what it makes of them?",
             )
         return self.wrong(
             headline="the answers differ from the right ones",

@@ -181,6 +181,8 @@ class Frames(Exercise):
         headline = f"{what} is not right. {message}{allowed}"
         if not why:
             return self.wrong(mistake, headline=headline, place=step)
+        if i == 0 and (why, next_step) == BESIDE:
+            next_step = "Put the origin on z_i itself; any point of it will do."
         why, next_step = (text.replace("_i", str(i)) for text in (why, next_step))
         return self.wrong(mistake, place=Said(headline, next=next_step, why=why, place=step))
 
@@ -235,11 +237,17 @@ def _in_other_units(given, rows):
     there = [(i, row[1]) for i, row in enumerate(rows) if is_array_of(as_numbers(row[1]), row[1])]
     if not any(np.any(as_numbers(point)) for _, point in there):
         return None
-    for unit, factor in LENGTHS.items():
+
+    def fits(times):
         scaled = [list(row) for row in rows]
         for i, point in there:
-            scaled[i][1] = as_numbers(point) / factor
-        if _first_wrong(Placement(given["axes"], given["end"]), scaled) is None:
+            scaled[i][1] = times * as_numbers(point)
+        return _first_wrong(Placement(given["axes"], given["end"]), scaled) is None
+
+    if fits(0):  # the origins that are there would be right anywhere near the base's
+        return None
+    for unit, factor in LENGTHS.items():
+        if fits(1 / factor):
             return Said(
                 f"in other units: the origins in {unit}; metres are asked",
                 next=f"Divide by {factor}, once, and all origins.",

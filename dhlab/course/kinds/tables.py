@@ -26,7 +26,12 @@ OF_TABLES = {  # where the title is about more than a row
     "tool-missing": Said(
         "the length along the last axis is left out, or counted twice",
         next="How far is it along the last axis to the end, and in which row does that stand?",
-    )
+    ),
+    "a-alpha-from-previous-row": Said(
+        "a and alpha come from the row before",
+        why="An index off by one, or half of a conversion from Craig's convention.",
+        next="Take row 1 alone: which link have its a and its α been taken from?",
+    ),
 }
 ON_ITS_SIDE = Said(
     "rows and columns have changed places",

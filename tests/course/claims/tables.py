@@ -149,7 +149,22 @@ def another_arm(answer, given, found):
         _far_off(answer, given, found)
         and first == told
         and _lengths_alone(arm, right) == bool(found.get("lengths"))
+        and (not found.get("first") or _hidden_steps(right, first, found))
     )
+
+
+def _hidden_steps(right, joint, found):
+    """In the right table another d in each of these rows moves that joint's axis first, and in no
+    row before them.
+    """
+    rows, first, last = degrees_of(right), int(found["first"]), int(found["last"])
+    for k in range(first, last + 1):
+        other = rows.copy()
+        other[k - 1, 1] += 0.05
+        if _first_axis_off(with_rows(right, other), right) != joint:
+            return False
+    axes = np.array([lines(right, q)[first - 1 : last, :3] for q in some_q(len(right))])
+    return last == joint - 1 and np.allclose(np.cross(axes, axes[:, :1]), 0, atol=1e-7)
 
 
 def _on_its_side(answer, given, found):
@@ -161,7 +176,11 @@ def _on_its_side(answer, given, found):
 
 
 OFF = r"this is another arm: up to (?P<mm>[\d., ]+) mm and (?P<deg>[\d., ]+)° off at the end @ "
-LENGTHS = r"(?P<lengths>; the rotation is right at every pose, so look at the lengths)?"
+LENGTHS = (
+    r"(?P<lengths>; the rotation is right at every pose, so look at the lengths)?"
+    r"(; axes (?P<first>\d) (?:and|to) (?P<last>\d) are parallel: a wrong d in any of these rows"
+    r" shows only here)?"
+)
 ANOTHER = [
     (r"rows and columns have changed places", _on_its_side),
     (OFF + r"every joint's axis is where it must be, only the end is not" + LENGTHS, another_arm),
@@ -270,9 +289,8 @@ def _rounded(answer, given, found):
 
 
 def _from_the_row_before(rows):
-    for step in (1, -1):
-        yield np.column_stack([rows[:, :2], np.roll(rows[:, 2:], step, axis=0)])
-        yield np.column_stack([rows[:, :2], _pairs(rows, step)])
+    yield np.column_stack([rows[:, :2], np.roll(rows[:, 2:], 1, axis=0)])
+    yield np.column_stack([rows[:, :2], _pairs(rows, 1)])
 
 
 def _across(answer, given, found):
@@ -510,6 +528,14 @@ def _conversion(source, down):
             ),
         ),
         (
+            r"the pairs moved down by two rows, and not by one",
+            below(
+                lambda rows, right, f: np.column_stack(
+                    [rows[:, :2], np.vstack([np.zeros((2, 2)), rows[:-2, 2:]])]
+                )
+            ),
+        ),
+        (
             r"(?P<below>from row 2 on )?the pairs moved up; from standard to Craig they move down",
             lambda a, g, f: any(
                 below(
@@ -536,6 +562,14 @@ def _conversion(source, down):
                 lambda rows, right, f: [
                     rows[k] if k == int(f["row"]) - 1 else right[k] for k in range(len(rows))
                 ]
+            ),
+        ),
+        (
+            r"the pairs moved up by two rows, and not by one",
+            below(
+                lambda rows, right, f: np.column_stack(
+                    [rows[:, :2], np.vstack([rows[2:, 2:], np.zeros((2, 2))])]
+                )
             ),
         ),
         (

@@ -86,7 +86,7 @@ def _corner(g, columns, origin=None):
 AHEAD = ([0, 1, 0], [-1, 0, 0], [0, 0, 1])  # the right arrows of 01.2
 PLATE = [
     (
-        r"The rotation block is transposed",
+        r"turned the other way: the x arrow points against y0",
         is_value(lambda g: _corner(g, ([0, -1, 0], [1, 0, 0], [0, 0, 1]))),
     ),
     (r"The whole 4×4 is transposed", lambda a, g, f: near(np.transpose(a), _corner(g, AHEAD))),
@@ -311,7 +311,7 @@ TUBE = [
     ),
     (r"q2 has the wrong sign in θ", _row_but(lambda r, g, f: {0: LEAN - g["q2"]})),
     (
-        r"θ: the two arguments of arctan2 have changed places",
+        r"θ: the angle of x1 at q2 = 0 was taken from y0",
         _row_but(lambda r, g, f: {0: g["q2"] + _arc(53.5, 284.5)}),
     ),
     (

@@ -223,7 +223,11 @@ def _other_shape(array, shape, case, names):
         mistake = "pose-incomplete"
         do = f"This is the {'position' if array.size == 3 else 'rotation'} alone, perhaps."
     elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
-        do = "A list of them comes back: return one, the last."
+        do = (
+            "It comes back inside a list: return it alone."
+            if len(array) == 1
+            else f"A list of {len(array)} comes back, and one is asked: return that one alone."
+        )
     return CallFault(
         f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",
         shown(case, names),
