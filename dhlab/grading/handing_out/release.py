@@ -17,7 +17,8 @@ from ...course.exercises import exercises
 from ...course.progress import MARKER
 from ...course.workspace import handed_out
 from ...formats.files import read_text, write_text
-from ..own_items import notebooks_of, own_checks
+from ..own_items import own_checks
+from .own_notebooks import notebooks_of
 from .variants import new_key, read_key, variants, write_key
 
 if TYPE_CHECKING:
