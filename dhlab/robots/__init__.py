@@ -3,6 +3,7 @@ with its source and check poses.
 """
 
 from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 
 from ..arm import Arm
@@ -27,7 +28,12 @@ def robots() -> list[str]:
     >>> "ur5e" in robots(), "ur10" in robots()  # there are two: ur10_cb and ur10e
     (True, False)
     """
-    return sorted(path.stem for path in FOLDER.glob("*.yaml"))
+    return list(_names())
+
+
+@cache
+def _names():
+    return tuple(sorted(path.stem for path in FOLDER.glob("*.yaml")))
 
 
 def search(words: str) -> list[str]:

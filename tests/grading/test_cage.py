@@ -351,6 +351,26 @@ def test_cells_that_only_show_something_need_not_run():
     assert demonstrations.skippable(cells, (), ()) == set()
 
 
+def test_what_is_bound_anew_need_not_be_made_before():
+    cells = [
+        code("board = slow()"),  # another board than the answer's
+        code("board.move(1)"),
+        code("board, rows = quick(), 1"),
+        code("answer = board.arm", "06.1"),
+        code("rows = slow()"),  # after the check that reads rows
+        code("def f(): return late"),
+        code("late = slow()"),  # which the function may read, whoever binds it
+        code("late = 2"),
+        code("mine = f()", "06.2"),
+    ]
+    prints = {demonstrations.print_of(cell.source) for cell in cells}
+    assert demonstrations.skippable(cells, prints, (), {3: {"rows"}}) == {0, 1, 4}
+    assert demonstrations.skippable(cells, prints, ("rows",)) == {0, 1}
+    own = prints - {demonstrations.print_of(cells[2].source)}
+    # a student's cell may stop before it binds anything
+    assert demonstrations.skippable(cells, own, (), {3: {"rows"}}) == {4}
+
+
 def test_a_diagnosis_that_is_only_shown_is_not_made():
     import ast
 

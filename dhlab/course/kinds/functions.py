@@ -1,6 +1,7 @@
 """``Function``: a program to be written, compared with the right one on seeded inputs."""
 
 from collections.abc import Callable, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -35,6 +36,8 @@ OF_POSES = frozenset(  # mistakes whose titles are about poses and tables
         "wrong-frame-compared",
     )
 )
+# what was drawn last: grading asks a program first and compares then, with the same inputs
+_drawn: dict[str, tuple[Exercise, int, list[tuple]]] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,8 +65,13 @@ class Function(Exercise):
 
     def cases(self, variant: int) -> list[tuple]:
         """The arguments of every call."""
-        rng = self.rng(variant)
-        return [*(self.draw(rng) for _ in range(CASES)), *self.special]
+        kept = _drawn.get(self.id)
+        if not kept or kept[0] is not self or kept[1] != variant:
+            rng = self.rng(variant)
+            kept = self, variant, [*(self.draw(rng) for _ in range(CASES)), *self.special]
+            _drawn.clear()
+            _drawn[self.id] = kept
+        return deepcopy(kept[2])
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         if is_stub(answer):

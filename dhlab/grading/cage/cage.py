@@ -70,6 +70,8 @@ class Cage:
         Modules to load once, for all.
     room : "open" or "own"
         With the library, or without any kinematics.
+    lessons : sequence of str
+        Cells that most notebooks hold unchanged, to be read once, for all.
 
     Raises
     ------
@@ -83,9 +85,10 @@ class Cage:
         limits: Limits = Limits(),
         warm: Iterable[str] = (),
         room: str = OPEN,
+        lessons: Iterable[str] = (),
     ) -> None:
         self.level, self.limits, self.warm = _known(level) or required_level(), limits, tuple(warm)
-        self.room = room
+        self.room, self.lessons = room, tuple(lessons)
         # all three None while nothing runs
         self._process: Any = None
         self._folder: Any = None
@@ -261,6 +264,7 @@ class Cage:
         """Empty when the warm parent is ready, otherwise what it says, or what Python printed."""
         self._control.settimeout(START)
         try:
+            self._control.sendall(json.dumps(self.lessons).encode() + b"\n")
             answer = json.loads(self._control.recv(10_000) or b"{}")
         except (TimeoutError, ValueError, OSError):
             answer = {}

@@ -16,9 +16,9 @@ import numpy as np
 
 from . import notebook as notebooks
 from .calling import Fault, call, fits, is_stub, quiet
-from .cells import parsed, run_statement
+from .cells import run_statement
 from .clock import limited
-from .slices import Statement, needed, statement
+from .slices import Statement, needed, statements
 from .space import space
 from .wire import decode, encode
 
@@ -104,7 +104,7 @@ class _Room:
         last = self.request["cell"]
         for number, cell in enumerate(self.cells.code[: last + 1]):
             if number not in self.request["skip"]:
-                found += _read(number, cell.source)
+                found += statements(number, cell.source) or ()
         checks = [one for one in found if one.cell == last and "check" in one.reads]
         checks = [one for one in checks if self._asks(one.node)] or checks
         while checks and found[-1] is not checks[-1]:
@@ -144,13 +144,6 @@ class _Room:
 
         ended = limited(act, self.seconds)
         return {"stopped": "timed out"} if ended else line
-
-
-def _read(number, source):
-    try:
-        return [statement(number, node) for node in parsed(source, f"<cell {number + 1}>")]
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
 
 
 def _install_transform(text):

@@ -7,6 +7,7 @@ import asyncio
 import builtins
 import linecache
 import sys
+from functools import cache
 from typing import Any
 
 __all__ = ["parsed", "run_cell", "run_statement"]
@@ -95,10 +96,15 @@ def parsed(source: str, name: str) -> list[ast.stmt]:
     """The statements of a cell; SyntaxError where it is no Python."""
     source = _plain(source)
     linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
-    return [one for node in ast.parse(source, name).body for one in _unpacked(node, name)]
+    return list(_nodes(source))
 
 
-def _unpacked(node, name):
+@cache  # what the warm parent has read of the lessons is read already in every copy of it
+def _nodes(source):
+    return tuple(one for node in ast.parse(source, "<cell>").body for one in _unpacked(node))
+
+
+def _unpacked(node):
     """The statements below a cell magic that runs them, such as ``%%time``; else the node."""
     match node:
         case ast.Expr(
@@ -107,7 +113,7 @@ def _unpacked(node, name):
                 [ast.Constant(magic), _, ast.Constant(str(body))],
             )
         ) if magic in BODY_RUNS:
-            return ast.parse(body, name).body
+            return ast.parse(body, "<cell>").body
     return [node]
 
 

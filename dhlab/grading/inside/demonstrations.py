@@ -3,12 +3,11 @@ show something, and make nothing that an answer uses.
 """
 
 import ast
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from hashlib import sha256
 
-from .cells import parsed
 from .notebook import Cell
-from .slices import Statement, statement
+from .slices import statements
 
 __all__ = ["print_of", "skippable"]
 
@@ -20,7 +19,12 @@ def print_of(source: str) -> str:
     return sha256(source.strip().encode("utf-8", "replace")).hexdigest()[:16]
 
 
-def skippable(cells: Sequence[Cell], untouched: Collection[str], used: Iterable[str]) -> set[int]:
+def skippable(
+    cells: Sequence[Cell],
+    untouched: Collection[str],
+    used: Iterable[str],
+    answered: Mapping[int, Collection[str]] = {},
+) -> set[int]:
     """The numbers of the cells that need not run.
 
     Parameters
@@ -29,9 +33,11 @@ def skippable(cells: Sequence[Cell], untouched: Collection[str], used: Iterable[
     untouched : collection of str
         The fingerprints of the cells as they were handed out.
     used : iterable of str
-        Names that are read whatever the cells say.
+        Names that are read at the end, whatever the cells say.
+    answered : mapping of int to collection of str
+        Names that are read once a cell of this number has run.
     """
-    read = [_read(number, cell.source) for number, cell in enumerate(cells)]
+    read = [statements(number, cell.source) for number, cell in enumerate(cells)]
     modules = {
         name
         for found in read
@@ -47,35 +53,54 @@ def skippable(cells: Sequence[Cell], untouched: Collection[str], used: Iterable[
         or print_of(cell.source) not in untouched
         or any(one.always for one in found)
     }
-    while more := _makers(read, run, modules, set(used)):
+    settled = {n for n, cell in enumerate(cells) if print_of(cell.source) in untouched}
+    names = set(used), {number: set(answered.get(number, ())) for number in run}
+    while more := _makers(read, run, modules, names, settled):
         run |= more
     return set(range(len(cells))) - run
 
 
-def _makers(read, run, modules, late):
-    """The cells beside those that run which make what one of these reads."""
+def _makers(read, run, modules, names, settled):
+    """The cells beside those that run which make what one of these reads. What a cell as it was
+    handed out (``settled``) binds anew no cell before it makes.
+    """
+    used, answered = names
+    late: set[str] = set()
     for number in run:
         for one in read[number] or ():
             if any(isinstance(inner, DEFINING) for inner in ast.walk(one.node)):
                 late |= one.reads  # read when it is called, which may be later
-    needed, found = set(late), set()
+    needed, found = late | used, set()
     for number in reversed(range(len(read))):
-        if number in run:
-            needed |= _from_before(read[number] or ())
-        elif _written(read[number], modules) & needed:
+        if number not in run:
+            if not _written(read[number], modules) & needed:
+                continue
             found.add(number)
+        needed |= answered.get(number, set())
+        if number in settled:
+            needed -= _bound(read[number] or ()) - late
+        needed |= _from_before(read[number] or ())
     return found
 
 
 def _from_before(statements):
     """The names that a cell reads and has not bound itself by then."""
     found: set[str] = set()
-    own: set[str] = set()
-    for one in statements:
-        found |= one.reads - own
-        if isinstance(one.node, ast.Assign):
-            own |= {target.id for target in one.node.targets if isinstance(target, ast.Name)}
+    for number, one in enumerate(statements):
+        found |= one.reads - _bound(statements[:number])
     return found
+
+
+def _bound(statements):
+    """The names that a cell binds whatever happens, unless it stops."""
+    return {
+        inner.id
+        for one in statements
+        if isinstance(one.node, ast.Assign)
+        for target in one.node.targets
+        for inner in ast.walk(target)
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store)
+    }
 
 
 def _written(statements, modules):
@@ -86,10 +111,3 @@ def _written(statements, modules):
         for name in one.writes
         if name not in modules or isinstance(one.node, (ast.Import, ast.ImportFrom))
     }
-
-
-def _read(number: int, source: str) -> list[Statement] | None:
-    try:
-        return [statement(number, node) for node in parsed(source, f"<cell {number + 1}>")]
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None

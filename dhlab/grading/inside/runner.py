@@ -92,13 +92,19 @@ class _Run:
         self.shown: set[int] = set()  # cells that only show something
 
     def _look(self):
-        used = {
+        answered = {number: self._used(cell.answers) for number, cell in enumerate(self.cells.code)}
+        untouched, used = set(self.request["untouched"]), self._used(self.cells.unplaced)
+        self.shown = skippable(self.cells.code, untouched, used, answered)
+
+    def _used(self, keys):
+        """The names that the handed-out checks of some exercises read."""
+        return {
             node.id
-            for expression in self.cells.expressions.values()
-            for node in ast.walk(ast.parse(expression))
+            for key in keys
+            if key in self.cells.expressions
+            for node in ast.walk(ast.parse(self.cells.expressions[key]))
             if isinstance(node, ast.Name)
         }
-        self.shown = skippable(self.cells.code, set(self.request["untouched"]), used)
 
     def go(self):
         random.seed(0)

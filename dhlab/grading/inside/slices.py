@@ -8,9 +8,12 @@ reads are wanted then too, until nothing is added. Where reading cannot tell (``
 import ast
 import symtable
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache
 
-__all__ = ["Statement", "statement", "needed"]
+from .cells import parsed
+
+__all__ = ["Statement", "statement", "statements", "needed"]
 
 UNREADABLE = frozenset(
     "exec eval compile globals locals vars setattr delattr __import__ get_ipython".split()
@@ -31,6 +34,27 @@ class Statement:
     writes: frozenset[str]
     acts: bool = False
     always: bool = False
+
+
+def statements(cell: int, source: str) -> list[Statement] | None:
+    """The Statements of a cell; None where it is no Python. A cell is read once, whatever number
+    it has.
+
+    Examples
+    --------
+    >>> [sorted(one.writes) for one in statements(3, "x = 1; y = x")]
+    [['x'], ['y']]
+    """
+    try:
+        nodes = parsed(source, f"<cell {cell + 1}>")
+        return [replace(one, cell=cell) for one in _read(source, tuple(nodes))]
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+
+
+@cache
+def _read(source, nodes):
+    return [statement(0, node) for node in nodes]
 
 
 def statement(cell: int, node: ast.stmt) -> Statement:

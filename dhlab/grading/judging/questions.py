@@ -26,6 +26,7 @@ from ..settings import Settings
 __all__ = [
     "Course",
     "call_request",
+    "handed_out_cells",
     "handed_out_checks",
     "request",
     "scored",
@@ -120,15 +121,21 @@ def _course_checks():
     return lessons
 
 
-@cache
-def _handed_out_cells():
-    """The fingerprints of all cells of code, as they were handed out."""
-    return frozenset(
-        print_of("".join(cell["source"]))
-        for path in handed_out().glob("[0-9][0-9]*.ipynb")
+def handed_out_cells(lessons: Collection[str]) -> list[str]:
+    """The cells of code of some lessons, as they were handed out."""
+    return [
+        "".join(cell["source"])
+        for path in sorted(handed_out().glob("[0-9][0-9]*.ipynb"))
+        if path.name[:2] in lessons
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
         if cell["cell_type"] == "code"
-    )
+    ]
+
+
+@cache
+def _prints(lessons):
+    """The fingerprints of these cells."""
+    return sorted({print_of(source) for source in handed_out_cells(lessons)})
 
 
 def _checks(source):
@@ -219,7 +226,7 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
         "functions": [e.id for e in mine if isinstance(e, Function)],
         "only": [course.only] if course.only else [],
         "skip": sorted(skip),
-        "untouched": sorted(_handed_out_cells()),
+        "untouched": _prints(course.lessons),
         "cell_seconds": course.settings.limits.cell_seconds,
     }
 

@@ -32,7 +32,14 @@ from .asking import Asked, ask
 from .borrowed import borrowed_from
 from .explained import OwnWords, explained
 from .judge import Answers, mark, without_marks
-from .questions import Course, call_request, handed_out_checks, request, warm_modules
+from .questions import (
+    Course,
+    call_request,
+    handed_out_cells,
+    handed_out_checks,
+    request,
+    warm_modules,
+)
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
@@ -187,7 +194,8 @@ def _cage(course, room):
         if _cages and next(iter(_cages))[:3] != key[:3]:
             close()
         warm = warm_modules(course.lessons) if room == OPEN else WARM
-        _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room)
+        cells = handed_out_cells(course.lessons)
+        _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room, cells)
     return _cages[key]
 
 
