@@ -10,6 +10,7 @@ at once, ``DHLAB_NUMBA=0`` never. Results differ from those of the other paths b
 """
 
 import os
+import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
@@ -42,19 +43,29 @@ class Work:
 
 @cache
 def kernels() -> tuple[list[Callable], Callable] | None:
-    """The compiled functions for one pose, one a question, and for many; None without numba."""
+    """The compiled functions for one pose, one a question, and for many; None without numba, or
+    with one that does not work here.
+    """
     if find_spec("numba") is None:
         return None
-    from .kernel_many import answer_many
-    from .kernel_one import answers_one
+    try:
+        from .kernel_many import answer_many
+        from .kernel_one import answers_one
 
-    return answers_one(), answer_many
+        return answers_one(), answer_many
+    except Exception as error:  # whatever keeps it from compiling: an old numpy, no place to write
+        warnings.warn(f"dhlab: numba does not work here and is left out: {error}", stacklevel=2)
+        return None
 
 
 @cache
 def threads() -> ThreadPoolExecutor:
     """As many threads as this process may use cores; the kernels run without Python's lock."""
     return ThreadPoolExecutor(cores(), thread_name_prefix="dhlab")
+
+
+if hasattr(os, "register_at_fork"):  # threads stay behind in the parent
+    os.register_at_fork(after_in_child=threads.cache_clear)
 
 
 def cores() -> int:
@@ -65,7 +76,12 @@ def cores() -> int:
 
 
 class Compiled:
-    """One question of one arm: ``take`` as ``paths.Path`` has it, ``rows`` as ``many.py``."""
+    """One question of one arm: ``take`` as ``paths.Path`` has it, ``rows`` as ``many.py``.
+
+    A kernel sees for itself that an array holds numbers of 8 bytes, and that they are n and finite.
+    It does not see how many dimensions there are, nor whether the 8 bytes are a double: who calls
+    it must. Where it says False the result holds anything.
+    """
 
     def __init__(self, chain: Chain, kind: int, shape: tuple[int, ...], fallback: Callable) -> None:
         self.numbers, self.shape = packed(chain, kind), shape
@@ -76,34 +92,31 @@ class Compiled:
         self.take = self._taker(fallback)
 
     def _taker(self, fallback):
-        """The answer for ``q``: a row of doubles goes straight to the kernel, which sees for itself
-        whether it is n finite numbers; everything else goes to ``fallback``. (A function within a
-        function: Python finds its names faster than attributes, which here is a tenth of the time
-        of a pose.)
+        """The answer for ``q``: a row of doubles goes straight to the kernel, everything else to
+        ``fallback``. (A function within a function: Python finds its names faster than attributes,
+        which here is a tenth of the time of a pose. An array that comes out of a pickle has a dtype
+        of its own and goes the slower way.)
         """
         one, numbers, shape, empty, double = self.one, self.numbers, self.shape, np.empty, FLOAT
+        array = np.ndarray  # and nothing derived, which may say anything of its dimensions
 
         def take(q: Any, out: NDArray | None = None) -> NDArray:
-            try:
-                if out is None and q.ndim == 1 and q.dtype is double:
-                    answer = empty(shape)
-                    if one(q, numbers, answer):
-                        return answer
-            except (AttributeError, TypeError):  # no array
-                pass
+            if type(q) is array and q.ndim == 1 and q.dtype is double and out is None:
+                answer = empty(shape)
+                if one(q, numbers, answer):
+                    return answer
             return fallback(q, out)
 
         return take
 
-    def floats(self, q: list[float]) -> NDArray[np.float64]:
-        """The answer for a list of n finite numbers."""
+    def floats(self, q: list[float]) -> NDArray[np.float64] | None:
+        """The answer for a list of n finite numbers; None where their coupling is not finite."""
         answer = np.empty(self.shape)
-        self.one(np.array(q, dtype=float), self.numbers, answer)
-        return answer
+        return answer if self.one(np.array(q, dtype=float), self.numbers, answer) else None
 
     def rows(self, chain: Chain, q: NDArray, out: NDArray) -> bool:
-        """The answers for ``q`` (m, n) into ``out``; False where not all of q is finite, and then
-        only a part of ``out`` is written.
+        """The answers for ``q`` (m, n) into ``out``; False where not all of q, or of what its
+        coupling makes of it, is finite, and then ``out`` holds anything.
         """
         starts = range(0, len(q), PART)
         parts = [(q[start : start + PART], out[start : start + PART]) for start in starts]

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["as_numbers", "require_finite", "result_for"]
+__all__ = ["as_numbers", "require_finite", "require_finite_joints", "result_for"]
 
 UNIT = "radians, metres for a prismatic joint"
 
@@ -21,6 +21,8 @@ def as_numbers(q: Any, n: int, name: str) -> NDArray:
             f"q: expected {n} numbers ({UNIT}), found {type(q).__name__} that does not hold plain"
             " numbers only"
         )
+    if array.dtype.itemsize > 8:  # long doubles: everything here computes in doubles
+        array = array.astype(float)
     if array.shape[-1:] != (n,):
         found = f"{array.shape[-1]} values" if array.ndim else "a single number"
         raise ValueError(
@@ -35,6 +37,19 @@ def require_finite(q: NDArray) -> None:
     if not np.isfinite(q).all():
         joint = np.argwhere(~np.isfinite(q))[0][-1] + 1
         raise ValueError(f"q: joint {joint} is NaN or infinite, expected a finite number ({UNIT})")
+
+
+def require_finite_joints(q: NDArray, coupling: NDArray | None) -> None:
+    """Raise ValueError where ``q`` (..., n) is finite and what a coupling makes of it is not."""
+    if coupling is None or np.abs(q).max(initial=0.0) * np.abs(coupling).sum() < np.inf:
+        return
+    with np.errstate(all="ignore"):
+        moved = q @ coupling.T
+    if np.isfinite(q).all() and not np.isfinite(moved).all():
+        raise ValueError(
+            "q: expected numbers of which the coupling makes finite joint values, found larger"
+            " ones; give smaller numbers"
+        )
 
 
 def result_for(q: NDArray, shape: tuple[int, ...], out: Any) -> NDArray:

@@ -155,10 +155,10 @@ def jacobian_one(q, packed, result):
 
 
 def answers_one():
-    """The three, as functions that take what the signature says: q of one dimension and doubles,
-    which the caller has to see to (TypeError for what is no array or has smaller numbers). Called
-    by its name a kernel would first look for the version that suits its arguments, a fifth of the
-    time of a pose; here there is only one.
+    """The three, as functions that take what the signature says: an array of one dimension, of
+    doubles. They look at no more than the size of its numbers (TypeError), so that the caller has
+    to see to the rest. Called by its name a kernel would first look for the version that suits its
+    arguments, a fifth of the time of a pose; here there is only one.
     """
     return [
         next(iter(kernel.overloads.values())).entry_point

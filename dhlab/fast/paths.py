@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from . import many, one
 from .chain import Chain, chain_of
 from .compiled import Compiled, Work
-from .inputs import as_numbers, require_finite, result_for
+from .inputs import as_numbers, require_finite, require_finite_joints, result_for
 from .plain import Plain
 from .straight import straight
 
@@ -96,11 +96,18 @@ class Path:
         total = sum(numbers)
         if total - total:  # NaN, which counts as true, where a number is NaN or infinite
             require_finite(q)
-        answer = self.one(numbers)
-        return self.plain(np.array(numbers, dtype=float)) if answer is None else answer
+        try:
+            answer = self.one(numbers)
+        except ValueError:  # the cosine of an infinite angle
+            answer = None
+        if answer is not None:
+            return answer
+        require_finite_joints(q, self.of.plain.coupling)
+        return self.plain(np.array(numbers, dtype=float))
 
     def _batch(self, q, result):
         """Anything but one row of doubles, into ``result``."""
+        require_finite_joints(q, self.of.plain.coupling)
         if q.size == self.of.n:
             result[...] = self.take(q.ravel().astype(float))
         elif q.size <= DOZENS * self.of.n and not self.compiled:

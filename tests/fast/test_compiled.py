@@ -92,6 +92,57 @@ def test_what_is_no_row_of_doubles_goes_the_slow_way(numba):
     assert np.array_equal(take(q), take(np.zeros(12)[::2]))
 
 
+def test_what_says_it_has_one_dimension_and_has_more_goes_the_slow_way(numba):
+    class Flat(np.ndarray):
+        ndim = property(lambda self: 1)
+
+    assert isinstance(machine(dh.load("ur5e"), 0).take(np.zeros((6, 1)).view(Flat)), str)
+
+
+def test_a_child_process_has_threads_of_its_own(numba):
+    program = (
+        "import os, sys, numpy as np, dhlab as dh; arm = dh.load('ur5e');"
+        "q = np.zeros((40000, 6)); arm.forward(q); child = os.fork();"
+        "done = child == 0 and bool(np.isfinite(arm.forward(q)).all());"
+        "child == 0 and os._exit(0 if done else 1);"
+        "sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))"
+    )
+    environment = {**os.environ, "DHLAB_NUMBA": "1"}
+    subprocess.run([sys.executable, "-c", program], check=True, env=environment, timeout=100)
+
+
+def test_a_numba_that_does_not_work_is_left_out(tmp_path):
+    (tmp_path / "numba.py").write_text("raise ImportError('needs another numpy')", "utf-8")
+    program = (
+        "import warnings, numpy as np, dhlab as dh\n"
+        "with warnings.catch_warnings(record=True) as said:\n"
+        "    warnings.simplefilter('always')\n"
+        "    T = dh.load('ur5e').forward(np.zeros((100, 6)))\n"
+        "assert np.isfinite(T).all() and 'needs another numpy' in str(said[0].message)"
+    )
+    environment = {**os.environ, "DHLAB_NUMBA": "1", "PYTHONPATH": str(tmp_path)}
+    subprocess.run([sys.executable, "-c", program], check=True, env=environment)
+
+
+@pytest.mark.parametrize("wanted", ["0", "1"])
+@pytest.mark.parametrize("m", [None, 5, 300])
+def test_a_coupling_that_overflows_is_refused(numba, monkeypatch, wanted, m):
+    monkeypatch.setenv("DHLAB_NUMBA", wanted)
+    rows = [[0, 0.1, 0.2, 0.3]] * 3
+    arm = dh.Arm(dh.DHTable.standard(rows, angle="rad"), coupling=[[1, 1, 0], [0, 1, 0], [0, 0, 1]])
+    q = np.array([1e308, 1e308, 1.0])
+    with pytest.raises(ValueError, match="the coupling makes finite joint values"):
+        arm.forward(q if m is None else np.tile(q, (m, 1)))
+
+
+def test_long_doubles_are_taken_as_doubles():
+    arm = dh.Arm(dh.DHTable.standard([[0, 0.1, 0.2, 0.3]], angle="rad", joints="P"))
+    assert arm.forward(np.array([0.5], np.longdouble)).dtype == np.float64
+    if np.finfo(np.longdouble).max > np.finfo(float).max:
+        with pytest.raises(ValueError, match="joint 1 is NaN or infinite"):
+            arm.forward(np.array([1], np.longdouble) * np.longdouble("1e400"))
+
+
 def test_other_layouts_and_types_of_a_batch(numba):
     arm, q = dh.load("ur5e"), np.random.default_rng(0).uniform(-1, 1, (300, 6))
     right, kernel = arm._kinematics.plain.forward(q), machine(arm, 0)

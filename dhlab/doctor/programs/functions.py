@@ -55,8 +55,9 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
         values; the answer is a pose (4, 4).
     kind : "dh_transform" or "forward_kinematics"
     arm : Arm, optional
-        The one arm that ``forward_kinematics`` is written for; then it may also take q alone, or
-        (rows, q, base, tool), and the arm's base and tool belong to the pose.
+        The one arm that ``forward_kinematics`` is written for; then it may also take q alone, the
+        joint values one by one, or (rows, q, base, tool), and the arm's base and tool belong to the
+        pose.
     convention : "standard" or "craig"
         Whose link matrix the program is to compute; in Craig's a row holds a and alpha of the link
         before. A program of the other convention is told so.
@@ -116,14 +117,19 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
 
 
 def _names(f, arm):
-    """What a program of a chain is given: for one arm it may know the rows itself, or ask for base
-    and tool too.
+    """What a program of a chain is given: for one arm it may know the rows itself, with q as one or
+    joint by joint, or ask for base and tool too.
     """
+    if arm is None:
+        return ("rows", "q")
     try:
-        many = len(inspect.signature(f).parameters) if arm is not None else 2
+        asked = list(inspect.signature(f).parameters)
     except (ValueError, TypeError):
-        many = 2
-    return {1: ("q",), 4: ("rows", "q", "base", "tool")}.get(many, ("rows", "q"))
+        return ("rows", "q")
+    numbered = all(name[-1:].isdigit() for name in asked)
+    if len(asked) == len(arm) and (numbered or len(asked) not in (1, 2, 4)):
+        return tuple(f"q{i}" for i in range(1, len(arm) + 1))
+    return {1: ("q",), 4: ("rows", "q", "base", "tool")}.get(len(asked), ("rows", "q"))
 
 
 def _diagnosed(f, task):
@@ -156,7 +162,7 @@ def _as_arm(diagnosis, here, f, mistakes):
 def _of_its_arm(here, f, mistakes):
     """What explains the answers as those of another arm, where the program knows its rows."""
     task = here.task
-    if task.names != ("q",) or pose_fault(here.array) is not None:
+    if "rows" in task.names or pose_fault(here.array) is not None:
         return ()
     from .search.itsarm import STEP, as_its_arm, is_a_chain  # with scipy, which nothing else needs
 

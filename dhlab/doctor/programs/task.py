@@ -45,8 +45,8 @@ class Task:
     arm : Arm or None
         Then the calls are with the arm's rows, and its base and tool belong to the pose.
     names : sequence of str
-        The arguments that the program takes: of a chain rows and q, q alone, or rows, q, base and
-        tool.
+        The arguments that the program takes: of a chain rows and q, q alone or joint by joint (q1,
+        q2, …), or rows, q, base and tool.
     convention : "standard" or "craig"
         Whose link matrix is right.
 
@@ -111,6 +111,8 @@ class Task:
         if not self.is_chain:
             return case
         rows, q = (part.tolist() for part in case) if self.lists else case
+        if "q1" in self.names:
+            return tuple(q)
         if len(self.names) == 4:
             return rows, q, self.arm.base, self.arm.tool
         return (rows, q)[-len(self.names) :]

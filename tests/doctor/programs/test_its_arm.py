@@ -73,6 +73,21 @@ def test_a_joint_that_counts_backwards_is_told_beside_a_wrong_length():
     assert {"joint-reversed", "length-value"} <= names, answer
 
 
+def test_joint_values_may_come_one_by_one():
+    arm = dh.Arm(dh.DHTable.standard(TURNING, angle="deg"))
+    right, wrong = np.array(TURNING, float), np.array(TURNING, float)
+    wrong[2, 2] = 0.4
+    pose = program(right, "RRRR")
+    assert diagnose_function(
+        lambda q1, q2, q3, q4: pose([q1, q2, q3, q4]), "forward_kinematics", arm=arm
+    )
+    off = program(wrong, "RRRR")
+    answer = diagnose_function(
+        lambda th1, th2, th3, th4: off([th1, th2, th3, th4]), "forward_kinematics", arm=arm
+    )
+    assert [f.joint for f in answer.findings] == [3], answer
+
+
 def test_what_is_no_other_arm_with_two_mistakes_is_not_named():
     arm = dh.Arm(dh.DHTable.standard(TURNING, angle="deg"))
     wrong = [[10, 0.2, 0.1, -60], [-80, 0.1, 0.2, 20], [5, 0.1, 0.17, -70], [3, 0.2, 0.01, 50]]
