@@ -308,6 +308,17 @@ def _note_now(shell):
         _here[0], _texts[cell] = cell, shell.history_manager.input_hist_raw[-1]
 
 
+def _write_back(shell, text):
+    """Have the notebook put a text into the cell that runs. JupyterLite's shell has the payload
+    that says so, and a ``set_next_input`` that does not use it.
+    """
+    payload = getattr(shell, "payload_manager", None)
+    if payload is None:
+        shell.set_next_input(text, replace=True)
+    else:
+        payload.write_payload({"source": "set_next_input", "text": text, "replace": True})
+
+
 class _Writer(ast.NodeTransformer):
     """Puts what hands chose into the cell that runs, where it is the answer's own."""
 
@@ -324,6 +335,6 @@ class _Writer(ast.NodeTransformer):
             new = None if chosen is None else written(text, one.name, chosen)
             if new is not None:
                 _texts[one.cell] = new
-                self.shell.set_next_input(new, replace=True)
+                _write_back(self.shell, new)
                 node = ast.parse(new)
         return node
