@@ -1,11 +1,13 @@
 """Frames placed by a scripted hand: random exercises of lesson 04, in Chromium, by mouse; right
-choices and wrong ones; and the marks that ``dhlab grade`` gives for the notebooks saved after it.
+choices and wrong ones, clicked or dragged along their line; and the marks that ``dhlab grade``
+gives for the notebooks saved after it.
 
-Run ``python benchmarks/placing_by_mouse.py [STUDENTS]`` from the project's top folder; each student
-has three exercises with numbers of their own. It needs Chromium and the grader's cage.
+Run ``python benchmarks/placing_by_mouse.py [STUDENTS [SEED]]`` from the project's top folder; each
+student has three exercises with numbers of their own. It needs Chromium and the grader's cage.
 
 The hand turns the view until its choice stands clear of the others, clicks it, and clicks it again
-to place it. Whether a choice was right is found here, from the lines alone, and a finished arm is
+to place it. An origin it mostly takes where another choice stands and drags along its line: to the
+choice, where it must snap, or to a place between the choices. Whether a choice was right is found here, from the lines alone, and a finished arm is
 compared with the product of exponentials of its axes.
 """
 
@@ -37,12 +39,25 @@ from conftest import MODEL, PAGE, heard  # noqa: E402
 
 KEYS = ("04.2", "04.4", "04.10")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+PATIENCE = 300  # looks, 10 ms apart
 CLEAR, NEAR = 14.0, 1e-6  # page points to the next choice; metres and sines
 WRONG = 0.3  # how often the hand takes any choice at all
 ENDINGS = {"right": 0.6, "wrong": 0.25, "not attempted": 0.15}
+DRAGGED = 0.7  # how often an origin that can be dragged is dragged
+FREE = 0.2  # and how often to a place that nobody offered
+# the explorer of the page on which frames are placed, and what it hands to Python
+FOUND = """() => { window.placing = [...document.querySelectorAll('div')].find((div) => div.explorer?.host?.get('_answer'))?.explorer;
+    if (!window.placing) return false;
+    const { host } = window.placing, send = host.send.bind(host);
+    window.sent = null;
+    host.send = (message) => { window.sent = message; send(message); };
+    return true; }"""
+BOX = "() => { const { x, y } = placing.stage.canvas.getBoundingClientRect(); return [x, y]; }"
+ANSWER = "() => placing.host.get('_answer')"
 # where each choice is drawn, as lines of points on the page, nearest the tip first
-SEEN = """() => { const { stage, host } = document.querySelector('main > div').explorer;
+SEEN = """() => { const { stage, host } = placing;
     const { next, offers, placed } = host.get('_answer'), { reach } = host.data;
+    stage.canvas.scrollIntoView({ block: 'center' });
     const box = stage.canvas.getBoundingClientRect(), of = (step) => placed.find((one) => one.step === step)?.value;
     const add = (p, v, t) => p.map((x, k) => x + t * v[k]), size = (v) => Math.hypot(...v);
     return offers.map(({ value, point }) => {
@@ -103,6 +118,14 @@ class Lines:
         across = p + w * ((o - p) @ w) - o
         return bool(np.linalg.norm(np.cross(x, across)) < NEAR)
 
+    def along(self, step):
+        """The line along which an origin can be dragged, (point, direction); None where it has
+        none yet.
+        """
+        i = int(step[1:])
+        known = step[0] == "o" and i in self.z and i < len(self.axes) and not self._slides(i)
+        return self.z[i] if known else None
+
     def keep(self, step, value, point):
         i, value = int(step[1:]), np.array(value)
         if step[0] == "z":
@@ -116,46 +139,109 @@ def _apart(point, line):
     return float(np.linalg.norm(np.cross(np.array(point) - p, z)))
 
 
+def _on(line, offers):
+    """Which offers lie on a line."""
+    return [j for j, one in enumerate(offers) if _apart(one["value"], line) < NEAR]
+
+
 class Hand:
     """A mouse on one page, and what happened under it."""
 
-    def __init__(self, page, explorer, rng, sent):
-        self.page, self.explorer, self.rng, self.count = page, explorer, rng, Counter()
-        self.sent = sent  # what the page has handed to Python
+    def __init__(self, page, rng):
+        self.page, self.rng, self.count = page, rng, Counter()
         self.refused = []  # (step, value, whether that fits) of the wrong choices
         self.known = set()  # (step, number) of these
+        page.wait_for_function(FOUND)
+
+    @property
+    def answer(self):
+        """What Python said last."""
+        return self.page.evaluate(ANSWER)
 
     def place(self, lines, stop=None):
         """Go on until every frame is placed, or for so many right steps."""
         done = 0
-        while (step := self.explorer._answer["next"]) and done != stop:
-            offers = self.explorer._answer["offers"]
+        while (step := (answer := self.answer)["next"]) and done != stop:
+            offers = answer["offers"]
             fitting = [lines.fits(step, one["value"], one["point"]) for one in offers]
             order = [k for k in self.rng.permutation(len(offers)) if (step, k) not in self.known]
             if self.rng.random() > WRONG:
                 order.sort(key=lambda k: fitting[k] is not True)
-            k = self.hit(int(order[0]), offers)
-            right, one = self.explorer._answer["said"]["right"], offers[k]
-            if fitting[k] is not None:
-                self.count["judged as they should" if right == fitting[k] else "misjudged"] += 1
-                self.count["right choices" if fitting[k] else "wrong choices"] += 1
+            told = self.make(int(order[0]), answer, lines)
+            sent, right = self.page.evaluate("() => window.sent"), told["said"]["right"]
+            value, point = sent["value"], sent["point"]
+            fits = lines.fits(step, value, point)
+            if fits is not None:
+                self.count["judged as they should" if right == fits else "misjudged"] += 1
+                self.count["right choices" if fits else "wrong choices"] += 1
             if right:
-                lines.keep(step, one["value"], one["point"] or [0, 0, 0])
+                lines.keep(step, value, point or [0, 0, 0])
                 done += 1
-            else:
-                self.refused.append((step, one["value"], fitting[k]))
-                self.known.add((step, k))
+                continue
+            self.refused.append((step, value, fits))
+            same = [one["value"] == value and one["point"] == point for one in offers]
+            self.known |= {(step, j) for j, equal in enumerate(same) if equal}
 
-    def hit(self, k, offers):
-        """Aim at choice k; the choice that Python was handed, which another one may lie before."""
-        self.click(k)
-        sent = self.sent[-1]
-        same = [one["value"] == sent["value"] and one["point"] == sent["point"] for one in offers]
-        self.count["choices hit" if same[k] else "choices missed"] += 1
-        return k if same[k] else same.index(True)
+    def make(self, k, answer, lines):
+        """Choice k by a drag or by clicks; what Python said of it."""
+        step, offers = answer["next"], answer["offers"]
+        line = lines.along(step)
+        along = [] if line is None else _on(line, offers)
+        if k in along and len(along) > 1 and self.rng.random() < DRAGGED:
+            told = self.drag(k, answer, along)
+            if told:
+                return told
+        told = self.click(k, answer)
+        sent = self.page.evaluate("() => window.sent")
+        same = sent["value"] == offers[k]["value"] and sent["point"] == offers[k]["point"]
+        self.count["choices hit" if same else "choices missed"] += 1
+        return told
 
-    def click(self, k):
-        """Turn the view until choice k stands clear, click it twice; whether Python has judged."""
+    def drag(self, k, answer, on):
+        """Take another choice on the line of z, drag it to choice k or to a place between them, and
+        place it by a click; None where no other stands clear.
+        """
+        offers = answer["offers"]
+        free = self.rng.random() < FREE
+        for _ in range(4):
+            seen = np.array([ats[0] for ats in self.page.evaluate(SEEN)])
+            gaps = np.hypot(*(seen[:, None] - seen).transpose(2, 0, 1)) + 99 * np.eye(len(seen))
+            clear = [j for j in on if gaps[j].min() > CLEAR]
+            others = [j for j in clear if j != k]
+            if others and k in clear:
+                break
+            self.turn()
+        else:
+            return None
+        j = int(self.rng.choice(others))
+        target = (seen[j] + seen[k]) / 2 if free else seen[k]
+        if free and np.hypot(*(seen - target).T).min() < CLEAR:
+            free, target = False, seen[k]
+        self.press(seen[j])
+        self.press(seen[j], target)
+        self.press(target)
+        told = self.judged(answer["turn"])
+        if told is None:
+            self.count["drags that placed nothing"] += 1
+            return None
+        value = self.page.evaluate("() => window.sent")["value"]
+        if free:
+            self.count["drags to a free place"] += 1
+        else:
+            snapped = value == offers[k]["value"]
+            self.count["drags that snapped" if snapped else "drags that missed"] += 1
+        return told
+
+    def press(self, at, to=None):
+        """A click, or a drag to a place."""
+        self.page.mouse.move(*at)
+        self.page.mouse.down()
+        if to is not None:
+            self.page.mouse.move(*to, steps=2)
+        self.page.mouse.up()
+
+    def click(self, k, answer):
+        """Turn the view until choice k stands clear, click it twice; what Python said."""
         for _ in range(12):
             seen = self.page.evaluate(SEEN)
             others = np.array([at for j, ats in enumerate(seen) if j != k for at in ats])
@@ -165,79 +251,78 @@ class Hand:
             self.turn()
         else:
             self.count["no clear view, by its letter"] += 1
-            return self.by_letter(k)
-        at = seen[k][int(np.argmax(gaps))]
-        before = self.explorer._answer["turn"]
+            return self.by_letter(k, answer)
         for _ in range(2):
-            self.page.mouse.move(*at)
-            self.page.mouse.down()
-            self.page.mouse.up()
-        return self.judged(before, k)
+            self.press(seen[k][int(np.argmax(gaps))])
+        told = self.judged(answer["turn"])
+        if told is None:
+            self.count["clicks that hit nothing"] += 1
+            return self.by_letter(k, answer)
+        return told
 
-    def by_letter(self, k):
-        before = self.explorer._answer["turn"]
+    def by_letter(self, k, answer):
         self.page.locator(".offers input").nth(k).check(force=True)
         self.page.get_by_role("button", name="Place it").click()
-        return self.judged(before, k)
+        return self.judged(answer["turn"])
 
-    def judged(self, before, k):
-        for _ in range(300):
-            if self.explorer._answer["turn"] != before:
-                return True
+    def judged(self, before):
+        """The answer once Python has judged; None where nothing was handed to it."""
+        for _ in range(PATIENCE):
+            told = self.answer
+            if told["turn"] != before:
+                return told
             self.page.wait_for_timeout(10)
-        self.count["clicks that hit nothing"] += 1
-        return self.by_letter(k)
+        return None
 
     def turn(self):
         """Drag beside the arm: a corner of the canvas."""
-        box = self.page.locator("canvas").first.bounding_box()
-        x, y = box["x"] + 25, box["y"] + 25
-        self.page.mouse.move(x, y)
-        self.page.mouse.down()
-        far = self.rng.uniform([60, -30], [260, 60])
-        self.page.mouse.move(x + far[0], y + far[1], steps=3)
-        self.page.mouse.up()
+        box = self.page.evaluate(BOX)
+        at = np.array(box[:2]) + 25
+        self.press(at, at + self.rng.uniform([60, -30], [260, 60]))
 
 
-def shown(browser, explorer, sent):
-    """A page on which an explorer is alive, Python at the other end; what it hands over is kept."""
+class Page:
+    """One page on which one explorer after the other is alive, Python at the other end."""
 
-    def to_python(kind, name, value):
-        if kind == "message":
-            sent.append(value)
-        return heard(explorer, kind, name, value)
+    def __init__(self, browser):
+        self.page = browser.new_page(viewport={"width": 800, "height": 640})
+        self.page.goto("about:blank")
+        module = MODULE.read_text(encoding="utf-8")
+        names = dict(
+            pair.split(" as ")[::-1]
+            for pair in module[module.rindex("export{") + 7 : module.rindex("}")].split(",")
+        )
+        module += "".join(
+            f"\nconst {name} = {names[own]};"
+            for name, own in [("widget", "default")]
+            + [(name, name) for name in ("forward", "frames", "jacobian", "reach")]
+        )
+        self.page.expose_function(
+            "toPython", lambda kind, name, value: heard(self.explorer, kind, name, value)
+        )
+        self.page.set_content(PAGE.format("", module))
+        self.page.wait_for_function("window.dhlab")
 
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.goto("about:blank")
-    module = MODULE.read_text(encoding="utf-8")
-    names = dict(
-        pair.split(" as ")[::-1]
-        for pair in module[module.rindex("export{") + 7 : module.rindex("}")].split(",")
-    )
-    module += "".join(
-        f"\nconst {name} = {names[own]};"
-        for name, own in [("widget", "default")]
-        + [(name, name) for name in ("forward", "frames", "jacobian", "reach")]
-    )
-    page.expose_function("toPython", to_python)
-    page.set_content(PAGE.format("", module))
-    page.wait_for_function("window.dhlab")
-    state = ["_data", "q", "row", "poses", "convention", "step", "_answer"]
-    page.evaluate(MODEL, explorer.get_state(state))
-    page.wait_for_function("document.querySelector('main > div').explorer.stage.drawn > 0")
-    return page
+    def show(self, explorer):
+        """Another explorer in the place of the last one."""
+        self.explorer = explorer
+        self.page.evaluate("document.querySelector('main').replaceChildren()")
+        state = ["_data", "q", "row", "poses", "convention", "step", "_answer"]
+        self.page.evaluate(MODEL, explorer.get_state(state))
+        self.page.wait_for_function(
+            "document.querySelector('main > div')?.explorer?.stage.drawn > 0"
+        )
 
 
-def one(browser, key, variant, rng, count):
+def one(shown, key, variant, rng, count):
     """An exercise by hand: what it should be marked, and the rows that go into the notebook."""
     given = exercises()[key].given(variant)
     explorer = dh.explore(given["axes"], mode="place", end=given["end"])
-    page = shown(browser, explorer, sent := [])
+    shown.show(explorer)
     wanted = str(rng.choice([*ENDINGS], p=[*ENDINGS.values()]))
-    hand = Hand(page, explorer, rng, sent)
+    hand = Hand(shown.page, rng)
     stop = int(rng.integers(1, 3 * len(given["axes"]))) if wanted == "not attempted" else None
     hand.place(Lines(given["axes"], given["end"]), stop)
-    page.close()
     count.update(hand.count)
     rows = explorer.placing.placement.placed
     if explorer.arm is not None:
@@ -246,13 +331,21 @@ def one(browser, key, variant, rng, count):
         same = np.allclose(explorer.arm.forward(q), expected, atol=1e-4)
         count["finished arms that are the arm" if same else "finished arms that are another"] += 1
     if wanted == "wrong":
-        sure = [(step, value) for step, value, fitting in hand.refused if fitting is False]
+        sure = [(step, value) for step, value, fits in hand.refused if fits is False]
+        # of a line the notebook keeps the direction: beside a parallel one it is right all the same
+        sure = [one for one in sure if one[0][0] != "z" or _turned(one, rows)]
         if not sure:
             return "right", rows
         step, value = sure[int(rng.integers(len(sure)))]
         rows = [list(row) for row in rows]
         rows[int(step[1:])]["zox".index(step[0])] = list(value)
     return wanted, rows
+
+
+def _turned(refused, rows):
+    """Whether a refused z runs another way than the one that stands in the rows."""
+    (_, value), z = refused, rows[int(refused[0][1:])][0]
+    return z is ... or np.linalg.norm(np.cross(value, z)) > NEAR
 
 
 def exponentials(given, q):
@@ -303,20 +396,22 @@ def graded(folder, everybody, key, answers):
     return {(one.student, mark.exercise): mark.status for one in results for mark in one.marks}
 
 
-def main(students):
+def main(students, seed=17):
     """Print what was judged, and how the grader agrees."""
-    rng, count, wanted, answers = np.random.default_rng(17), Counter(), {}, {}
-    everybody = [Student(f"s{k:03}") for k in range(students)]
+    rng, count, wanted, answers = np.random.default_rng(seed), Counter(), {}, {}
+    everybody = [Student(f"s{seed}-{k:03}") for k in range(students)]
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         Path(folder, "teacher.key").write_text(hashlib.sha256(b"placing").hexdigest() + "\n")
         key, _ = key_of(Path(folder, "teacher.key"), Path(folder, "out"))
         numbers = variants(key, [one.student for one in everybody])
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        shown = Page(browser)
         for name in numbers:
+            print(name, end=" ", file=sys.stderr, flush=True)
             answers[name] = {}
             for exercise in KEYS:
                 wanted[name, exercise], answers[name][exercise] = one(
-                    browser, exercise, numbers[name], rng, count
+                    shown, exercise, numbers[name], rng, count
                 )
         browser.close()
         said = {
@@ -341,4 +436,4 @@ def compare(wanted, found):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 67)
+    main(*map(int, sys.argv[1:] or ["67"]))
