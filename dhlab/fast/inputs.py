@@ -41,7 +41,10 @@ def require_finite(q: NDArray) -> None:
 
 def require_finite_joints(q: NDArray, coupling: NDArray | None) -> None:
     """Raise ValueError where ``q`` (..., n) is finite and what a coupling makes of it is not."""
-    if coupling is None or np.abs(q).max(initial=0.0) * np.abs(coupling).sum() < np.inf:
+    if coupling is None:
+        return
+    largest = max(q.max(initial=0.0), -q.min(initial=0.0))
+    if float(largest) * float(np.abs(coupling).sum()) < np.inf:
         return
     with np.errstate(all="ignore"):
         moved = q @ coupling.T
