@@ -225,7 +225,7 @@ def _call_text(f, case):
     name = getattr(f, "__name__", "f")
     if all(np.ndim(value) == 0 for value in case):
         return f"{name}({', '.join(f'{float(value):.3g}' for value in case)})"
-    return "with a short table of your own"
+    return "with small numbers of your own"
 
 
 def line_of(error, f):
