@@ -184,6 +184,7 @@ EXERCISES = [
         points=2,
         answer=lambda: load("kr6_r700").to("standard"),
         mistakes=half_moved,
+        convention="standard",
         praise="θ and d stay, a and α move up one row.",
         hints=(
             (

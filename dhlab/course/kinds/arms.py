@@ -93,10 +93,18 @@ def _with_rows(arm, rows):
     return replace(arm, table=make(rows, angle="deg", joints=table.joints))
 
 
+def _same_angles(arm, right):
+    """Whether two tables have the same θ and α, whole turns apart."""
+    turns = (arm.table.rows - right.table.rows)[:, [0, 3]] / (2 * np.pi)
+    return arm.table.convention == right.table.convention and np.allclose(turns, turns.round())
+
+
 def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
     """The first joint whose axis is not where it must be, and which numbers lead to it."""
     turned = np.abs(arm.forward(q) - right.forward(q))[:, :3, :3].max() > SAME
-    lengths = "" if turned else "; the rotation is right at every pose, so look at the lengths"
+    lengths = "" if turned else "; the rotation is right at every pose"
+    if lengths and _same_angles(arm, right):
+        lengths += ", so look at the lengths"
     joint = equivalent(right, arm).joint
     if not joint:
         return f"every joint's axis is where it must be, only the end is not{lengths}"

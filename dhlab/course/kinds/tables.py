@@ -48,7 +48,8 @@ class Table(Exercise):
     ``mistakes(**given)`` yields (mistake, what is said, wrong Arm or its rows in degrees and
     metres) beyond those of the doctor's :func:`wrong_tables`; ``handed_out(**given)`` is the table
     of a "smallest fix", in degrees and metres, which is no attempt as long as it is unchanged.
-    ``tolerance`` (rad, m) is how far the end may be off at any of the poses.
+    ``tolerance`` (rad, m) is how far the end may be off at any of the poses. ``convention`` is the
+    one that is asked for, where the task asks for one ("" where any will do).
     """
 
     answer: Callable
@@ -56,6 +57,7 @@ class Table(Exercise):
     mistakes: Callable = lambda **given: ()
     handed_out: Callable | None = None
     tolerance: float = SAME
+    convention: str = ""
 
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
@@ -95,6 +97,8 @@ class Table(Exercise):
         q = self.poses_at(variant)
         off = apart(arm, right, q)
         if max(off) <= self.tolerance:
+            if self.convention not in ("", arm.table.convention):
+                return self._in_the_other(arm)
             return self._right(arm, right, off)
         return self.slowly(self._explained(arm, right, q, variant))
 
@@ -112,6 +116,15 @@ class Table(Exercise):
         choices = "; ".join(choice.message for choice in equivalent(right, arm).differences)
         other = f" Yours is another right table than ours: {choices}." if choices else ""
         return self.say(RIGHT, f"{self.praise}{other}")
+
+    def _in_the_other(self, arm):
+        """The Verdict on rows of the right arm in the convention that was not asked."""
+        names = {"standard": "standard rows", "craig": "Craig's rows"}
+        return self.wrong(
+            headline=f"these are {names[arm.table.convention]} of the right arm;"
+            f" {names[self.convention]} are asked",
+            next="Which of the four columns change when the convention does?",
+        )
 
     def _explained(self, arm, right, q, variant):
         """The Verdict on another arm than the right one."""

@@ -138,6 +138,15 @@ def _lengths_alone(arm, right):
     return np.allclose(ends(arm, q)[:, :3, :3], ends(right, q)[:, :3, :3], atol=1e-6)
 
 
+def _angles_equal(arm, right):
+    """Whether only lengths differ from the right table: every θ and α points the same way."""
+    one, other = arm.table, right.table
+    return all(
+        np.allclose(np.exp(1j * x), np.exp(1j * y))
+        for x, y in ((one.theta, other.theta), (one.alpha, other.alpha))
+    )
+
+
 def another_arm(answer, given, found):
     """How far off the end is, the first axis that is not where it must be, and whether the rotation
     is right throughout.
@@ -148,7 +157,8 @@ def another_arm(answer, given, found):
     return (
         _far_off(answer, given, found)
         and first == told
-        and _lengths_alone(arm, right) == bool(found.get("lengths"))
+        and _lengths_alone(arm, right) == bool(found.get("turned"))
+        and (not found.get("lengths") or _angles_equal(arm, right))
         and (not found.get("first") or _hidden_steps(right, first, found))
     )
 
@@ -177,7 +187,7 @@ def _on_its_side(answer, given, found):
 
 OFF = r"this is another arm: up to (?P<mm>[\d., ]+) mm and (?P<deg>[\d., ]+)° off at the end @ "
 LENGTHS = (
-    r"(?P<lengths>; the rotation is right at every pose, so look at the lengths)?"
+    r"(?P<turned>; the rotation is right at every pose(?P<lengths>, so look at the lengths)?)?"
     r"(; axes (?P<first>\d) (?:and|to) (?P<last>\d) are parallel: a wrong d in any of these rows"
     r" shows only here)?"
 )
