@@ -57,6 +57,7 @@ def test_right_numbers_pass_in_any_dress(key):
         (lambda v: np.ma.masked_array(v, v == v[0]), "1 of 3 numbers is hidden"),
         (lambda v: [sympy.Symbol("x"), *v[1:]], "a formula in which letters are left"),
         (lambda v: [[1], [1, 2]], "rows of different lengths"),
+        (lambda v: [str(x) for x in v], "text where a number belongs"),
     ],
 )
 def test_what_holds_no_numbers_is_told_in_a_plain_sentence(spoil, words):
@@ -74,7 +75,8 @@ def test_a_list_that_is_half_filled_is_not_attempted_yet():
     for key, answer, place in (
         ("02.1", ["a", ..., ..., ...], "place 2, place 3, place 4"),
         ("02.3", [30, ..., 0.2, 60], "number 2"),
-        ("01.2", [[0, -1, 0, ...], *np.eye(4)[1:].tolist()], "number 1"),
+        ("01.2", [[0, -1, 0, ...], *np.eye(4)[1:].tolist()], "row 1"),
+        ("05.9", [[1, 0, 0, 0], [0, 1, 0, ...], [0, 0, 1, ...], [0, 0, 0, 1]], "row 2, row 3"),
     ):
         verdict = E[key].judge(answer)
         assert (verdict.status, verdict.place) == ("not attempted", place)
@@ -182,3 +184,53 @@ def test_drawn_poses_are_rotations_to_the_last_digit():
     ):
         verdict = E["01.4"].judge(slip)
         assert verdict.mistake and "bends" not in str(verdict)
+
+
+def test_four_decimals_of_a_pose_pass_and_fewer_are_called_rounded():
+    for variant in range(5):
+        value = right("06.10", variant)
+        assert E["06.10"].judge(value.round(4), variant).status == "right"
+        verdict = E["06.10"].judge(value.round(2), variant)
+        assert "rounded too early" in verdict.headline
+        off = value.round(2)
+        off[0, 3] += 0.01
+        assert "rounded" not in E["06.10"].judge(off, variant).headline
+
+
+def test_whole_numbers_that_were_rounded_are_not_said_to_be_cut_off():
+    for variant in range(20):
+        value = right("09.10", variant)
+        verdict = E["09.10"].judge([int(value[0]), round(value[1])], variant)
+        assert "cut off" not in str(verdict) and "array" not in str(verdict)
+
+
+def test_centimetres_are_divided_by_a_hundred():
+    value = right("05.5")
+    assert "by 100," in E["05.5"].judge(100 * value).next
+    assert "by 1000," in E["05.5"].judge(1000 * value).next
+
+
+def test_two_offsets_that_make_up_for_each_other_are_not_put_down_to_lengths():
+    rows = [[0, 0.1, 0, 90], [45, 0, 0.4, 0], [-45, 0, 0.35, 0]]
+    rows += [[0, 0.1, 0, 90], [0, 0, 0, -90], [0, 0.1, 0, 0]]
+    verdict = E["06.6"].judge(rows)
+    assert "the rotation is right at every pose" in verdict.place and "length" not in verdict.place
+    rows[1][0], rows[2][0], rows[1][2] = 90, -90, 0.5
+    assert "length" in str(E["06.6"].judge(rows))
+
+
+def test_the_table_of_the_other_convention_is_not_the_one_that_is_asked():
+    for key, other in (("03.7", "standard"), ("03.8", "craig")):
+        assert E[key].judge(E[key].right_arm().to(other)).status == "wrong"
+        assert E[key].judge(E[key].right_arm()).status == "right"
+    arm = dh.load("kr6_r700")
+    for answer in (arm, arm.table):
+        verdict = E["09.7"].judge(answer)
+        assert verdict.status == "wrong" and "Craig's rows of the right arm" in verdict.headline
+    assert E["09.7"].judge(arm.to("standard").table).status == "right"
+
+
+def test_an_angle_of_no_size_is_not_shown_in_powers_of_ten():
+    turned = right("08.13") + [0, 0, 0, 0, 0, 0.5]
+    headline = E["08.13"].judge(turned).headline
+    assert "e-" not in headline and "28.6°" in headline

@@ -127,7 +127,7 @@ def wrong_unseen(q: list[float]) -> Mistakes:
         ("offset-missing", "both offsets were left out", no_offset, q_rad),
         ("offset-counted-twice", "both offsets were added twice", rows * [2, 1, 1, 1], q_rad),
         ("offset-subtracted", "q was taken off the offsets, not added", rows, -q_rad),
-        ("offset-sign", "both offsets have the other sign", rows * [-1, 1, 1, 1], q_rad),
+        ("offset-sign", "the offset of joint 2 has the other sign", rows * [-1, 1, 1, 1], q_rad),
         ("joint-values-unused", "this is the pose at q = 0", rows, 0 * q_rad),
         (
             "joint-index-off-by-one",

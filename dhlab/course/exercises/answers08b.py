@@ -151,7 +151,7 @@ class Reaches(Value):
     and a tenth of a degree, whichever branch it is.
     """
 
-    def _compared(self, array: NDArray, expected: NDArray, given: Any) -> Verdict:
+    def _compared(self, array: NDArray, expected: NDArray, given: Any, answer: Any) -> Verdict:
         T_goal = np.array(given["T"])
         metres, degrees = _off(array, T_goal)
         if metres <= 1e-3 and degrees <= 0.1:
@@ -168,6 +168,10 @@ class Reaches(Value):
                 "only-position-checked",
                 place=Said(words, next="The position is right. What of the orientation?"),
             )
+        if degrees <= 0.1:
+            return self.wrong(
+                headline=words, next="The orientation is right. What of the position?"
+            )
         return self.wrong(headline=words)
 
 
@@ -182,4 +186,4 @@ def _off(q, T_goal):
 
 def _short(x):
     """A number in three digits, without a power of ten where it is large."""
-    return f"{x:.0f}" if x >= 100 else f"{x:.3g}"
+    return f"{x:.0f}" if x >= 100 else f"{x:.3g}" if x >= 1e-3 else "0"

@@ -55,15 +55,22 @@ EXERCISES = [
                 next="Take the second column at α = 90°: y must go to z, (0, 0, 1).",
             ),
             "mirror": Said(
-                "y and z do not turn together",
+                "x, y and z do not turn together",
                 next=(
-                    "Tip y a little towards z: which way does z go, and which sine carries the"
-                    " minus?"
+                    "x stays. Tip y a little towards z: which way does z go, and which sine carries"
+                    " the minus?"
                 ),
-                why="The two must stay at right angles, and z = x × y.",
+                why="The three must stay at right angles, and z = x × y.",
+            ),
+            "rotation-block-misread": Said(
+                "this is a turn, but not about x",
+                next="Which row and column keep their 1? They belong to the axis that stays.",
             ),
             "matrix-entry-mistyped": Said(
-                "not every entry is right", next="Put α = 90° in: y must go to z, and z to −y."
+                "not every entry is right",
+                next=(
+                    "Put α = 30° in, then −30°: which way does y tip, which way z, and by how much?"
+                ),
             ),
         },
         hints=(

@@ -272,7 +272,7 @@ EXERCISES = [
         answer=unseen_pose,
         mistakes=wrong_unseen,
         units="pose",
-        tolerance=1e-6,
+        tolerance=1e-4,
         praise="An ABB IRB 120, with two offsets in its table.",
         hints=(
             "Which columns of the rows are in degrees, and which unit has q?",

@@ -110,8 +110,11 @@ class Exercise:
 
     def gaps(self, answer: Any) -> list[str]:
         """Where dots are left in an answer that is filled in only in part, in words."""
-        entries = enumerate(_entries(answer), 1)
-        return [f"{self.entry} {k}" for k, entry in entries if _has_dots(entry)]
+        return [
+            f"{'row' if _entries(entry) else self.entry} {k}"
+            for k, entry in enumerate(_entries(answer), 1)
+            if _has_dots(entry)
+        ]
 
     def say_undecided(self) -> Verdict:
         """The Verdict on "?"."""

@@ -41,6 +41,8 @@ def plain(answer: Any) -> NDArray[Any]:
         return array.real
     if array.dtype.kind in "iufb":
         return array if array.dtype.kind != "b" else array.astype(float)
+    if array.dtype.kind == "U" and array.ndim:
+        raise Unreadable("text where a number belongs")
     if array.dtype.kind != "O":
         raise Unreadable(type(answer).__name__)
     try:

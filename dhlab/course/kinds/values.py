@@ -28,6 +28,11 @@ CUT_OFF = Said(
     "these are the right numbers with their decimals cut off",
     next="An array of whole numbers cuts off what is written into it: say dtype=float.",
 )
+ROUNDED = Said(
+    "these are the right numbers, rounded too early",
+    next="Give more digits, or let numpy compute the numbers.",
+)
+HARDLY = 0.1  # of the largest number: further off, a rounded answer is hardly the right one
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,9 +88,9 @@ class Value(Exercise):
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
-        return self._compared(array, expected, given)
+        return self._compared(array, expected, given, answer)
 
-    def _compared(self, array, expected, given):
+    def _compared(self, array, expected, given, answer):
         """The Verdict on finite numbers of the right shape."""
         off = self.differs(array, expected)
         if not off.any():
@@ -103,8 +108,11 @@ class Value(Exercise):
                 and not self.differs(array, np.asarray(value, dtype=float)).any()
             ):
                 return self.told(mistake, said)
-        if np.array_equal(array, np.trunc(expected)) and array.dtype.kind == "i":
+        whole = isinstance(answer, np.ndarray) and array.dtype.kind == "i"
+        if whole and np.array_equal(array, np.trunc(expected)):
             return self.told("integer-arrays", CUT_OFF)
+        if _rounded(array, expected):
+            return self.told("pi-rounded", ROUNDED)
         return self.wrong(headline="these are not the numbers", place=self._place(off))
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
@@ -144,6 +152,14 @@ class Value(Exercise):
             return f"{off.sum()} of {off.size} entries, the first in row {i}, column {j}"
         names = self.entries or [f"number {k + 1}" for k in range(off.size)]
         return ", ".join(name for name, bad in zip(names, np.ravel(off)) if bad) if off.ndim else ""
+
+
+def _rounded(array, expected):
+    """Whether these are the expected numbers with fewer decimals, and still near them."""
+    far = np.abs(array - expected).max(initial=0) > HARDLY * np.abs(expected).max(initial=0)
+    return not far and any(
+        np.allclose(array, np.round(expected, k), rtol=0, atol=1e-9) for k in range(6)
+    )
 
 
 def _amount(array):

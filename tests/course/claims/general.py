@@ -91,6 +91,14 @@ def cut_off(answer, given, found):
     return (np.asarray(answer) == np.trunc(right_of(given))).all()
 
 
+def fewer_decimals(answer, given, found):
+    """For some number of decimals, each entry is the right one printed with as many, and wrong."""
+    pairs = list(zip(np.ravel(answer).astype(float), right_of(given).ravel()))
+    return off_by(answer, given).any() and any(
+        all(abs(float(f"{right:.{k}f}") - told) < 1e-9 for told, right in pairs) for k in range(6)
+    )
+
+
 ONE = r"in other units: (?P<what>[^;]+?) in (?P<unit>[^;]+); [a-z ]+ (?:are )?asked"
 BOTH = (
     r"in other units: (?P<what>[θα, and]+) in (?P<unit>[^;]+?), (?P<more>[da, n]+) in"
@@ -114,5 +122,6 @@ GENERAL = [
     ),
     (r"these are not the numbers @ (?P<names>.+)", these_entries),
     (r"these are the right numbers with their decimals cut off", cut_off),
+    (r"these are the right numbers, rounded too early", fewer_decimals),
     (r"expected .+, found .+", other_shape),
 ]

@@ -575,7 +575,12 @@ def _of_a_chain(of):
             (r"q was converted twice", lambda r, q, f: walk(r, np.radians(q))),
             (r"both offsets were left out", lambda r, q, f: walk(r * [0, 1, 1, 1], q)),
             (r"both offsets were added twice", lambda r, q, f: walk(r * [2, 1, 1, 1], q)),
-            (r"both offsets have the other sign", lambda r, q, f: walk(r * [-1, 1, 1, 1], q)),
+            (
+                r"the offset of joint 2 has the other sign",
+                lambda r, q, f: walk(
+                    [[-x[0], *x[1:]] if k == 1 else x for k, x in enumerate(r)], q
+                ),
+            ),
             (r"q was taken off the offsets, not added", lambda r, q, f: walk(r, -q)),
             (r"this is the pose at q = 0", lambda r, q, f: walk(r, 0 * q)),
             (
