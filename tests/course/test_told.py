@@ -5,6 +5,7 @@ debugging task bit by bit.
 import numpy as np
 import pytest
 import sympy
+from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab.course import check, session
@@ -234,3 +235,18 @@ def test_an_angle_of_no_size_is_not_shown_in_powers_of_ten():
     turned = right("08.13") + [0, 0, 0, 0, 0, 0.5]
     headline = E["08.13"].judge(turned).headline
     assert "e-" not in headline and "28.6°" in headline
+
+
+def test_the_way_back_in_the_goals_axes_is_not_said_to_be_right_anywhere():
+    def back(T, T_goal):
+        turn = vector(T_goal[:3, :3].T @ T[:3, :3])
+        return np.hstack([T_goal[:3, 3] - T[:3, 3], turn])
+
+    def vector(R):
+        return Rotation.from_matrix(R).as_rotvec()
+
+    goal = Rotation.from_rotvec([0.3, -0.2, 0.5]).as_matrix()
+    unturned = np.eye(4), np.block([[goal, np.zeros((3, 1))], [np.zeros((1, 3)), np.ones((1, 1))]])
+    assert not np.allclose(back(*unturned)[3:], [0.3, -0.2, 0.5])  # wrong at R = 1 too
+    verdict = str(E["08.4"].judge(back))
+    assert "leads back from the goal" in verdict and "right where" not in verdict

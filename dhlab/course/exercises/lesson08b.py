@@ -34,7 +34,17 @@ EXERCISES = [
         shape=(6,),
         handed_out=in_the_tools_axes,
         sparing=True,
-        words={"orientation-error-frame": FRAME},
+        words={
+            "orientation-error-frame": FRAME,
+            (
+                "orientation-error-frame",
+                "the orientation is R_goalᵀ R, the way back in the goal's axes",
+            ): Said(
+                "the turn leads back from the goal, and is written in the goal's axes",
+                next="Which product carries R to R_goal from the left?",
+                why="R_goalᵀ R is the turn from the goal to here, as the goal sees it.",
+            ),
+        },
         praise="Position and turn, both as the base sees them.",
         hints=(
             "The position part is right. Where is the turn seen from: the base or the tool?",
