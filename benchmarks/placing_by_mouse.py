@@ -46,7 +46,7 @@ ENDINGS = {"right": 0.6, "wrong": 0.25, "not attempted": 0.15}
 DRAGGED = 0.7  # how often an origin that can be dragged is dragged
 FREE = 0.2  # and how often to a place that nobody offered
 # the explorer of the page on which frames are placed, and what it hands to Python
-FOUND = """() => { window.placing = [...document.querySelectorAll('div')].find((div) => div.explorer?.host?.get('_answer'))?.explorer;
+FOUND = """() => { window.placing = [...document.querySelectorAll('div')].find((div) => div.explorer?.host?.get('_answer')?.offers)?.explorer;
     if (!window.placing) return false;
     const { host } = window.placing, send = host.send.bind(host);
     window.sent = null;
