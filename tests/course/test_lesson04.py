@@ -12,7 +12,6 @@ from oracles import elementary_pose
 
 import dhlab as dh
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.answers04 import READ
 from dhlab.course.kinds.placed import MISTAKES, Frames
 from dhlab.doctor import catalogue
 from dhlab.doctor.tables.rows import wrong_tables
@@ -247,34 +246,42 @@ def test_lines_of_z():
     )
 
 
-def test_the_table_of_04_5_is_that_of_the_frames_in_the_lesson():
+def read(variant=0):
+    """The rows of 04.5's frames."""
+    return E["04.5"].read(**E["04.5"].given(variant))
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_the_table_of_04_5_is_that_of_the_frames_in_the_lesson(variant):
     """Its four frames, as the lesson gives them, from the rows by elementary matrices."""
-    drawn = [
-        (Z, [0, 0, 0], X),
-        (-Y, [0, 0, 0.3], X),
-        (-Y, [0, -0.1, 0.7], Z),
-        (Z, [0.3, -0.1, 0.7], X),
-    ]
-    for i, (z, o, x) in enumerate(drawn):
+    task, rows = E["04.5"].given(variant), read(variant)
+    for i, (z, o, x) in enumerate(task["frames"]):
         T = (
             np.eye(4)
             if i == 0
-            else elementary_pose(dh.DHTable.standard(READ[:i], angle="deg"), np.zeros(i))
+            else elementary_pose(dh.DHTable.standard(rows[:i], angle="deg"), np.zeros(i))
         )
         np.testing.assert_allclose(T[:3, [2, 3, 0]].T, [z, o, x], atol=1e-12)
+    np.testing.assert_allclose(T, task["end"], atol=1e-12)
+
+
+def test_everybody_reads_a_table_of_their_own():
+    assert len({str(read(variant)) for variant in range(50)}) > 30
 
 
 @pytest.mark.slow
 def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
     exercise = E["04.5"]
-    flipped = [[180, 0.3, 0, -90], [-90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]  # x1 turned round
-    slid = [[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]  # o2 slid along z2
+    (_, h, _, _), (_, side, upper, _), (_, _, fore, _) = rows = read()
+    # x1 turned round
+    flipped = [[180, h, 0, -90], [-90, side, upper, 0], [-90, 0, fore, -90]]
+    slid = [[0, h, 0, 90], [90, 0, upper, 0], [-90, side, fore, -90]]  # o2 slid along z2
     for answer in (
-        READ,
-        np.array(READ),
+        rows,
+        np.array(rows),
         flipped,
         slid,
-        [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in READ],
+        [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in rows],
     ):
         assert exercise.judge(answer).status == "right", answer
     q, seen = exercise.poses_at(0), set()
@@ -289,21 +296,21 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
 @pytest.mark.parametrize(
     "changes, mistake, words",
     [
-        ([(1, 2, -0.4)], "length-sign", "a2 has the wrong sign"),
+        ([(1, 2, lambda a: -a)], "length-sign", "a2 has the wrong sign"),
         ([(1, 0, -90)], "offset-sign", "θ2 has the wrong sign"),
         ([(1, 0, -90), (2, 0, 90)], "offset-sign", "θ2 and θ3 have the wrong sign"),
         ([(1, 0, 0), (2, 0, 0)], "offset-missing", "θ2 and θ3 are not 0"),
         ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"),
-        ([(0, 1, 0.4)], "length-value", "d1 has another value"),
-        ([(2, 2, 300)], "length-unit", "millimetres"),
+        ([(0, 1, lambda d: d + 0.1)], "length-value", "d1 has another value"),
+        ([(2, 2, lambda a: 1000 * a)], "length-unit", "millimetres"),
         ([(1, 0, -90), (0, 3, -90)], "x-flip-incomplete", "An x axis was turned round"),
     ],
 )
 @pytest.mark.parametrize("variant", [0, 7])
 def test_misread_numbers_are_named_one_by_one(changes, mistake, words, variant):
-    rows = [list(row) for row in READ]
+    rows = read(variant)
     for i, k, value in changes:
-        rows[i][k] = value
+        rows[i][k] = value(rows[i][k]) if callable(value) else value
     for answer in (rows, np.array(rows), dh.DHTable.standard(rows, angle="deg")):
         verdict = E["04.5"].judge(answer, variant)
         assert (
@@ -314,17 +321,13 @@ def test_misread_numbers_are_named_one_by_one(changes, mistake, words, variant):
         ), verdict
 
 
-def test_a_right_table_of_other_frames_is_told_so():
-    assert (
-        "another d2, d3"
-        in E["04.5"].judge([[0, 0.3, 0, 90], [90, 0, 0.4, 0], [-90, 0.1, 0.3, -90]]).headline
-    )
-    assert (
-        "another"
-        not in E["04.5"]
-        .judge([[360, 0.3, 0, 90], [90, 0.1, 0.4, 360], [-90, 0, 0.3, 270]])
-        .headline
-    )
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_right_table_of_other_frames_is_told_so(variant):
+    (_, h, _, _), (_, side, upper, _), (_, _, fore, _) = read(variant)
+    slid = [[0, h, 0, 90], [90, 0, upper, 0], [-90, side, fore, -90]]
+    whole_turns = [[360, h, 0, 90], [90, side, upper, 360], [-90, 0, fore, 270]]
+    assert "another d2, d3" in E["04.5"].judge(slid, variant).headline
+    assert "another" not in E["04.5"].judge(whole_turns, variant).headline
 
 
 @pytest.mark.parametrize("variant", VARIANTS)

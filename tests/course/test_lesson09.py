@@ -26,14 +26,15 @@ from dhlab.view.explorer.placing import axes_of
 from tests.oracles import CHAINS, chain_disagreement, chain_joints, chain_pose, elementary_pose
 
 FILES = {"ur5e": "ur5e", "ar4": "ar4_mk3", "piper": "piper_2025"}
-KR6 = [
-    [0, 0.4, 0.025, -90],
-    [0, 0, 0.315, 0],
-    [-90, 0, 0.035, -90],
-    [0, 0.365, 0, 90],
-    [0, 0, 0, -90],
-    [180, 0.08, 0, 0],
-]
+
+
+def craig_and_standard(variant=0):
+    """The table of 09.7 in degrees and metres, and what it is in the standard convention."""
+    craig = exercises()["09.7"].given(variant)["table"].rows * [180 / np.pi, 1, 1, 180 / np.pi]
+    craig = craig.round(9)
+    return craig, np.column_stack([craig[:, :2], np.vstack([craig[1:, 2:], [0, 0]])])
+
+
 REPAIRED = [
     [0, 0.16977, 0, 0],
     [-90, 0, 0.0642, -90],
@@ -182,7 +183,9 @@ def test_wrong_axes_fail_and_are_named(key):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key, right", [("09.3", REPAIRED), ("09.7", KR6)])
+@pytest.mark.parametrize(
+    "key, right", [("09.3", REPAIRED), ("09.7", craig_and_standard()[1].tolist())]
+)
 def test_tables_pass_in_three_dresses_and_wrong_ones_are_named(key, right):
     exercise = exercises()[key]
     turned = [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in right]
@@ -277,33 +280,41 @@ def test_what_lies_between_two_axes_by_geometry(variant):
     assert all(exercise.judge(answer, variant).status == "wrong" for answer in wrong)
 
 
-def half_moved():
-    """The KR6 in halves of a conversion, written out."""
-    craig = (dh.load("kr6_r700").table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).round(9)
-    kr6 = np.array(KR6)
-    return [
-        ("craig-rows-in-standard-matrix", "still Craig's rows", craig),
-        (
-            "a-alpha-from-previous-row",
-            "move up",
-            np.column_stack([craig[:, :2], np.vstack([[0, 0], craig[:-1, 2:]])]),
-        ),
-        (
-            "conversion-incomplete",
-            "a moved, α did not",
-            np.column_stack([craig[:, :2], kr6[:, 2], craig[:, 3]]),
-        ),
-        ("conversion-incomplete", "α moved, a did not", np.column_stack([craig[:, :3], kr6[:, 3]])),
-        ("conversion-incomplete", "last row", np.vstack([kr6[:-1], craig[-1]])),
-        ("angle-unit", "radians", dh.load("kr6_r700").to("standard").table.rows),
-    ]
+HALVES = [
+    ("craig-rows-in-standard-matrix", "still Craig's rows", lambda craig, right: craig),
+    (
+        "a-alpha-from-previous-row",
+        "move up",
+        lambda craig, right: np.column_stack([craig[:, :2], np.vstack([[0, 0], craig[:-1, 2:]])]),
+    ),
+    (
+        "conversion-incomplete",
+        "a moved, α did not",
+        lambda craig, right: np.column_stack([craig[:, :2], right[:, 2], craig[:, 3]]),
+    ),
+    (
+        "conversion-incomplete",
+        "α moved, a did not",
+        lambda craig, right: np.column_stack([craig[:, :3], right[:, 3]]),
+    ),
+    ("conversion-incomplete", "last row", lambda craig, right: np.vstack([right[:-1], craig[-1]])),
+    ("angle-unit", "radians", lambda craig, right: right * [np.pi / 180, 1, 1, np.pi / 180]),
+]
+
+
+def test_the_table_of_09_7_is_everybodys_own_and_of_the_kr6s_build():
+    tables = [craig_and_standard(variant)[0] for variant in range(50)]
+    assert len({str(rows) for rows in tables}) > 40
+    kr6 = (dh.load("kr6_r700").table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).round(9)
+    for rows in tables:
+        np.testing.assert_array_equal(rows[:, [0, 3]], kr6[:, [0, 3]])
+        np.testing.assert_array_equal(rows[:, 1:3] != 0, kr6[:, 1:3] != 0)
 
 
 @pytest.mark.parametrize("variant", [0, 2])
-@pytest.mark.parametrize(
-    "mistake, words, rows", half_moved(), ids=lambda value: value if isinstance(value, str) else ""
-)
-def test_half_a_conversion_of_the_kr6_is_named(mistake, words, rows, variant):
+@pytest.mark.parametrize("mistake, words, made", HALVES, ids=[words for _, words, _ in HALVES])
+def test_half_a_conversion_is_named(mistake, words, made, variant):
+    rows = made(*craig_and_standard(variant))
     verdict = exercises()["09.7"].judge(rows.tolist(), variant)
     assert (
         verdict.mistake == mistake

@@ -109,7 +109,7 @@ def test_units_are_told_of_numbers(key, answer, words):
 
 
 def test_units_are_told_of_tables_and_placements():
-    rows = np.array([[0, 0.3, 0, 90], [90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]])
+    rows = np.array(E["04.5"].read(**E["04.5"].given(0)))
     for factors, words in (
         ([np.pi / 180, 1, 1, np.pi / 180], "θ and α in radians"),
         ([1, 1000, 1000, 1], "d and a in millimetres"),

@@ -2,7 +2,7 @@
 axes to place frames on, frames to read a table from.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,19 +14,18 @@ from ..verdict import RIGHT, WRONG, Verdict
 
 __all__ = [
     "OF_Z",
-    "READ",
     "ReadTable",
     "draw_colleagues",
+    "draw_read",
     "draw_shoulder",
     "draw_skew",
     "draw_sliding",
     "explain_lines",
     "pose_of",
+    "rows_read",
 ]
 
 Triple = Sequence[float]
-# the frames of 04.5 as a table; the lesson gives them as arrows and points
-READ = [[0, 0.3, 0, 90], [90, 0.1, 0.4, 0], [-90, 0, 0.3, -90]]
 
 
 def pose_of(x: Triple, y: Triple, z: Triple, p: Triple) -> list[list[float]]:
@@ -99,6 +98,33 @@ def draw_colleagues(rng: np.random.Generator) -> dict[str, Any]:
     }
 
 
+def draw_read(rng: np.random.Generator) -> dict[str, Any]:
+    """A shoulder and an elbow with all their frames placed, the last of them on the tool."""
+    h, side, upper, fore = (
+        _tenths(rng, 3, 5),
+        _tenths(rng, 1, 2),
+        _tenths(rng, 3, 5),
+        _tenths(rng, 2, 4),
+    )
+    high = round(h + upper, 6)
+    return {
+        "axes": [([0, 0, 0], [0, 0, 1]), ([0, 0, h], [0, -1, 0]), ([0, -side, high], [0, -1, 0])],
+        "end": pose_of([1, 0, 0], [0, 1, 0], [0, 0, 1], [fore, -side, high]),
+        "frames": [
+            [[0, 0, 1], [0, 0, 0], [1, 0, 0]],
+            [[0, -1, 0], [0, 0, h], [1, 0, 0]],
+            [[0, -1, 0], [0, -side, high], [0, 0, 1]],
+            [[0, 0, 1], [fore, -side, high], [1, 0, 0]],
+        ],
+    }
+
+
+def rows_read(axes: Any, end: Any, frames: Any) -> list[list[float]]:
+    """The rows of these frames, degrees and metres."""
+    h, (fore, y, high) = frames[1][1][2], frames[3][1]
+    return [[0, h, 0, 90], [90, -y, round(high - h, 6), 0], [-90, 0, fore, -90]]
+
+
 def draw_sliding(rng: np.random.Generator) -> dict[str, Any]:
     """Shoulder, a joint that slides, a roll on the same line, and the tool: the first joints of the
     Stanford arm.
@@ -159,20 +185,21 @@ class ReadTable(Table):
     """A table to be read off frames that are drawn; says which single numbers were misread, and
     when a right table is that of other frames.
 
-    ``read`` holds the rows of the frames that are drawn, degrees and metres.
+    ``read(**given)`` gives the rows of the frames that are drawn, degrees and metres.
     """
 
-    read: Sequence[Sequence[float]] = ()
+    read: Callable[..., Sequence[Sequence[float]]]
 
     def compare(self, answer: object, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
         if verdict.mistake in ("angle-unit", "length-unit"):
             return verdict
-        rows = _numbers(answer, np.shape(self.read))
+        right = np.array(self.read(**self.given(variant)), dtype=float)
+        rows = _numbers(answer, right.shape)
         if rows is None or verdict.status not in (RIGHT, WRONG):
             return verdict
-        off = np.abs(rows - self.read) > 1e-6
-        off[:, [0, 3]] = np.abs((rows - self.read + 180) % 360 - 180)[:, [0, 3]] > 1e-3
+        off = np.abs(rows - right) > 1e-6
+        off[:, [0, 3]] = np.abs((rows - right + 180) % 360 - 180)[:, [0, 3]] > 1e-3
         named = [f"{NAMES[k]}{i + 1}" for i, k in np.argwhere(off)]
         if verdict.status == RIGHT:
             return (
@@ -188,7 +215,7 @@ class ReadTable(Table):
         if (
             len(columns) == 1
         ):  # more columns than one: a slip of another kind, of which the doctor knows more
-            return self._misread(rows, off, int(columns[0]), named)
+            return self._misread(rows[off], right[off], off, int(columns[0]), named)
         if verdict.mistake is None:
             i, k = np.argwhere(off)[0]
             return self.wrong(
@@ -197,8 +224,7 @@ class ReadTable(Table):
             )
         return verdict
 
-    def _misread(self, rows, off, k, named):
-        given, right = rows[off], np.array(self.read, dtype=float)[off]
+    def _misread(self, given, right, off, k, named):
         one, i = len(named) == 1, int(np.argwhere(off)[0][0])
         sign = bool(np.allclose(given, -right))
         slip = (

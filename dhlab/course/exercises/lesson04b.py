@@ -6,7 +6,7 @@ from ...arm import Arm
 from ...table import DHTable
 from ..kinds import Choice, Option, Order, Prediction
 from ..kinds.placed import Frames
-from .answers04 import READ, ReadTable
+from .answers04 import ReadTable, draw_read, rows_read
 from .answers04b import (
     PAIRS,
     draw_half_arm,
@@ -80,8 +80,9 @@ EXERCISES = [
         id="04.5",
         title="Read the table off the frames",
         points=2,
-        answer=lambda: Arm(DHTable.standard(READ, angle="deg")),
-        read=READ,
+        draw=draw_read,
+        answer=lambda **given: Arm(DHTable.standard(rows_read(**given), angle="deg")),
+        read=rows_read,
         praise="θ and d about and along the old z, a and α along and about the new x.",
         hints=(
             (

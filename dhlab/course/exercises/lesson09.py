@@ -13,6 +13,7 @@ from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
     between,
+    draw_craig,
     draw_flange,
     draw_rows,
     explain_work,
@@ -182,7 +183,8 @@ EXERCISES = [
         title="Two tables of one arm",
         mirrors="00.4",
         points=2,
-        answer=lambda: load("kr6_r700").to("standard"),
+        draw=draw_craig,
+        answer=lambda table: Arm(table).to("standard"),
         mistakes=half_moved,
         convention="standard",
         praise="θ and d stay, a and α move up one row.",

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arm import Arm
 from ...doctor.programs.wrong.links import standard
 from ...robots import load
 from ...table import DHTable
@@ -13,6 +14,7 @@ from ..kinds import Known, Mistakes, Said
 
 __all__ = [
     "between",
+    "draw_craig",
     "draw_flange",
     "draw_rows",
     "explain_work",
@@ -23,9 +25,26 @@ __all__ = [
 ]
 
 
-def half_moved() -> Mistakes:
-    """What half a conversion of the KR6 looks like, put into the standard matrix."""
-    given, right = load("kr6_r700"), load("kr6_r700").to("standard")
+def draw_craig(rng: np.random.Generator) -> dict[str, DHTable]:
+    """A table of the KR6's build in Craig's convention; the lengths in whole centimetres."""
+    base, shoulder, upper, elbow, fore, hand = (
+        int(rng.integers(low, high)) / 100
+        for low, high in ((30, 50), (2, 8), (25, 45), (9, 15), (46, 60), (16, 24))
+    )
+    rows = [
+        [0, base, 0, 0],
+        [0, 0, shoulder, -90],
+        [-90, 0, upper, 0],
+        [0, fore, elbow, -90],
+        [0, 0, 0, 90],
+        [180, hand, 0, -90],
+    ]
+    return {"table": DHTable.craig(rows, angle="deg")}
+
+
+def half_moved(table: DHTable) -> Mistakes:
+    """What half a conversion of a table looks like, put into the standard matrix."""
+    given, right = Arm(table), Arm(table).to("standard")
     rows, moved, still = (
         given.table.rows,
         right.table.rows,

@@ -663,7 +663,10 @@ def _misread(judge):
     """Exactly the named entries differ from those of the drawn frames, and as is said."""
 
     def holds(answer, g, f):
-        rows, right = np.array(answer, dtype=float), np.array(g["exercise"].read, dtype=float)
+        rows, right = (
+            np.array(answer, dtype=float),
+            np.array(g["exercise"].read(**g["exercise"].given(g["variant"])), dtype=float),
+        )
         off = np.abs(rows - right)
         off[:, [0, 3]] = np.abs((rows - right + 180) % 360 - 180)[:, [0, 3]]
         named = _named(f)
@@ -832,8 +835,7 @@ SHEET = [
 
 def _kr6(made):
     def rows(g, f):
-        arm = dh.load("kr6_r700")
-        given = degrees_of(arm)
+        given = degrees_of(dh.Arm(g["table"]))
         right = np.column_stack([given[:, :2], _pairs(given, -1)])
         return made(given, right)
 
