@@ -31,7 +31,7 @@ def draw_craig(rng: np.random.Generator) -> dict[str, DHTable]:
         int(rng.integers(low, high)) / 100
         for low, high in ((30, 50), (2, 8), (25, 45), (9, 15), (46, 60), (16, 24))
     )
-    rows = [
+    rows: list[list[float]] = [
         [0, base, 0, 0],
         [0, 0, shoulder, -90],
         [-90, 0, upper, 0],
