@@ -63,7 +63,8 @@ def compared(here, there):
     before = residual(here.array, here.right)
     if _remembered(here.given, here.cases, here.off):
         headline = (
-            "One mistake explains what this program does: it gives an earlier call's answer again."
+            "One mistake is seen at once: the program gives an earlier call's answer again. Whether"
+            " it is the only one shows when it is mended."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
     findings = explained(here)

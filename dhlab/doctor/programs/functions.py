@@ -255,6 +255,7 @@ def _stopped(fault):
         )
     return Diagnosis(
         EXPLAINED,
-        f"One mistake explains what this program does: {fault.headline}.",
+        f"One mistake is seen at once: {fault.headline}. Whether it is the only one shows when it"
+        " is mended.",
         (find(fault.mistake, fault.place),),
     )

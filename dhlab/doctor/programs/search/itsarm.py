@@ -2,6 +2,7 @@
 and in what that arm's table differs.
 """
 
+import contextlib
 from dataclasses import replace
 
 import numpy as np
@@ -9,11 +10,11 @@ from scipy.spatial.transform import Rotation
 
 from ....transform import inverse, pose_fault
 from ...arms.given import measured
-from ...arms.search.budget import budget_of
 from ...arms.search.fitting import misfit
 from ...arms.search.pairs import pairs
 from ...arms.search.singles import singles
 from ...arms.words.ranking import named, ranked
+from ..running.deadline import OutOfTime, limited
 
 __all__ = ["STEP", "as_its_arm", "is_a_chain"]
 
@@ -102,10 +103,16 @@ def as_its_arm(answers, arm, q, seconds, mistakes=1):
         return ()
     data = measured(arm, q[:FEW], answers[:FEW], NOISE, "fixed", "fixed")
     whole = measured(arm, q, answers, NOISE, "fixed", "fixed")
-    clock = budget_of(seconds, "diagnose_function")
     search = singles if mistakes == 1 else pairs
-    tried = clock.within(search(arm, data), "the program's arm", share=1)
-    fitting = [e for e in tried if _fits(e, data, whole)]
+    fitting = []
+
+    def look():
+        for explanation in search(arm, data):
+            if _fits(explanation, data, whole):
+                fitting.append(explanation)
+
+    with contextlib.suppress(OutOfTime):  # long stretches of the search bring nothing
+        limited(seconds, look)
     if not fitting:
         return ()
     best = min(ranked(arm, fitting, data), key=lambda e: _moves_an_end(e, arm))
