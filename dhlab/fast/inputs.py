@@ -22,7 +22,8 @@ def as_numbers(q: Any, n: int, name: str) -> NDArray:
             " numbers only"
         )
     if array.dtype.itemsize > 8:  # long doubles: everything here computes in doubles
-        array = array.astype(float)
+        with np.errstate(over="ignore"):  # infinite then, which is said
+            array = array.astype(float)
     if array.shape[-1:] != (n,):
         found = f"{array.shape[-1]} values" if array.ndim else "a single number"
         raise ValueError(

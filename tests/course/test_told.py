@@ -224,7 +224,7 @@ def test_the_table_of_the_other_convention_is_not_the_one_that_is_asked():
     for key, other in (("03.7", "standard"), ("03.8", "craig")):
         assert E[key].judge(E[key].right_arm().to(other)).status == "wrong"
         assert E[key].judge(E[key].right_arm()).status == "right"
-    arm = dh.load("kr6_r700")
+    arm = E["09.7"].right_arm().to("craig")
     for answer in (arm, arm.table):
         verdict = E["09.7"].judge(answer)
         assert verdict.status == "wrong" and "Craig's rows of the right arm" in verdict.headline

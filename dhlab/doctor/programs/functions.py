@@ -162,7 +162,7 @@ def _as_arm(diagnosis, here, f, mistakes):
 def _of_its_arm(here, f, mistakes):
     """What explains the answers as those of another arm, where the program knows its rows."""
     task = here.task
-    if "rows" in task.names or pose_fault(here.array) is not None:
+    if not task.is_chain or "rows" in task.names or pose_fault(here.array) is not None:
         return ()
     from .search.itsarm import STEP, as_its_arm, is_a_chain  # with scipy, which nothing else needs
 
