@@ -129,10 +129,11 @@ def pytest_collection_modifyitems(items):
 
 
 def _group(item):
-    """The tests that must run in one process: the cells of a notebook, the examples of a module,
-    and the users of a fixture that lives longer than a test.
+    """The tests that run in one process: the cells of a notebook, the examples of a module, the
+    users of a fixture that lives longer than a test, and the quick tests of one file, which share
+    what is worked out once (arms that are loaded, letters that are drawn).
     """
-    if not isinstance(item, pytest.Function):
+    if not (isinstance(item, pytest.Function) and any(map(item.get_closest_marker, COSTLY))):
         return str(item.path)
     fixtures = item._fixtureinfo.name2fixturedefs
     shared = [name for name in SHARED if name in fixtures]

@@ -179,7 +179,7 @@ BAD_YAML = {
     "a list": ("- 1\n- 2\n", ["found a list"]),
     "empty": ("", ["found nothing"]),
     "a word": ("hello", ["found the text 'hello'"]),
-    "deep": ("[" * 20000, ["nested"]),
+    "deep": ("[\n" * 20000, ["nested"]),  # on one line ruamel looks for a key 1,024 tokens ahead
 }
 
 
