@@ -24,8 +24,8 @@ import numpy as np
 from playwright.sync_api import sync_playwright
 
 import dhlab as dh
+from dhlab.course.celltext import written
 from dhlab.course.exercises import exercises
-from dhlab.course.handing import written
 from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.release import key_of, release
 from dhlab.grading.handing_out.variants import variants

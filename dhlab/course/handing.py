@@ -18,18 +18,18 @@ from typing import Any
 
 import numpy as np
 
+from .celltext import calls, set_to, tree_of, written
 from .kinds import Exercise, Lettered, Order
 from .kinds.lettered import I_DONT_KNOW, UNDECIDED
 from .kinds.placed import Frames
 from .verdict import NOT_ATTEMPTED, Verdict
 
-__all__ = ["as_rows", "offer", "watch", "written"]
+__all__ = ["as_rows", "offer", "watch"]
 
 NOT_WRITTEN = (
     "is not in the notebook yet. Run the cell with {name} = again, and it is written there."
 )
 LESSON = re.compile(r"(\d\d[a-z]?)-(\d+)")  # the id of a cell in a lesson
-DIGITS = 6  # of a length in metres or a direction; hands are told to be nearer than 2 mm and 0.6°
 _texts: dict[str, str] = {}  # what was run, by the cell's id, the latest last
 _here: list[str | None] = [None]  # the cell that runs
 _offers: dict[str, "Offer"] = {}  # by the exercise's id
@@ -131,99 +131,21 @@ def offer(exercise: Exercise, answer: Any, verdict: Verdict, variant: int) -> Ve
     )
 
 
-def written(text: str, name: str, chosen: Any) -> str | None:
-    """The text of a cell with a choice in place of the dots that ``name`` is set to; None where no
-    dots stand there.
-
-    Examples
-    --------
-    >>> written("# replace the dots\\nwhy = ...", "why", "c")
-    '# replace the dots\\nwhy = "c"'
-    >>> written('why = "a"', "why", "c") is None
-    True
-    >>> written("rows = [*first, [..., [0, 1], ...]]", "rows", [[1, 2, 3], [[1, 0], 5, ...]])
-    'rows = [*first, [[1, 0], [0, 1], ...]]'
-    """
-    try:
-        value = _set_to(ast.parse(text), name)
-    except SyntaxError:
-        return None
-    edits = [] if value is None else list(_edits(value, chosen))
-    if not edits:
-        return None
-    data = text.encode()
-    starts = [0]
-    for line in data.splitlines(keepends=True):
-        starts.append(starts[-1] + len(line))
-    for node, new in sorted(edits, key=lambda edit: (-edit[0].lineno, -edit[0].col_offset)):
-        begin = starts[node.lineno - 1] + node.col_offset
-        end = starts[node.end_lineno - 1] + node.end_col_offset
-        data = data[:begin] + new.encode() + data[end:]
-    return data.decode()
-
-
-def _edits(node, chosen):
-    """(node, new text) for all dots of a node that a choice has something for."""
-    if chosen is Ellipsis:
-        return
-    dots = isinstance(node, ast.Constant) and node.value is Ellipsis
-    entries = node.elts if isinstance(node, ast.List) else []
-    if dots or (entries and isinstance(chosen, str) and all(map(_is_dots, entries))):
-        yield node, _literal(chosen)
-    elif entries and isinstance(chosen, list):
-        own = [entry for entry in entries if not isinstance(entry, ast.Starred)]
-        for entry, part in zip(reversed(own), reversed(chosen)):  # what is starred stands in front
-            yield from _edits(entry, part)
-
-
-def _is_dots(node):
-    return isinstance(node, ast.Constant) and node.value is Ellipsis
-
-
-def _literal(value):
-    if value is Ellipsis:
-        return "..."
-    if isinstance(value, str):
-        return f'"{value}"'
-    if isinstance(value, list):
-        return f"[{', '.join(map(_literal, value))}]"
-    return f"{round(float(value), DIGITS) + 0.0:.{DIGITS}g}"
-
-
-def _set_to(tree, name):
-    """The value that a name is set to at the top of a cell, where that happens once."""
-    found = [
-        statement.value
-        for statement in tree.body
-        if isinstance(statement, ast.Assign)
-        and [getattr(target, "id", "") for target in statement.targets] == [name]
-    ]
-    return found[0] if len(found) == 1 else None
-
-
-def _calls(tree, function):
-    return [
-        node
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == function
-    ]
-
-
 def _answers_cell(exercise_id):
     """(id, name) of the cell in which an exercise is answered: above the cell that runs, the
     nearest one that set the name which is checked there; None where that is not plain.
     """
     here = _here[0]
-    tree = _tree("" if here is None else _texts[here])
-    for call in [*_calls(tree, "check"), *_calls(tree, "predict")]:
+    tree = tree_of("" if here is None else _texts[here])
+    for call in [*calls(tree, "check"), *calls(tree, "predict")]:
         name = getattr(call.args[1], "id", None) if len(call.args) == 2 else None
         if name and getattr(call.args[0], "value", None) == exercise_id:
             found = [
-                cell for cell in _above(here) if _set_to(_tree(_texts[cell]), name) is not None
+                cell for cell in _above(here) if set_to(tree_of(_texts[cell]), name) is not None
             ]
             return (
                 (found[-1], name)
-                if found and not _calls(_tree(_texts[found[-1]]), "check")
+                if found and not calls(tree_of(_texts[found[-1]]), "check")
                 else None
             )
     return None
@@ -242,13 +164,6 @@ def _above(here):
         for found in sorted(numbered, key=lambda found: int(found[2]))
         if int(found[2]) <= int(at[2])
     ]
-
-
-def _tree(text):
-    try:
-        return ast.parse(text)
-    except SyntaxError:
-        return ast.Module([], [])
 
 
 def _view(exercise, answer, variant):

@@ -2,8 +2,8 @@ from .arms.motion import diagnose_motion as diagnose_motion
 from .arms.poses import diagnose as diagnose
 from .arms.protocol import Protocol as Protocol
 from .arms.protocol import protocol as protocol
-from .axes.diagnose import AxisDiagnosis as AxisDiagnosis
 from .axes.diagnose import diagnose_axes as diagnose_axes
+from .axes.verdicts import AxisDiagnosis as AxisDiagnosis
 from .catalogue import Mistake as Mistake
 from .catalogue import catalogue as catalogue
 from .diagnosis import Diagnosis as Diagnosis

@@ -6,7 +6,7 @@ from jupyter_client.manager import start_new_kernel
 
 import dhlab as dh
 from dhlab.course import check, given
-from dhlab.course.handing import written
+from dhlab.course.celltext import written
 from dhlab.placing import Placement
 
 
