@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["Log", "Progress", "course_folder", "MARKER"]
 
 MARKER = ".dhlab"
+HEAD = ["No.", "exercise", "status", "points"]
 RANK = {NOT_ATTEMPTED: 0, WRONG: 1, RECORDED: 2, RIGHT: 2}
 
 
@@ -113,7 +114,9 @@ def _read(path):
 
 
 class Progress:
-    """Every exercise and how it stands; shown as a table, with the way to the sitting after it."""
+    """Every exercise and how it stands; shown as a table, those of *More practice* below the others
+    and summed apart, with the way to the sitting after it.
+    """
 
     def __init__(
         self,
@@ -128,54 +131,30 @@ class Progress:
                 "status": best.get(key, (NOT_ATTEMPTED, 0))[0],
                 "points": best.get(key, (NOT_ATTEMPTED, 0))[1],
                 "of": exercise.points,
+                "practice": exercise.practice,
             }
             for key, exercise in exercises.items()
         }
 
     def to_dict(self) -> dict[str, dict[str, Any]]:
-        """{id: {title, status, points, of}}."""
+        """{id: {title, status, points, of, practice}}."""
         return self._rows
 
-    def _cells(self):
-        for key, row in self._rows.items():
-            mark, word = MARKS[row["status"]]
-            yield [
-                key,
-                row["title"],
-                f"{mark} {word.lower()}",
-                f"{row['points']:g} of {row['of']:g}",
-            ]
-
-    def _sum(self):
-        return (
-            f"{sum(r['points'] for r in self._rows.values()):g} of"
-            f" {sum(r['of'] for r in self._rows.values()):g} points"
-        )
+    def _parts(self):
+        """(caption, its rows): the exercises that finish a lesson, and *More practice* if any."""
+        for practice in (False, True):
+            rows = {key: row for key, row in self._rows.items() if row["practice"] == practice}
+            earned, of = (sum(row[name] for row in rows.values()) for name in ("points", "of"))
+            if rows or not practice:
+                yield f"{'More practice: ' * practice}{earned:g} of {of:g} points", _cells(rows)
 
     def __str__(self) -> str:
-        return (
-            grid_text(["No.", "exercise", "status", "points"], list(self._cells()))
-            + "\n "
-            + self._sum()
-        )
+        return "\n".join(f"{grid_text(HEAD, rows)}\n {said}" for said, rows in self._parts())
 
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join(
-            "<tr>"
-            + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells)
-            + "</tr>"
-            for cells in self._cells()
-        )
-        head = "".join(
-            f'<th scope="col" style="text-align:left">{name}</th>'
-            for name in ("No.", "exercise", "status", "points")
-        )
-        return (
-            f"<table><caption>{self._sum()}</caption><thead><tr>{head}</tr></thead>"
-            f"<tbody>{rows}</tbody></table>{self._link()}"
-        )
+        return "".join(_table(said, rows) for said, rows in self._parts()) + self._link()
 
     def _link(self):
         """The way to the next sitting."""
@@ -184,3 +163,31 @@ class Progress:
             return ""
         title = SITTINGS[name][1]
         return f'<p><a href="{file_of(name)}">Next: {name} {escape(title)} →</a></p>'
+
+
+def _cells(rows):
+    """The rows as they are shown."""
+    return [
+        [
+            key,
+            row["title"],
+            "{} {}".format(*MARKS[row["status"]]).lower(),
+            f"{row['points']:g} of {row['of']:g}",
+        ]
+        for key, row in rows.items()
+    ]
+
+
+def _table(said, rows):
+    """An HTML table with a caption."""
+    head = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in HEAD)
+    body = "".join(
+        "<tr>"
+        + "".join(f'<td style="text-align:left">{escape(cell)}</td>' for cell in cells)
+        + "</tr>"
+        for cells in rows
+    )
+    return (
+        f"<table><caption>{said}</caption><thead><tr>{head}</tr></thead>"
+        f"<tbody>{body}</tbody></table>"
+    )

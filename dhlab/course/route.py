@@ -2,12 +2,14 @@
 and where the pre-test says to begin.
 """
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from html import escape
+from typing import NamedTuple
 
 from .verdict import RECORDED, RIGHT
 
-__all__ = ["SITTINGS", "Map", "begin_at", "counted", "file_of", "stopped_in"]
+__all__ = ["SITTINGS", "Done", "Map", "begin_at", "counted", "file_of", "stopped_in"]
 
 SITTINGS = {
     "00": ("start-here", "Start here"),
@@ -27,6 +29,36 @@ ASKED_BY = {"00.2": "01", "00.3": "02", "00.4": "03", "00.5": "05", "00.6": "07"
 FIRST = ("01", "02", "03")  # what 04 builds on
 DONE = (RIGHT, RECORDED)
 CHIP = "display:inline-block;padding:.1em .5em;border:1px solid #8c959f80;border-radius:1em"
+
+
+class Done(NamedTuple):
+    """How much of a sitting is done. Its section *More practice* is counted apart: a sitting is
+    finished without it.
+
+    Examples
+    --------
+    >>> str(Done(6, 6, 1, 2)), str(Done(2, 6, 0, 2)), Done(6, 6, 1, 2).words
+    ('✓ +1', '2/6', '6 of 6 exercises done, and 1 of 2 of More practice')
+    """
+
+    done: int
+    of: int
+    practised: int = 0
+    of_practice: int = 0
+
+    @property
+    def finished(self) -> bool:
+        return self.done == self.of
+
+    @property
+    def words(self) -> str:
+        """All of it, in words."""
+        more = f", and {self.practised} of {self.of_practice} of More practice"
+        return f"{self.done} of {self.of} exercises done{more * bool(self.of_practice)}"
+
+    def __str__(self) -> str:
+        more = f" +{self.practised}" if self.practised else ""
+        return ("✓" if self.finished else f"{self.done}/{self.of}") + more
 
 
 def file_of(sitting: str) -> str:
@@ -61,7 +93,7 @@ def begin_at(known: Mapping[str, bool]) -> tuple[str, list[str]]:
     return first, [lesson for lesson in open_ if lesson > first]
 
 
-def stopped_in(entries: Sequence[Mapping[str, object]], done: Mapping[str, tuple[int, int]]) -> str:
+def stopped_in(entries: Sequence[Mapping[str, object]], done: Mapping[str, Done]) -> str:
     """The sitting of the last check, or the next one where that is finished; "00" at first.
 
     Parameters
@@ -69,15 +101,14 @@ def stopped_in(entries: Sequence[Mapping[str, object]], done: Mapping[str, tuple
     entries : list of dict
         The log, oldest first; an "exercise" each.
     done : dict
-        Of each sitting how many exercises are done, of how many.
+        Of each sitting how much of it is done.
     """
     from .exercises import sittings
 
     last = entries[-1]["exercise"] if entries else None
     sitting = next((name for name, keys in sittings().items() if last in keys), "00")
     names = list(SITTINGS)
-    finished = done[sitting][0] == done[sitting][1]
-    return names[min(names.index(sitting) + finished, len(names) - 1)]
+    return names[min(names.index(sitting) + done[sitting].finished, len(names) - 1)]
 
 
 class Map:
@@ -86,26 +117,23 @@ class Map:
     Parameters
     ----------
     done : dict
-        Of each sitting how many exercises are done, of how many.
+        Of each sitting how much of it is done.
     here : str
         The sitting that is open, or "".
     words : str
         What is said below it.
     """
 
-    def __init__(
-        self, done: Mapping[str, tuple[int, int]], here: str = "", words: str = ""
-    ) -> None:
+    def __init__(self, done: Mapping[str, Done], here: str = "", words: str = "") -> None:
         self._done, self._here, self._words = dict(done), here, words
 
-    def to_dict(self) -> dict[str, tuple[int, int]]:
-        """{sitting: (done, of)}."""
+    def to_dict(self) -> dict[str, Done]:
+        """{sitting: (done, of, practised, of_practice)}."""
         return self._done
 
     def __str__(self) -> str:
         row = "  ".join(
-            f"{'>' if name == self._here else ''}{name} {_amount(*self._done[name])}"
-            for name in self._done
+            f"{'>' if name == self._here else ''}{name} {done}" for name, done in self._done.items()
         )
         return row + (f"\n{self._words}" if self._words else "")
 
@@ -120,23 +148,19 @@ class Map:
         )
 
     def _item(self, name):
-        done, of = self._done[name]
+        done = self._done[name]
         here = name == self._here
         title = f"{name} {SITTINGS[name][1]}"
-        text = f"{name} {_amount(done, of)}"
-        part = f"background:linear-gradient(90deg,#1a7f3740 {100 * done // of}%,transparent 0)"
+        text, share = f"{name} {done}", 100 * done.done // done.of
+        part = f"background:linear-gradient(90deg,#1a7f3740 {share}%,transparent 0)"
         strong = ";border-color:currentColor;font-weight:700" if here else ""
         inner = (
             f'<span aria-current="page">{text}</span>'
             if here
             else f'<a href="{file_of(name)}">{text}</a>'
         )
-        label = escape(f"{title}: {done} of {of} exercises done")
+        label = escape(f"{title}: {done.words}")
         return f'<li title="{label}" style="{CHIP};{part}{strong}">{inner}</li>'
-
-
-def _amount(done, of):
-    return "✓" if done == of else f"{done}/{of}"
 
 
 def _linked(words):
@@ -147,12 +171,12 @@ def _linked(words):
     return text
 
 
-def counted(best: Mapping[str, tuple[str, float]]) -> dict[str, tuple[int, int]]:
-    """Of each sitting how many of its exercises are done, of how many; guesses do not count.
+def counted(best: Mapping[str, tuple[str, float]]) -> dict[str, Done]:
+    """Of each sitting how much of it is done; guesses do not count.
 
     Examples
     --------
-    >>> counted({"05.3": ("right", 1)})["05"][0]
+    >>> counted({"05.3": ("right", 1)})["05"].done
     1
     """
     from .exercises import exercises, sittings
@@ -160,6 +184,8 @@ def counted(best: Mapping[str, tuple[str, float]]) -> dict[str, tuple[int, int]]
 
     found = {}
     for name, keys in sittings().items():
-        asked = [key for key in keys if not isinstance(exercises()[key], Prediction)]
-        found[name] = sum(best.get(key, ("", 0))[0] in DONE for key in asked), len(asked)
+        asked = [exercises()[key] for key in keys if not isinstance(exercises()[key], Prediction)]
+        of = Counter(e.practice for e in asked)
+        done = Counter(e.practice for e in asked if best.get(e.id, ("", 0))[0] in DONE)
+        found[name] = Done(done[False], of[False], done[True], of[True])
     return found

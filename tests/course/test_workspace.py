@@ -3,15 +3,17 @@ what was checked.
 """
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from dhlab.course import exercises as exercises_room
 from dhlab.course import session, workspace
 from dhlab.course.exercises import exercises, sittings
 from dhlab.course.kinds import PreTest
-from dhlab.course.progress import Log
-from dhlab.course.route import ASKED_BY, SITTINGS, counted, file_of
+from dhlab.course.progress import Log, Progress
+from dhlab.course.route import ASKED_BY, SITTINGS, Map, counted, file_of, stopped_in
 from dhlab.course.verdict import RECORDED, RIGHT, WRONG, Verdict
 
 ROOT = Path(__file__).parents[2]
@@ -165,13 +167,34 @@ def test_the_lab_opens_where_one_stopped(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert "--LabApp.default_url=/lab/tree/00-start-here.ipynb" in workspace.lab_command(tmp_path)
     log = Log()
-    for verdict in checked("04.1", "04.3"):
+    core = [key for key in sittings()["04"] if ".P" not in key and not exercises()[key].practice]
+    for verdict in checked("04.1", core[-1]):
         log.add(verdict)
     assert workspace.where_one_stopped(tmp_path) == "04-placing-frames.ipynb"
-    assert counted(Log(tmp_path).best())["04"] == (2, 6)
-    for verdict in checked("04.1", "04.2", "04.4", "04.7", "04.10"):
+    assert counted(Log(tmp_path).best())["04"][:2] == (2, len(core))
+    for verdict in checked(*core):
         log.add(verdict)
     assert workspace.where_one_stopped(tmp_path) == "04b-a-whole-arm.ipynb"
     assert "04 ✓" in str(session.course_map("04b"))
     (tmp_path / "04b-a-whole-arm.ipynb").unlink()
     assert not any("default_url" in part for part in workspace.lab_command(tmp_path))
+
+
+def test_a_lesson_is_finished_without_its_practice(tmp_path, monkeypatch):
+    """02 with two exercises in *More practice*, whichever these are."""
+    asked = {key: exercise for key, exercise in exercises().items() if key.startswith("02.")}
+    changed = {key: replace(asked[key], practice=key in ("02.7", "02.8")) for key in asked}
+    monkeypatch.setattr(exercises_room, "exercises", lambda: {**exercises(), **changed})
+    core = [key for key in changed if ".P" not in key and key not in ("02.7", "02.8")]
+    done = counted(dict.fromkeys(core, (RIGHT, 1)))["02"]
+    assert done == (6, 6, 0, 2) and done.finished and str(done) == "✓"
+    more = counted(dict.fromkeys((*core[1:], "02.8"), (RIGHT, 1)))["02"]
+    assert more == (5, 6, 1, 2) and not more.finished and str(more) == "5/6 +1"
+    assert stopped_in([{"exercise": core[-1]}], {"02": done}) == "03"
+    assert stopped_in([{"exercise": "02.8"}], {"02": more}) == "02"
+    label = "5 of 6 exercises done, and 1 of 2 of More practice"
+    assert label in Map({"02": more})._repr_html_()
+    said = str(Progress(changed, {core[0]: (RIGHT, 1), "02.8": (RIGHT, 2)}))
+    above, below = said.split("\n 1 of 9 points\n")
+    assert "02.8" not in above and "02.6" not in below
+    assert below.endswith("\n More practice: 2 of 4 points")

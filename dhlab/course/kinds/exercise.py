@@ -50,7 +50,8 @@ class Exercise:
     where a Said stands in the place of its place. ``mirrors`` is the id of the pre-test question
     that a question of the post-test asks again. ``sparing``: what is to be found is the exercise,
     so :func:`dhlab.course.check` tells the kind of mistake first, the place at the second wrong
-    answer and everything at the third. ``undecided`` is said of "?".
+    answer and everything at the third. ``undecided`` is said of "?". ``practice``: it stands in its
+    lesson's section *More practice*, which a lesson is done without.
     """
 
     id: str
@@ -61,6 +62,7 @@ class Exercise:
     words: Mapping = field(default_factory=dict)
     mirrors: str = ""
     sparing: bool = False
+    practice: bool = False
     undecided: str = "Good to say so. Read the paragraph above once more, then try."
     entry: ClassVar[str] = "number"  # what an entry of the answer is called
 
