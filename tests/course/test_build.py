@@ -177,6 +177,17 @@ def test_a_marker_is_named_with_its_line(tmp_path):
             '#   "a" none of them\nrule = ...',
             "expected the options of 05.2 in its exercise alone, from where the lesson takes them",
         ),
+        (
+            "## A joint that slides",
+            "## More practice\n\n## A joint that slides",
+            "expected 05.9 elsewhere, found it below ## More practice; move its cell, or write"
+            " practice=True in the exercise",
+        ),
+        (
+            "## Where next",
+            "## More practice",
+            "expected ## More practice at the beginning of a cell; write +++ in the line above it",
+        ),
     ],
 )
 def test_a_source_that_is_no_lesson_is_refused(old, new, words, tmp_path):

@@ -31,6 +31,7 @@ WAIVED = {
 }  # (lesson, line): why the line makes no sense there
 CONTRACT = {
     "time": rules.time,
+    "practice": rules.practice,
     "opening": rules.opening,
     "prose": rules.prose,
     "new terms": rules.terms,

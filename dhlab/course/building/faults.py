@@ -11,7 +11,8 @@ from ..exercises import exercises, sittings
 from ..kinds import Prediction
 from .cellfaults import cell_faults
 from .exercisefaults import exercise_faults
-from .reading import lines_of, read_source, sitting_of
+from .questions import asked_in
+from .reading import PRACTICE, in_practice, lines_of, read_source, sitting_of
 
 __all__ = ["refuse", "refuse_sources"]
 
@@ -44,6 +45,7 @@ def _faults(path):
         yield from (
             f"{name}, line {lines[cell.id] + at}: {words}" for at, words in cell_faults(cell)
         )
+        yield from (f"{name}, line {lines[cell.id]}: {words}" for words in _misplaced(cell))
     yield from (f"{name}: {words}" for words in _missing(notebook, number))
     for exercise in _of(number):
         yield from (
@@ -87,6 +89,23 @@ def _broken_exercises():
             f" imported, found {type(error).__name__}: {error}; correct it"
         ]
     return []
+
+
+def _misplaced(cell):
+    """An exercise on the wrong side of *More practice*, or that section within another cell."""
+    if cell.cell_type == "markdown":
+        if f"\n{PRACTICE}" in cell.source:
+            yield f"expected {PRACTICE} at the beginning of a cell; write +++ in the line above it"
+        return
+    checked = CHECKED.match(cell.source)
+    exercise = exercises().get(checked[1] if checked else asked_in(cell) or "")
+    if exercise is not None and exercise.practice != in_practice(cell):
+        where, mend = (
+            (f"below {PRACTICE}, found it elsewhere", "take practice=True from")
+            if exercise.practice
+            else (f"elsewhere, found it below {PRACTICE}", "write practice=True in")
+        )
+        yield f"expected {exercise.id} {where}; move its cell, or {mend} the exercise"
 
 
 def _missing(notebook, number):

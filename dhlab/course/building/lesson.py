@@ -2,6 +2,7 @@
 
 import ast
 import re
+from copy import copy
 from pathlib import Path
 
 from nbformat import NotebookNode
@@ -10,12 +11,13 @@ from ..exercises import exercises, sittings
 from ..kinds import Prediction
 from .cellfaults import plain_python
 from .questions import question_of
-from .reading import read_source, sitting_of
+from .reading import in_practice, read_source, sitting_of
 
 __all__ = ["Lesson", "library_calls", "words"]
 
-WORDS_A_MINUTE = 150  # slow, careful reading; prose for pleasure goes at about 240
-CODE_MINUTES = 0.4  # to read and run a cell that is no exercise
+WORDS_A_MINUTE = 110  # technical prose by who reads it in a second language
+CODE_MINUTES = 0.5  # to read and run a cell that is no exercise
+CHECK_MINUTES = 0.2  # to run a check; to mend the answer belongs to the exercise
 
 
 class Lesson:
@@ -35,10 +37,33 @@ class Lesson:
             for key in sittings().get(self.number, ())
             if not isinstance(exercises()[key], Prediction)
         }
-        self.markdown = [cell for cell in self.cells if cell.cell_type == "markdown"]
-        self.code = [cell for cell in self.cells if cell.cell_type == "code"]
-        self.prose = "\n".join(cell.source for cell in self.markdown)
-        self.calls = [
+
+    @property
+    def core(self) -> "Lesson":
+        """The lesson without its section *More practice*: what its stated minutes are for."""
+        core = copy(self)
+        core.cells = [cell for cell in self.cells if not in_practice(cell)]
+        return core
+
+    @property
+    def markdown(self) -> list[NotebookNode]:
+        """The cells of text."""
+        return [cell for cell in self.cells if cell.cell_type == "markdown"]
+
+    @property
+    def code(self) -> list[NotebookNode]:
+        """The cells of code."""
+        return [cell for cell in self.cells if cell.cell_type == "code"]
+
+    @property
+    def prose(self) -> str:
+        """All text but the questions."""
+        return "\n".join(cell.source for cell in self.markdown)
+
+    @property
+    def calls(self) -> list[tuple[str, str]]:
+        """Every ``check``, ``predict`` and ``reveal`` with its id, in order."""
+        return [
             call
             for cell in self.code
             for call in re.findall(r'\b(check|predict|reveal)\("([^"]+)"', cell.source)
@@ -56,13 +81,12 @@ class Lesson:
         """How long a cell takes a learner."""
         if cell.cell_type == "markdown":
             return words(cell.source) / WORDS_A_MINUTE
-        return cell.metadata.get(
-            "minutes", 0.2 if cell.source.startswith("check(") else CODE_MINUTES
-        )
+        checks = cell.source.startswith("check(")
+        return cell.metadata.get("minutes", CHECK_MINUTES if checks else CODE_MINUTES)
 
     @property
     def total(self) -> float:
-        """Minutes of the whole lesson."""
+        """Minutes of all its cells."""
         return sum(self.minutes(cell) for cell in self.cells)
 
 

@@ -16,8 +16,10 @@ from .questions import with_questions
 __all__ = [
     "DISCUSSION",
     "LESSONS",
+    "PRACTICE",
     "ROOT",
     "SOLUTIONS",
+    "in_practice",
     "lines_of",
     "read_source",
     "sitting_of",
@@ -27,6 +29,8 @@ __all__ = [
 ROOT = Path(__file__).parents[3]
 SOLUTIONS, LESSONS = ROOT / "solutions", ROOT / "lessons"
 DISCUSSION = Path(__file__).parents[1] / "discussion.yaml"
+PRACTICE = "## More practice"  # the section's heading, and
+TAG = "practice"  # what every cell below it carries
 KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -66,7 +70,8 @@ def sitting_of(path: Path) -> str:
 
 def read_source(path: Path) -> NotebookNode:
     """A lesson's source as a notebook: cell ids from lesson and position, nbgrader's metadata on
-    exercises and checks, and what each exercise asks above its cell.
+    exercises and checks, what each exercise asks above its cell, a tag on the section *More
+    practice*.
 
     Raises
     ------
@@ -88,7 +93,23 @@ def read_source(path: Path) -> NotebookNode:
             cell.execution_count, cell.outputs = None, []
             _add_grading(cell)
     notebook.cells = list(with_questions(notebook.cells))
+    _tag_practice(notebook.cells)
     return notebook
+
+
+def in_practice(cell: NotebookNode) -> bool:
+    """Whether a cell stands in the section *More practice*."""
+    return TAG in cell.metadata.get("tags", [])
+
+
+def _tag_practice(cells):
+    """Tag the cells from the section's heading to the next one; a section begins with a cell."""
+    inside = False
+    for cell in cells:
+        if cell.cell_type == "markdown" and cell.source.startswith("## "):
+            inside = cell.source.startswith(PRACTICE)
+        if inside:
+            cell.metadata["tags"] = [*cell.metadata.get("tags", []), TAG]
 
 
 def _parsed(path):

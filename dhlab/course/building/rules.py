@@ -1,6 +1,4 @@
-"""The lines of the lesson contract: each takes a Lesson, and says whether it is kept and what was
-found.
-"""
+"""The lines of the lesson contract: each says whether a Lesson keeps it, and what was found."""
 
 import re
 from collections.abc import Callable
@@ -23,6 +21,7 @@ __all__ = [
     "feedback",
     "misconceptions",
     "opening",
+    "practice",
     "predictions",
     "prose",
     "strength",
@@ -46,13 +45,28 @@ VERBS = frozenset(
 
 
 def time(lesson: Lesson) -> tuple[bool, str]:
-    """Minutes are stated, near what is counted, and mostly spent on exercises."""
-    stated, total = lesson.about.get("minutes", 0), lesson.total
-    doing = sum(lesson.minutes(cell) for cell in lesson.code if "minutes" in cell.metadata)
+    """The core's minutes are stated, near what is counted, and mostly spent on exercises."""
+    core, stated = lesson.core, lesson.about.get("minutes", 0)
+    total = core.total
+    doing = sum(core.minutes(cell) for cell in core.code if "minutes" in cell.metadata)
     return (
-        30 <= stated <= 50 and abs(stated - total) <= 0.2 * stated and doing >= 0.4 * total,
+        30 <= stated <= 50 and _near(stated, total) and doing >= 0.4 * total,
         f"{stated} stated, {total:.0f} counted, exercises {doing / total:.0%}",
     )
+
+
+def practice(lesson: Lesson) -> tuple[bool, str]:
+    """The minutes of *More practice* are stated too, and the lesson's head says both."""
+    stated, total = lesson.about.get("practice", 0), lesson.total - lesson.core.total
+    wanted = [f"**{lesson.about.get('minutes', 0)} minutes"]
+    wanted += [f"about {stated} more for the section *More practice*"] if stated else []
+    head = " ".join(lesson.cells[0].source.split())
+    gaps = [f", the head does not say {words!r}" for words in wanted if words not in head]
+    return _near(stated, total) and not gaps, f"{stated} stated, {total:.0f} counted{''.join(gaps)}"
+
+
+def _near(stated, counted):
+    return abs(stated - counted) <= 0.2 * stated
 
 
 def opening(lesson: Lesson) -> tuple[bool, str]:
@@ -63,7 +77,7 @@ def opening(lesson: Lesson) -> tuple[bool, str]:
         for o in objectives
         if o["text"].split()[0].lower() in VERBS
         and o["checks"]
-        and set(o["checks"]) <= set(lesson.called("check"))
+        and set(o["checks"]) <= set(lesson.core.called("check"))
     ]
     shown = all(o["text"] in " ".join(lesson.prose.split()) for o in objectives)
     return (
@@ -119,7 +133,7 @@ def predictions(lesson: Lesson) -> tuple[bool, str]:
     """Two guesses, each made before it is answered."""
     asked, shown = lesson.called("predict"), lesson.called("reveal")
     return (
-        len(set(asked)) >= 2
+        len(set(lesson.core.called("predict"))) >= 2
         and set(asked) == set(shown)
         and all(
             lesson.calls.index(("predict", p)) < lesson.calls.index(("reveal", p)) for p in asked
@@ -137,7 +151,8 @@ def misconceptions(lesson: Lesson) -> tuple[bool, str]:
         if c.metadata.get("mistake") in catalogue()
         and all(word in c.source for word in ("**The claim.**", "**Against it.**", "**Why.**"))
     ]
-    return len(good) >= 2 and len(good) == len(cells), ", ".join(
+    core = [cell for cell in good if cell in lesson.core.cells]
+    return len(core) >= 2 and len(good) == len(cells), ", ".join(
         c.metadata.get("mistake", "?") for c in cells
     )
 
@@ -164,25 +179,22 @@ def choices(lesson: Lesson) -> tuple[bool, str]:
 
 
 def worked(lesson: Lesson) -> tuple[bool, str]:
-    """An example worked in full, then with gaps, then bare."""
+    """An example worked in full, then with gaps, then bare; bare may be for practice."""
     order = [
         tag
         for cell in lesson.cells
         for tag in cell.metadata.get("tags", [])
         if tag in ("worked", "faded", "bare")
     ]
-    return order == sorted(order, key=("worked", "faded", "bare").index) and set(order) == {
-        "worked",
-        "faded",
-        "bare",
-    }, ", ".join(order)
+    kept = order == sorted(order, key=("worked", "faded", "bare").index) and "bare" in order
+    return kept and tag("worked", "faded")(lesson)[0], ", ".join(order)
 
 
 def tag(*tags: str) -> Callable[[Lesson], tuple[bool, str]]:
     """Something of each tag."""
 
     def rule(lesson):
-        counts = {tag: len(lesson.tagged(tag)) for tag in tags}
+        counts = {tag: len(lesson.core.tagged(tag)) for tag in tags}
         return all(counts.values()), ", ".join(f"{n} {tag}" for tag, n in counts.items())
 
     return rule
@@ -190,13 +202,14 @@ def tag(*tags: str) -> Callable[[Lesson], tuple[bool, str]]:
 
 def typing(lesson: Lesson) -> tuple[bool, str]:
     """An exercise without typing."""
-    orders = [e.id for e in lesson.exercises.values() if isinstance(e, (Order, PreTest))]
+    core = lesson.core.called("check")
+    orders = [key for key in core if isinstance(lesson.exercises.get(key), (Order, PreTest))]
     return bool(orders), ", ".join(orders)
 
 
 def debugging(lesson: Lesson) -> tuple[bool, str]:
     """From lesson 03 on, something to repair."""
-    cells = lesson.tagged("debug")
+    cells = lesson.core.tagged("debug")
     return len(cells) >= (int(lesson.number[:2]) >= 3), f"{len(cells)} cells"
 
 
@@ -251,9 +264,9 @@ def code(lesson: Lesson) -> tuple[bool, str]:
 
 
 def transfer(lesson: Lesson) -> tuple[bool, str]:
-    """The last exercise is on something new."""
-    marked = lesson.tagged("transfer")
-    last = [c for c in lesson.code if "exercise" in c.metadata][-1:]
+    """The core's last exercise is on something new."""
+    marked = lesson.core.tagged("transfer")
+    last = [c for c in lesson.core.code if "exercise" in c.metadata][-1:]
     return bool(marked) and marked[-1:] == last, (
         "the last exercise" if marked[-1:] == last else "not the last exercise"
     )
