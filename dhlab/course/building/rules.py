@@ -281,15 +281,14 @@ def close(lesson: Lesson) -> tuple[bool, str]:
 
 
 def teacher(lesson: Lesson) -> tuple[bool, str]:
-    """A sheet for teachers, with its parts and three mistakes to expect."""
+    """A sheet for teachers, with its parts, the lesson's minutes and three mistakes to expect."""
     path = reading.SOLUTIONS / "teacher" / lesson.path.name
     if not path.exists():
         return False, "none"
     text = path.read_text(encoding="utf-8")
     named = set(re.findall(r"`([a-z0-9-]+)`", text)) & catalogue().keys()
-    parts = [
-        h for h in ("## Minutes", "## Wrong answers to expect", "## To discuss") if h not in text
-    ]
+    minutes = f"## Minutes\n\n{lesson.about.get('minutes', 0)} in all"
+    parts = [h for h in (minutes, "## Wrong answers to expect", "## To discuss") if h not in text]
     return not parts and len(named) >= 3, f"{len(named)} mistakes named" + (
         f", missing {', '.join(parts)}" if parts else ""
     )

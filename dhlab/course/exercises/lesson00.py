@@ -203,11 +203,11 @@ EXERCISES = [
             "left-to-right": Option(
                 "A_1 A_2 … A_6: each matrix is written in the frame that the ones before it"
                 " lead to",
-                "From the base outwards: you will make the moves one by one.",
+                "You read it from the base outwards. You will make the moves one by one and see.",
             ),
             "right-to-left": Option(
                 "A_6 … A_2 A_1: what is done first stands on the right",
-                "From the hand inwards: you will make the moves one by one.",
+                "You read it from the hand inwards. You will make the moves one by one and see.",
                 "product-reversed",
             ),
             "either": Option(

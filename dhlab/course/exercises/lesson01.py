@@ -90,21 +90,6 @@ EXERCISES = [
             " as well."
         ),
     ),
-    Value(
-        id="01.3",
-        title="A point of the second plate, in the base",
-        draw=draw_chain,
-        answer=point_in_base,
-        mistakes=wrong_points,
-        units="m",
-        misshapen=misshapen_point,
-        entries=("x0", "y0", "z0"),
-        praise="Turn first, then shift.",
-        hints=(
-            "The shift p_12 is written in plate 1's arrows. Where do these point in the base?",
-            "Turn p_12 with the rotation block first; what must be added to it then?",
-        ),
-    ),
     Function(
         id="01.4",
         title="Compose two poses",
@@ -158,18 +143,18 @@ EXERCISES = [
             ),
             "transposed": Option(
                 "the rotation matrices were transposed",
-                "Then every pose is wrong, at the first look. Here each of the two sides was right"
-                " in itself.",
+                "Then the poses themselves were wrong. Here every one that was noted is right.",
                 "rotation-transposed",
             ),
             "flange-and-tip": Option(
-                "the arm reported the flange, the pattern was measured at the tool tip",
+                "the controller reported the flange, the camera saw the tool's tip",
                 "The tool's length turns with the wrist, so no constant camera pose can make up"
                 " for it.",
             ),
             "wrong-order": Option(
                 "the poses were multiplied in the wrong order",
-                "That would show at once with a single pose; here each pose taken alone was right.",
+                "In another order nothing fits, whatever the tool; here the errors are as large as the"
+                " tool is long.",
                 "product-reversed",
             ),
         },
@@ -188,6 +173,22 @@ EXERCISES = [
         hints=(
             "Write the chain with its subscripts first: 0 to F, F to T.",
             "The tip is the origin of frame T: which column of T_0T is that?",
+        ),
+    ),
+    Value(
+        id="01.3",
+        practice=True,
+        title="A point of the second plate, in the base",
+        draw=draw_chain,
+        answer=point_in_base,
+        mistakes=wrong_points,
+        units="m",
+        misshapen=misshapen_point,
+        entries=("x0", "y0", "z0"),
+        praise="Turn first, then shift.",
+        hints=(
+            "The shift p_12 is written in plate 1's arrows. Where do these point in the base?",
+            "Turn p_12 with the rotation block first; what must be added to it then?",
         ),
     ),
 ]

@@ -96,26 +96,6 @@ EXERCISES = [
             ),
         },
     ),
-    Value(
-        id="02.3",
-        title="Read a row off a link",
-        points=2,
-        draw=draw_first,
-        answer=read_off,
-        mistakes=misread,
-        misshapen=array_in_row,
-        entries=ENTRIES,
-        turns=(0, 3),
-        units=("deg", "m", "m", "deg"),
-        praise="Two numbers off the first column and the origin, two about the new x.",
-        hints=(
-            "a is the part of the origin that lies along x1: which product gives it?",
-            (
-                "α is the angle from z0 to z1: row 3 holds sin α in the y column and cos α in the z"
-                " column."
-            ),
-        ),
-    ),
     Prediction(
         id="02.P2",
         title="A tape measure between two origins",
@@ -193,37 +173,11 @@ EXERCISES = [
             ),
             "pointing-away": Option(
                 "x of the new plate must point away from the old z, so two signs are fixed",
-                "It may point either way; a and α change their signs with it, and both θ by 180°.",
+                "It may point either way; a and α change their signs with it, and the θ of this row and"
+                " of the next one by 180°.",
                 "minus-taken-for-error",
             ),
         },
-    ),
-    Value(
-        id="02.6",
-        title="Which poses can one row make",
-        points=2,
-        draw=draw_poses,
-        answer=makeable,
-        mistakes=misjudged,
-        entries=("T_a", "T_b", "T_c", "T_d"),
-        praise="Two conditions, and a pose that breaks one of them needs more than a row.",
-        hints=(
-            "Print both leftovers for each pose. A row leaves none.",
-            "A minus sign before d or a is no objection; a leftover that is not 0 is.",
-        ),
-    ),
-    Table(
-        id="02.7",
-        title="A maker's table in your own order",
-        points=2,
-        draw=draw_printed,
-        answer=printed_arm,
-        mistakes=miscopied,
-        praise="The same numbers, each in its place: θ, d, a, α in degrees and metres.",
-        hints=(
-            "The printed rows hold θ, a, d, α. Which two change places?",
-            "np.rad2deg turns the printed 1.5708 into 90.",
-        ),
     ),
     Value(
         id="02.8",
@@ -246,6 +200,56 @@ EXERCISES = [
                 "x1 points from axis to axis. At q2 = 0 it goes 53.5 forward for 284.5 up:"
                 " np.arctan2 gives its angle, and q2 is added."
             ),
+        ),
+    ),
+    Value(
+        id="02.3",
+        practice=True,
+        title="Read a row off a link",
+        points=2,
+        draw=draw_first,
+        answer=read_off,
+        mistakes=misread,
+        misshapen=array_in_row,
+        entries=ENTRIES,
+        turns=(0, 3),
+        units=("deg", "m", "m", "deg"),
+        praise="θ off the first column, d and a off the origin, α off the last row.",
+        hints=(
+            "a is the part of the origin that lies along x1: which product gives it?",
+            (
+                "α is the angle from z0 to z1: row 3 holds sin α in the y column and cos α in the z"
+                " column."
+            ),
+        ),
+    ),
+    Value(
+        id="02.6",
+        practice=True,
+        title="Which poses can one row make",
+        points=2,
+        draw=draw_poses,
+        answer=makeable,
+        mistakes=misjudged,
+        entries=("T_a", "T_b", "T_c", "T_d"),
+        praise="Two conditions, and a pose that breaks one of them needs more than a row.",
+        hints=(
+            "Print both leftovers for each pose. A row leaves none.",
+            "A minus sign before d or a is no objection; a leftover that is not 0 is.",
+        ),
+    ),
+    Table(
+        id="02.7",
+        practice=True,
+        title="A maker's table in your own order",
+        points=2,
+        draw=draw_printed,
+        answer=printed_arm,
+        mistakes=miscopied,
+        praise="The same numbers, each in its place: θ, d, a, α in degrees and metres.",
+        hints=(
+            "The printed rows hold θ, a, d, α. Which two change places?",
+            "np.rad2deg turns the printed 1.5708 into 90.",
         ),
     ),
 ]
