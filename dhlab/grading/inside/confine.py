@@ -19,6 +19,7 @@ __all__ = [
     "libseccomp",
     "landlock_version",
     "restrict_files",
+    "filter_of_calls",
     "restrict_calls",
     "restrict_resources",
     "look_at_memory",
@@ -39,7 +40,7 @@ WRITE = 1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
 RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}  # how many rights each version knows; 16 from the fifth on
 
 DENIED = """
-socket fork vfork execve execveat kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open
+socket fork vfork execve execveat kill tkill tgkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open
 pidfd_send_signal pidfd_getfd ptrace process_vm_readv process_vm_writev process_madvise kcmp
 shmget shmat shmctl semget semop semctl msgget msgsnd msgrcv msgctl mq_open mq_unlink memfd_create
 memfd_secret mount umount2 pivot_root chroot unshare setns open_tree move_mount fsopen fsconfig
@@ -76,11 +77,11 @@ def libseccomp() -> Any:
         return None
 
 
-def restrict_calls(library: Any, denied: Iterable[str] = ()) -> None:
-    """From here on: no new process, no program, no socket, no signal to others, no trick of the
-    kernel. Threads stay possible.
+def filter_of_calls(library: Any, denied: Iterable[str] = ()) -> bytes:
+    """The kernel's program for :func:`restrict_calls`, the same for every process: no new process,
+    no program, no socket, no signal to anybody, no trick of the kernel. Threads stay possible.
 
-    Raises OSError where it cannot be done.
+    Raises OSError where it cannot be made.
     """
     library.seccomp_init.restype = ctypes.c_void_p
     filter_ = ctypes.c_void_p(library.seccomp_init(c_uint32(ALLOW)))
@@ -91,12 +92,29 @@ def restrict_calls(library: Any, denied: Iterable[str] = ()) -> None:
     # the C library then takes clone, whose flags can be looked at
     _rule(library, filter_, ENOSYS, "clone3")
     _rule(library, filter_, EPERM, "clone", Compare(0, MASKED, CLONE_THREAD, 0))
-    _rule(library, filter_, EPERM, "tgkill", Compare(0, NOT_EQUAL, os.getpid(), 0))
     _rule(library, filter_, EPERM, "prlimit64", Compare(0, NOT_EQUAL, 0, 0))
-    failed = library.seccomp_load(filter_)
+    out, into = os.pipe()  # a few kilobytes, which a pipe holds
+    with os.fdopen(out, "rb") as written:
+        failed = library.seccomp_export_bpf(filter_, c_int(into))
+        os.close(into)
+        program = written.read()
     library.seccomp_release(filter_)
     if failed:
-        raise OSError("seccomp_load failed")
+        raise OSError("seccomp_export_bpf failed")
+    return program
+
+
+class _Program(ctypes.Structure):
+    _fields_ = [("length", ctypes.c_ushort), ("instructions", ctypes.c_char_p)]
+
+
+def restrict_calls(program: bytes) -> None:
+    """From here on only the calls that :func:`filter_of_calls` leaves; it wants
+    :func:`no_new_privileges` before. Raises OSError where it cannot be done.
+    """
+    given = _Program(len(program) // 8, program)  # eight bytes an instruction
+    if libc.prctl(22, 2, ctypes.byref(given), 0, 0):  # PR_SET_SECCOMP, SECCOMP_MODE_FILTER
+        raise OSError(ctypes.get_errno(), "seccomp")
 
 
 def _rule(library, filter_, action, name, *comparisons):

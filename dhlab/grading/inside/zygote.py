@@ -107,14 +107,27 @@ def _confine(config):
         confine.no_new_privileges()
         confine.libc and confine.libc.prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
         confine.look_at_memory()
+        config["calls"] = _filter(config["level"])
         if config["level"] == "landlock":
-            if not confine.libseccomp() or not confine.landlock_version():
+            if not config["calls"] or not confine.landlock_version():
                 return "no Landlock or no libseccomp"
             confine.restrict_files(config["readable"], [config["work"], "/dev/null"])
         os.chdir(config["work"])
     except OSError as error:
         return str(error)
     return ""
+
+
+def _filter(level):
+    """What keeps a submission from the kernel's calls, made once for all of them; empty where
+    there is none.
+    """
+    library = confine.libseccomp()
+    if not library or level == "rlimits":
+        return b""
+    return confine.filter_of_calls(
+        library, confine.DENIED_TO_OWN_USER if level == "landlock" else ()
+    )
 
 
 def _line(control):
@@ -156,11 +169,9 @@ def _submission(config, request, answers):
             os.dup2(nothing, file)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         confine.no_new_privileges()
-        library = confine.libseccomp()
         confine.restrict_resources(config["limits"])
-        if library and config["level"] != "rlimits":
-            shared = config["level"] == "landlock"
-            confine.restrict_calls(library, confine.DENIED_TO_OWN_USER if shared else ())
+        if config["calls"]:
+            confine.restrict_calls(config["calls"])
         from dhlab.grading.inside import runner
 
         runner.run(request, answers)
