@@ -1,7 +1,6 @@
 """``Function``: a program to be written, compared with the right one on seeded inputs."""
 
 from collections.abc import Callable, Sequence
-from copy import deepcopy
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,6 +15,7 @@ from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .exercise import Exercise, Said
+from .kept import kept_apart
 from .units import Group, in_other_units
 
 __all__ = ["CASES", "Function"]
@@ -36,8 +36,6 @@ OF_POSES = frozenset(  # mistakes whose titles are about poses and tables
         "wrong-frame-compared",
     )
 )
-# what was drawn last: grading asks a program first and compares then, with the same inputs
-_drawn: dict[str, tuple[Exercise, int, list[tuple]]] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,15 +61,11 @@ class Function(Exercise):
     library: bool = False
     tolerance: float = 1e-9
 
+    @kept_apart
     def cases(self, variant: int) -> list[tuple]:
         """The arguments of every call."""
-        kept = _drawn.get(self.id)
-        if not kept or kept[0] is not self or kept[1] != variant:
-            rng = self.rng(variant)
-            kept = self, variant, [*(self.draw(rng) for _ in range(CASES)), *self.special]
-            _drawn.clear()
-            _drawn[self.id] = kept
-        return deepcopy(kept[2])
+        rng = self.rng(variant)
+        return [*(self.draw(rng) for _ in range(CASES)), *self.special]
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         if is_stub(answer):

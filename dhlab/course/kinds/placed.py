@@ -13,6 +13,7 @@ from ...placing.board import Placement
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
 from .drawn import drawn_frames
+from .kept import kept_apart
 from .reading import as_numbers, is_array_of, unusable
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
@@ -107,6 +108,7 @@ class Frames(Exercise):
 
     draw: Callable
 
+    @kept_apart
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 

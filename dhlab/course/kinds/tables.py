@@ -18,6 +18,7 @@ from .arms import SAME, apart, in_table_units, size, where
 from .drawn import drawn_table
 from .exercise import Exercise, Said, listed, no_draw, untouched
 from .functions import CASES
+from .kept import kept, kept_apart
 from .reading import Unreadable, plain, unusable
 
 __all__ = ["Table", "as_arm", "numbers"]
@@ -59,10 +60,12 @@ class Table(Exercise):
     tolerance: float = SAME
     convention: str = ""
 
+    @kept_apart
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
-    def right_arm(self, variant: int = 0) -> Arm:
+    @kept
+    def right_arm(self, variant: int) -> Arm:
         """The arm that is asked for."""
         return self.answer(**self.given(variant))
 

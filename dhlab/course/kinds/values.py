@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..verdict import Verdict
 from .drawn import drawn_pose, drawn_row
 from .exercise import Exercise, Said, no_draw
+from .kept import kept, kept_apart
 from .reading import Unreadable, plain
 from .units import LOOSELY, Group, in_other_units, of_places
 
@@ -58,12 +59,17 @@ class Value(Exercise):
     units: str | tuple = ""
     tolerance: float = 1e-3
 
+    @kept_apart
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
+    @kept
+    def expected(self, variant: int) -> NDArray[np.float64]:
+        """The right numbers."""
+        return np.asarray(self.answer(**self.given(variant)), dtype=float)
+
     def compare(self, answer: Any, variant: int) -> Verdict:
-        given = self.given(variant)
-        expected = np.asarray(self.answer(**given), dtype=float)
+        given, expected = self.given(variant), self.expected(variant)
         if isinstance(answer, np.matrix) and expected.ndim < 2:
             answer = np.asarray(answer).reshape(-1 if expected.ndim else ())
         known = self.misshapen(answer, **given)
@@ -116,7 +122,7 @@ class Value(Exercise):
         return self.wrong(headline="these are not the numbers", place=self._place(off))
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
-        expected = np.asarray(self.answer(**self.given(variant)), dtype=float)
+        expected = self.expected(variant)
         try:
             array = plain(answer)
         except Unreadable:
