@@ -7,7 +7,6 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from scipy.spatial.transform import Rotation
 
 from ..printing import matrix_text, number
 from ..transform import from_xyz_rpy, to_xyz_rpy
@@ -116,6 +115,8 @@ def _tool(text, deg):
 
 def _orientations(pose):
     """The same rotation as others write it: radians; each by its name."""
+    from scipy.spatial.transform import Rotation  # large: only where it is asked for
+
     turn = Rotation.from_matrix(pose[:3, :3])
     x, y, z, w = turn.as_quat(canonical=True)
     _, (roll, pitch, yaw) = to_xyz_rpy(pose)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from .. import units
 from ..checks import checked_joints
@@ -221,6 +220,8 @@ def _number(cell, where):
 
 def _rotations(orientation, values, to_rad, path, rows):
     """(m, 3, 3) rotation matrices of the orientation's columns."""
+    from scipy.spatial.transform import Rotation  # large: only where it is asked for
+
     if orientation == ORIENTATIONS["fixed-axis angles"]:
         angles = units.convert(values, to_rad)
         return from_xyz_rpy(np.zeros_like(angles), angles)[:, :3, :3]

@@ -53,7 +53,7 @@ RISKS = {
         " bubblewrap"
     ),
 }
-ALWAYS_WARM = ("dhlab", "IPython.core.inputtransformer2", "asyncio")
+ALWAYS_WARM = ("dhlab", "dhlab.course", "dhlab.view", "encodings.utf_8_sig")
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 

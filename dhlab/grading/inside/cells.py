@@ -3,14 +3,16 @@ this machine does not have.
 """
 
 import ast
-import asyncio
 import builtins
 import linecache
 import sys
 from functools import cache
+from importlib import import_module
+from importlib.machinery import PathFinder
+from types import ModuleType
 from typing import Any
 
-__all__ = ["parsed", "run_cell", "run_statement"]
+__all__ = ["magics", "parsed", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
@@ -129,9 +131,27 @@ def _plain(source):
         for line in source.splitlines()
     ):
         return source
-    from IPython.core.inputtransformer2 import TransformerManager
+    return magics().TransformerManager().transform_cell(source)
 
-    return TransformerManager().transform_cell(source)
+
+@cache
+def magics() -> Any:
+    """IPython's rules for magics, without the rest of IPython: that is large, and no cell needs
+    it for this.
+    """
+    name = "IPython.core.inputtransformer2"
+    if "IPython" in sys.modules:
+        return import_module(name)
+    found = PathFinder.find_spec("IPython")
+    if found is None:
+        raise ImportError("IPython is not here")
+    package = sys.modules["IPython"] = ModuleType("IPython")
+    try:
+        package.__path__ = list(found.submodule_search_locations or ())
+        return import_module(name)
+    finally:
+        for part in [one for one in sys.modules if one.partition(".")[0] == "IPython"]:
+            del sys.modules[part]
 
 
 def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None:
@@ -141,6 +161,8 @@ def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None
     code = compile(ast.Module([statement], []), name, "exec", flags=FLAGS)
     try:
         if code.co_flags & 0x80:  # CO_COROUTINE: it awaits something
+            import asyncio  # large, and hardly anybody awaits
+
             asyncio.run(eval(code, space))
         else:
             exec(code, space)

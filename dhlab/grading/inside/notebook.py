@@ -15,12 +15,13 @@ GRADE_ID = re.compile(r"(?:stub|check)-(.+)")
 
 @dataclass
 class Cell:
-    """A cell of code: its source, the exercises it has to do with, and those that are answered once
-    it has run.
+    """A cell of code: its source, the exercises it has to do with, those that it checks, and those
+    that are answered once it has run.
     """
 
     source: str
     ids: list[str]
+    checked: list[str] = field(default_factory=list)
     answers: list[str] = field(default_factory=list)
 
 
@@ -61,7 +62,7 @@ def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     """
     notebook = _json(raw)
     found = [cell for cell in _listed(notebook) if isinstance(cell, dict)]
-    code = [Cell(_source(cell), _ids(cell)) for cell in found if cell.get("cell_type") == "code"]
+    code = [_cell(cell) for cell in found if cell.get("cell_type") == "code"]
     names = [_text(cell.get("id")) for cell in found if cell.get("cell_type") == "code"]
     lesson = _lesson(notebook, code, names, checks)
     wanted = checks.get(lesson, {})
@@ -149,7 +150,13 @@ def _dict(value):
     return value if isinstance(value, dict) else {}
 
 
-def _ids(cell):
+def _cell(cell):
+    source = _source(cell)
+    checked = CHECK.findall(source)
+    return Cell(source, _ids(cell, checked), checked)
+
+
+def _ids(cell, checked):
     """The exercises a cell has to do with: by its metadata, and by the checks in it."""
     metadata = _dict(cell.get("metadata"))
     nbgrader = _dict(metadata.get("nbgrader"))
@@ -157,7 +164,7 @@ def _ids(cell):
     named = [
         _text(metadata.get("exercise")),
         graded[1] if graded else "",
-        *CHECK.findall(_source(cell)),
+        *checked,
     ]
     return list(dict.fromkeys(name[:20] for name in named if name))
 
@@ -186,10 +193,10 @@ def _place(key, stub, code, names):
     """Note, for an exercise, after which cell its answer is there: its check, or its stub where
     there is no check.
     """
-    checked = [cell for cell in code if key in CHECK.findall(cell.source)]
-    for cell in checked:
+    checking = [cell for cell in code if key in cell.checked]
+    for cell in checking:
         cell.answers.append(key)
-    if checked:
+    if checking:
         return True
     own = [number for number, cell in enumerate(code) if key in cell.ids] or [
         number for number, name in enumerate(names) if name == stub

@@ -146,8 +146,9 @@ def _warm(modules, lessons):
     the arms that these load; what this machine does not have is passed over.
     """
     import dhlab
-    from dhlab.grading.inside import runner, slices  # noqa: F401
+    from dhlab.grading.inside import cells, runner, slices  # noqa: F401
 
+    cells.magics()
     for source in lessons:
         slices.statements(0, source)
     for name in modules:

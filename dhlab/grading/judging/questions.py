@@ -28,6 +28,7 @@ __all__ = [
     "call_request",
     "handed_out_cells",
     "handed_out_checks",
+    "named_modules",
     "request",
     "scored",
     "seed",
@@ -152,24 +153,22 @@ def _checks(source):
             yield node.args[0].value, ast.unparse(node.args[1])
 
 
-def warm_modules(lessons: Iterable[str]) -> list[str]:
-    """What the lessons import at some point: loaded once, before the first submission."""
-    found = set(ALWAYS)
-    for path in handed_out().glob("[0-9][0-9]*.ipynb"):
-        if path.name[:2] in lessons:
-            text = "\n".join(
-                "".join(cell["source"])
-                for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
-                if cell["cell_type"] == "code"
-            )
-            found |= {name for name in IMPORT.findall(text) if not name.startswith("dhlab.")} | {
-                module for call, module in LATER.items() if call in text
-            }
+def warm_modules(lessons: Collection[str]) -> list[str]:
+    """What the lessons come to load at some point: loaded once, before the first submission."""
+    text = "\n".join(handed_out_cells(lessons))
+    found = {*ALWAYS, *named_modules(lessons)}
+    found |= {module for call, module in LATER.items() if call in text}
     if LATER["dh.diagnose("] in found:  # the doctor reads them one by one
         themes = import_module(LATER["dh.diagnose("])
         found |= {f"{themes.__name__}.{one.name}" for one in iter_modules(themes.__path__)}
         found.add("dhlab.doctor.mistakes.entries")
     return sorted(found)
+
+
+def named_modules(lessons: Collection[str]) -> list[str]:
+    """What the lessons' own cells import, besides dhlab."""
+    text = "\n".join(handed_out_cells(lessons))
+    return sorted({name for name in IMPORT.findall(text) if name.partition(".")[0] != "dhlab"})
 
 
 def seed(key: bytes | None, number: str, student: str, exercise: str) -> int:

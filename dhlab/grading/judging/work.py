@@ -37,13 +37,13 @@ from .questions import (
     call_request,
     handed_out_cells,
     handed_out_checks,
+    named_modules,
     request,
     warm_modules,
 )
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
 
-WARM = ("scipy.spatial.transform",)  # what programs that are written oneself import
 LARGE = 1_000_000  # bytes of a notebook with pictures; a lesson as handed out has a tenth
 TOGETHER = 2  # times the seconds of a notebook: all those of one student
 AGAIN = 3  # how often a notebook is run again without the cell that ended it
@@ -193,7 +193,7 @@ def _cage(course, room):
     if key not in _cages:
         if _cages and next(iter(_cages))[:3] != key[:3]:
             close()
-        warm = warm_modules(course.lessons) if room == OPEN else WARM
+        warm = warm_modules(course.lessons) if room == OPEN else named_modules(course.lessons)
         cells = handed_out_cells(course.lessons)
         _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room, cells)
     return _cages[key]
