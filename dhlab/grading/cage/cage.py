@@ -53,7 +53,9 @@ RISKS = {
         " bubblewrap"
     ),
 }
-ALWAYS_WARM = ("dhlab", "dhlab.course", "dhlab.view", "encodings.utf_8_sig")
+ALWAYS_WARM = tuple(
+    "dhlab dhlab.course dhlab.view numpy.random numpy.typing heapq encodings.utf_8_sig".split()
+)
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 

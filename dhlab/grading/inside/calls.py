@@ -6,10 +6,12 @@ Where the task is to write kinematics, this room has none: ``stand_in/own.py`` s
 
 import ast
 import json
+import marshal
 import os
 import random
 import sys
 import types
+from base64 import b64decode
 from typing import Any
 
 import numpy as np
@@ -146,9 +148,9 @@ class _Room:
         return {"stopped": "timed out"} if ended else line
 
 
-def _install_transform(text):
+def _install_transform(code):
     import dhlab
 
     module = types.ModuleType("dhlab.transform")
-    exec(compile(text, "<transform>", "exec"), module.__dict__)
+    exec(marshal.loads(b64decode(code)), module.__dict__)
     sys.modules["dhlab.transform"] = dhlab.transform = module

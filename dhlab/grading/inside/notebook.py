@@ -161,11 +161,7 @@ def _ids(cell, checked):
     metadata = _dict(cell.get("metadata"))
     nbgrader = _dict(metadata.get("nbgrader"))
     graded = GRADE_ID.fullmatch(_text(nbgrader.get("grade_id")))
-    named = [
-        _text(metadata.get("exercise")),
-        graded[1] if graded else "",
-        *checked,
-    ]
+    named = [_text(metadata.get("exercise")), graded[1] if graded else "", *checked]
     return list(dict.fromkeys(name[:20] for name in named if name))
 
 
