@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...arm import Arm
+from ... import kinematics
 from ...doctor.programs.wrong.jacobians import geometric_jacobian
 from ...robots import load
-from ...table import DHTable
 from ...transform import from_xyz_rpy
 from ..kinds import Known, Mistakes, Said
 
@@ -136,16 +135,13 @@ def draw_frames(rng: np.random.Generator) -> tuple:
     two of them sliding.
     """
     rows = general(rng, 0.15, 0.6, 5, 4) * [2.3, 1, 1, 2.3]
-    letters = ["R"] * 5
-    for k in rng.choice(5, rng.integers(1, 3), replace=False):
-        letters[k] = "P"
-    arm = Arm(
-        DHTable.standard(rows, angle="rad", joints=letters),
-        base=random_pose(rng),
-        tool=random_pose(rng),
-    )
+    sliding = np.zeros(5, dtype=bool)
+    sliding[rng.choice(5, rng.integers(1, 3), replace=False)] = True
+    base, tool = random_pose(rng), random_pose(rng)
     q = general(rng, 0.2, 1.2, 5)
-    return arm.frames(q), arm.forward(q), arm.table.prismatic.copy()
+    rows[range(5), sliding.astype(int)] += q  # theta, or d
+    seen = kinematics.frames(base, kinematics.link_matrices("standard", *rows.T))
+    return seen, seen[-1] @ tool, sliding
 
 
 def to_the_flange(frames: NDArray, T_end: NDArray, sliding: NDArray) -> NDArray:
