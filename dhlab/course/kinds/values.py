@@ -88,7 +88,7 @@ class Value(Exercise):
             if (
                 expected.ndim == 1
                 and array.size == expected.size
-                and not self.differs(array.ravel(), expected).any()
+                and self.is_right(array.ravel(), expected, given)
             ):
                 return self.told(None, STANDING if len(array) == array.size else NESTED)
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
@@ -96,11 +96,15 @@ class Value(Exercise):
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
         return self._compared(array, expected, given, answer)
 
+    def is_right(self, array: NDArray, expected: NDArray, given: Mapping[str, Any]) -> bool:
+        """Whether an array of the right shape is the answer."""
+        return not self.differs(array, expected).any()
+
     def _compared(self, array, expected, given, answer):
         """The Verdict on finite numbers of the right shape."""
-        off = self.differs(array, expected)
-        if not off.any():
+        if self.is_right(array, expected, given):
             return self.right()
+        off = self.differs(array, expected)
         unit = in_other_units(
             array,
             self._groups(expected),

@@ -11,7 +11,6 @@ from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
 from ..inside.wire import DECODED, decode, error_name
-from ..intake.notebooks import numbers_of
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
 
 if TYPE_CHECKING:
@@ -106,7 +105,7 @@ def _seen(exercise, handed, variant):
     """The variant whose letters a notebook shows: a lesson that was not released to anybody, such
     as one from the site, shows the order for all.
     """
-    if isinstance(exercise, Lettered) and not any(n >= SHUFFLED for n in numbers_of(handed.raw)):
+    if isinstance(exercise, Lettered) and not any(n >= SHUFFLED for n in handed.numbers):
         return variant % SHUFFLED
     return variant
 

@@ -8,13 +8,14 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime, tzinfo
+from functools import cached_property
 from multiprocessing import util
 from typing import Any
 
 from ...course.kinds import Explain
 from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
-from ..intake.notebooks import lessons_of
+from ..intake.notebooks import lessons_of, numbers_of
 from ..own_items import install
 from ..results.marks import (
     ERROR,
@@ -61,6 +62,11 @@ class Handed:
     raw: bytes
     when: datetime | None = None
     source: str = ""
+
+    @cached_property
+    def numbers(self) -> frozenset[int]:
+        """Whose numbers it draws, looked up once."""
+        return numbers_of(self.raw)
 
 
 @dataclass(frozen=True)
