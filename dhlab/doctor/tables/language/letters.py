@@ -1,8 +1,12 @@
 """Greek letters, minus signs, subscripts and TeX written in plain letters."""
 
 import re
+import unicodedata
 
 __all__ = ["plain", "unified"]
+
+STYLED = re.compile("[\U0001d400-\U0001d7ff]")  # mathematical letters and digits, as 𝜃 and 𝟎
+SPACED = re.compile(r"(?<=[\[(]) ?(r ?a ?d|d ?e ?g|m ?m|c ?m) ?(?=[\])])")  # [r a d ] of a PDF
 
 SAME = str.maketrans(
     {
@@ -12,11 +16,9 @@ SAME = str.maketrans(
         "÷": "/",
         "∕": "/",
         **dict.fromkeys("│┃║｜", "|"),
-        "π": "pi",
-        "𝜋": "pi",
-        "Π": "pi",
-        **dict.fromkeys("θϑΘ𝜃ѳ", "theta"),
-        **dict.fromkeys("α⍺𝛼", "alpha"),
+        **dict.fromkeys("πΠϖ", "pi"),
+        **dict.fromkeys("θϑΘϴѳѲөӨɵƟᶿ", "theta"),
+        **dict.fromkeys("α⍺ɑⲁ", "alpha"),
         "Δ": "delta",
         "δ": "delta",
         "σ": "sigma",
@@ -50,7 +52,14 @@ WRAPPERS = re.compile(
     r"\\(?:mathrm|text|textbf|textit|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
     r"\s*\{([^{}]*)\}"
 )
-DEGREES = re.compile(r"\^\s*\{?\s*(?:\\circ|\\degree|°|\*?\\?o(?![a-z]))\s*\}?|\\circ|\\degree\b")
+DEGREES = re.compile(
+    r"\^\s*(?:\{\s*(?:\\circ|\\degree|°|\*?\\?o(?![a-z]))\s*\}|(?:\\circ|\\degree|°|\*?\\?o(?![a-z])))"
+    r"|\\circ|\\degree\b"
+)
+# a link matrix, which is no table: written as MATLAB has it
+MATRIX = re.compile(r"\\begin\{([bpvBV]?matrix)\}(.*?)\\end\{\1\}", re.DOTALL)
+OF_ANGLES = re.compile(r"\\(?:cos|sin)|\b[csCS]_?\{?\\?(?:theta|alpha|[ta])")
+TEX_FUNCTION = re.compile(r"(?<=\w)\\(?=(?:cos|sin)(?![a-z]))")
 SIUNITX = (
     (re.compile(r"\\ang\s*\{([^{}]*)\}"), r"\1°"),
     (re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*(?:\\degree|°|\\circ)\s*\}"), r"\1°"),
@@ -82,7 +91,9 @@ def unified(text):
     >>> unified("−π/2"), unified("θ₁"), unified(r"$\\theta_{1}-\\frac{\\pi}{2}$")
     ('-pi/2', 'theta1', 'theta_1-((pi)/(2))')
     """
-    text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text.translate(SAME))
+    text = STYLED.sub(lambda m: unicodedata.normalize("NFKC", m[0]), text).translate(SAME)
+    text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
+    text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
     text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)
     if re.search(r"\\[A-Za-z]{2,}|\$[^$\n]*\$|\\\\", text):
         text = _from_tex(text)
@@ -90,10 +101,11 @@ def unified(text):
 
 
 def _from_tex(text):
+    text = TEX_FUNCTION.sub(r" \\", MATRIX.sub(_in_brackets, text))
     for pattern, written in SIUNITX:
         text = pattern.sub(written, text)
     text = re.sub(r"\\\\(?:\[[^\]\n]*\])?", "\n" if "\n" not in text else " ", text)
-    text = DEGREES.sub("°", re.sub(r"\\(?=[,;!:]|\s)", " ", re.sub(r"(?<!\\)%.*", "", text)))
+    text = DEGREES.sub("°", re.sub(r"\\(?:[,;!:]|(?=\s))", " ", re.sub(r"(?<!\\)%.*", "", text)))
     for _ in range(MOST_NESTED):
         before = text
         text = SHORT_FRACTION.sub(r"((\1)/(\2))", text)
@@ -110,7 +122,16 @@ def _from_tex(text):
 
 def _gap(match):
     """A space where a TeX name would run into the next letters."""
-    return " " if re.match(r"[A-Za-z0-9]", match.string[match.end() : match.end() + 1]) else ""
+    after = match.string[match.end() : match.end() + 1]
+    return " " if re.match(r"[A-Za-z0-9]", after) or (after == "\\" and len(match[1]) == 3) else ""
+
+
+def _in_brackets(match):
+    """A matrix of cosines as ``[ …, …; … ]``; others as they are."""
+    if not OF_ANGLES.search(match[2]):
+        return match[0]
+    rows = re.split(r"\\\\(?:\[[^\]\n]*\])?", match[2].replace("\n", " "))
+    return "[" + "; ".join(", ".join(row.split("&")) for row in rows if row.strip()) + "]"
 
 
 def plain(text):

@@ -2,14 +2,8 @@
 or the head of a function; and which matrix its own function computes.
 """
 
-import math
 import re
 
-import numpy as np
-
-from ....kinematics import link_matrices
-from .brackets import cells_in, groups
-from .expressions import NoExpression, evaluate, key
 from .roles import ROLES, role_of, unit_in
 
 __all__ = ["convention_in", "order_in", "order_of_names", "previous_in"]
@@ -20,8 +14,6 @@ BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
 UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
-ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
-SHORT = re.compile(r"(c|s)(?:os|in)?_?([tqa])(?:h|heta|l|lpha|lfa)?_?\d?", re.IGNORECASE)
 MOVES = re.compile(
     r"(?:\brot(?:ate|ation)?|\br|\btrot|\bt|\btrans(?:late|lation|l)?|\bdh)_?([xyz])\b\s*\(\s*([^()]*)\)"
     r"|\brot\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^()]*)\)"
@@ -117,11 +109,8 @@ def convention_in(source):
         found = _of_moves(line)
         if found:
             return found, "by the order of the elementary moves in it"
-    for group in groups(source.code):
-        found = _of_matrix(group, source)
-        if found:
-            return found, "by the matrix in it"
-    return None
+    found = source.link_matrix
+    return (found.convention, "by the matrix in it") if found else None
 
 
 def _of_moves(line):
@@ -142,44 +131,3 @@ def _of_moves(line):
     if sorted(found) != ["Rx", "Rz", "Tx", "Tz"]:
         return None
     return {("Rz", "Tz"): "standard", ("Rx", "Tx"): "craig"}.get(tuple(sorted(found[:2])))
-
-
-def _of_matrix(group, source):
-    """The convention of a matrix literal with cosines of theta and alpha in it."""
-    if not re.search(r"\b(cos|sin|c|s|ct|cth)", group.text) or not 60 < len(group.text) < 1500:
-        return None
-    cells = [cell for row in _matrix_rows(group) for cell in row]
-    if len(cells) not in (12, 16):
-        return None
-    known = dict(source.assigned)
-    for name in set(re.findall(r"[A-Za-z_]\w*", group.text + " ".join(map(str, known.values())))):
-        role = role_of(name)[0]
-        if short := SHORT.fullmatch(name):  # often assigned within a function, where nobody looks
-            known.setdefault(key(name), _shortened(*short.groups()))
-        elif role in (*ROLES, "r"):
-            known[key(name)] = ANGLES["a" if role == "r" else role]
-    try:
-        entries = [evaluate(cell, known) for cell in cells]
-    except NoExpression:
-        return None
-    if any(entry.letters for entry in entries):
-        return None
-    M = np.array([entry.number for entry in entries]).reshape(-1, 4)[:3]
-    row = [ANGLES[role] for role in ROLES]
-    for convention in ("standard", "craig"):
-        if np.allclose(M, link_matrices(convention, *row)[:3], atol=1e-6):
-            return convention
-    return None
-
-
-def _shortened(function, angle):
-    of = math.cos if function.lower() == "c" else math.sin
-    return of(ANGLES["theta" if angle.lower() in "tq" else "alpha"])
-
-
-def _matrix_rows(group):
-    for item in group.items:
-        inner = (
-            item.groups[0] if len(item.groups) == 1 and item.text == item.groups[0].text else None
-        )
-        yield [part.text for part in inner.items] if inner else cells_in(item.text)

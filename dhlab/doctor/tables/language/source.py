@@ -5,9 +5,11 @@ it says of convention and units.
 import html
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
+from .matrices import link_matrix_in
 from .restated import restated
 
 __all__ = ["DEFINED", "Source", "source_of"]
@@ -30,13 +32,14 @@ TOGETHER = re.compile(
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
-    r"|модифиц|改进|修正|改進",
+    r"|модифиц|改进|修正|改進|(?:수정|변형)\w?\s*d-?h|zmodyfikowan|modifikovan|modifikasi|degistirilmis",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
     r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|std\.?(?= d-?h)"
     r"|est[aá]ndar|padrão"
     r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
-    r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準",
+    r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
+    r"|standart d-?h|standaard",
 }
 CONVENTION = re.compile(
     r"^[ \t]*['\"]?(?:dh_?)?convention['\"]?[ \t]*[:=][ \t]*['\"]?([\w -]+)",
@@ -81,6 +84,11 @@ class Source:
     length: str = ""
     angle: str = ""
     asked_length: str = ""
+
+    @cached_property
+    def link_matrix(self):
+        """The link matrix that the text computes, None without one."""
+        return link_matrix_in(self.code)
 
     def value(self, text):
         """The Value of an expression of this text, None when it is none."""

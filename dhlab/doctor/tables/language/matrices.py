@@ -1,0 +1,234 @@
+"""The link matrix that a text computes itself: for which convention it is, and which of its names
+is which parameter, whatever they are called.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+from itertools import permutations
+
+import numpy as np
+
+from ....kinematics import link_matrices
+from .brackets import Group, cells_in, groups
+from .expressions import NoExpression, evaluate
+from .roles import ROLES, role_of
+
+__all__ = ["LinkMatrix", "link_matrix_in"]
+
+ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
+FUNCTION = re.compile(r"(?:\b\w+\.)?\b(cos|sin)\b\s*\(?")
+SHORT = re.compile(r"(c|s)(?:os|in)?_?([tqa])(?:h|heta|l|lpha|lfa)?_?\d?", re.IGNORECASE)
+LOCAL = re.compile(
+    r"\b(\w+)\s*=\s*((?:\w+(?:\.|::))?(?:cos|sin)f?d?\s*\((?:[^()\n]|\([^()\n]*\))*\))",
+    re.IGNORECASE,
+)
+BOTH = re.compile(  # ct, st = np.cos(theta), np.sin(theta)
+    r"^[ \t]*(\w+)\s*,\s*(\w+)\s*=\s*([\w.]+\([^()\n]*\))\s*,\s*([\w.]+\([^()\n]*\))\s*$",
+    re.MULTILINE,
+)
+ENTRY = re.compile(
+    r"\b[A-Za-z_]\w*\s*[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
+)
+FILLED = re.compile(r"<<([^;]{40,1500});")
+LIKE = re.compile(r"\b(?:\w+\.)*(zero|one)s(?:_like)?\([^()]*\)")
+# one number of a row: dh[i][2], dh(i, 3), params[:, 0], dh[4*i + 1], p[2]
+COLUMN = re.compile(
+    r"\b([A-Za-z_]\w*)\s*(?:\[[^\[\]]*\]\s*\[\s*(\d)\s*\]|\[[^\[\],]*,\s*(\d)\s*\]"
+    r"|\(\s*[\w:+\- ]+,\s*(\d)\s*\)|\[\s*(?:\w+\s*\*\s*[45]|[45]\s*\*\s*\w+)\s*\+\s*(\d)\s*\])"
+)
+ONE = re.compile(r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d)\s*[\])]")
+INDEX = re.compile(
+    r"(?<=\w)\s*(?:\[[^\[\]]*\]|\((?:\d+|[ijkn])(?:\s*[-+]\s*1)?(?:\s*,\s*[\d:]+)?\)|_\{?[ijkn]\}?(?:-1)?(?!\w))"
+)
+MOST_UNKNOWN, MOST_TRIED = 4, 8
+NO_NAMES = ("pi", "np", "math", "cos", "sin")
+
+
+@dataclass(frozen=True)
+class LinkMatrix:
+    """The convention of a link matrix, the parameter that each of its names means, and the order of
+    the columns that it takes its numbers from, () where it takes names.
+    """
+
+    convention: str
+    roles: dict
+    order: tuple = ()
+
+
+def link_matrix_in(code):
+    """The LinkMatrix that the text computes; None where it computes none.
+
+    Examples
+    --------
+    >>> text = '''T = [[cos(t), -sin(t)*cos(b), sin(t)*sin(b), l*cos(t)],
+    ...      [sin(t), cos(t)*cos(b), -cos(t)*sin(b), l*sin(t)],
+    ...      [0, sin(b), cos(b), d], [0, 0, 0, 1]]'''
+    >>> found = link_matrix_in(text)
+    >>> found.convention, found.roles["b"], found.roles["l"]
+    ('standard', 'alpha', 'a')
+    """
+    local = _locals(code)
+    tried = 0
+    for entries in _matrices(code):
+        if tried == MOST_TRIED:
+            return None
+        if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,5}|[cs])\b", " ".join(entries)):
+            continue
+        tried += 1
+        found = _solved(_by_column([_plain(entry, local) for entry in entries]))
+        if found:
+            return found
+    return None
+
+
+def _locals(code):
+    """What stands for the cosines and sines: ``ct = cos(theta)``."""
+    found = {name: value for name, value in LOCAL.findall(code)}
+    for one, other, first, second in BOTH.findall(code):
+        found.update({one: first, other: second})
+    return found
+
+
+def _matrices(code):
+    """The entries, 12 or 16, of everything that may be a matrix."""
+    for group in groups(code + _closing(code)):
+        if 60 < len(group.text) < 1800:
+            flat = len(group.items) in (12, 16)
+            cells = [item.text for item in group.items] if flat else _in_rows(group)
+            if len(cells) in (12, 16):
+                yield cells
+    for block in FILLED.findall(code):
+        cells = [cell.strip() for cell in cells_in(block.replace("\n", " "))]
+        if len(cells) in (12, 16):
+            yield cells
+    entries: dict = {}
+    for i, j, text in ENTRY.findall(code):
+        entries.setdefault((int(i), int(j)), text.strip())
+    first = min((min(at) for at in entries), default=0)
+    if len(entries) >= 8 and max(max(at) for at in entries) - first <= 3:
+        yield [
+            entries.get((i + first, j + first), "1" if i == j else "0")
+            for i in range(4)
+            for j in range(4)
+        ]
+
+
+def _closing(code):
+    """The brackets that are still open where a text was cut off."""
+    left: list = []
+    for mark in re.findall(r"[\[({\])}]", code):
+        if mark in "[({":
+            left.append({"[": "]", "(": ")", "{": "}"}[mark])
+        elif left and left[-1] == mark:
+            left.pop()
+    return "".join(reversed(left[-6:]))
+
+
+def _in_rows(group: Group):
+    return [cell for row in _rows(group) for cell in row]
+
+
+def _rows(group: Group):
+    """The rows in a group: lists in it, bare or in a call of their own, or MATLAB's."""
+    for item in group.items:
+        inner = item.groups[0] if len(item.groups) == 1 else None
+        if inner is not None and item.text == inner.text:
+            yield [part.text for part in inner.items]
+        elif inner is not None and inner.items and inner.items[0].text[:1] == "[":
+            yield (
+                [part.text for part in inner.items[0].groups[0].items]
+                if inner.items[0].groups
+                else []
+            )
+        else:
+            yield cells_in(item.text)
+
+
+def _plain(entry, local):
+    for _ in range(2):
+        entry = re.sub(r"\b[A-Za-z_]\w*\b", lambda m: f"{local.get(m[0], m[0])}", entry)
+    entry = LIKE.sub(lambda m: {"zero": "0", "one": "1"}[m[1]], entry)
+    return re.sub(r"\b(?:self|this)\.", "", entry)
+
+
+def _by_column(entries):
+    """The entries with ``row[2]`` as a name, ``row_at2``, where a row has three such, and without
+    the numbers of links.
+    """
+    text = COLUMN.sub(
+        lambda m: f"{m[1]}_at{next(filter(None, m.groups()[1:]))}", "\n".join(entries)
+    )
+    held: dict = {}
+    for name, index in ONE.findall(text):
+        held.setdefault(name, set()).add(index)
+    text = ONE.sub(lambda m: f"{m[1]}_at{m[2]}" if len(held[m[1]]) > 2 else m[0], text)
+    return INDEX.sub("", text).split("\n")
+
+
+def _order(roles):
+    """The roles by column, () where the names are no columns."""
+    at = {int(name[-1]): role for name, role in roles.items() if re.search(r"_at\d$", name)}
+    return tuple(at[k] for k in sorted(at)) if len(at) > 2 else ()
+
+
+def _solved(entries):
+    """The LinkMatrix of entries: names as they are usually meant, else as they make it one."""
+    text = " ".join(entries)
+    names = list(dict.fromkeys(re.findall(r"(?<![\w.])([A-Za-z_]\w*)(?![\w.]|\s*\()", text)))
+    short = {name: _shortened(name) for name in names if SHORT.fullmatch(name)}
+    names = [name for name in names if name not in short and name not in NO_NAMES]
+    usual = {name: role_of(name)[0] for name in names}
+    usual = {name: "a" if role == "r" else role for name, role in usual.items()}
+    for roles in _assignments(names, usual, bool(short)):
+        known = {**short, **{name: ANGLES.get(role, 0.0) for name, role in roles.items()}}
+        convention = _convention(entries, known)
+        if convention:
+            held = {name: role for name, role in roles.items() if role in ROLES}
+            return LinkMatrix(convention, held, _order(held))
+    return None
+
+
+def _assignments(names, usual, shortened):
+    if all(role in (*ROLES, "offset") for role in usual.values()):
+        yield usual
+    free = [name for name in names if usual[name] != "offset"]
+    if not 1 <= len(free) <= MOST_UNKNOWN:
+        return
+    known = {name: role for name, role in usual.items() if role in ROLES}
+    unknown = [name for name in free if name not in known]
+    if unknown and len(set(known.values())) == len(known):
+        left = [role for role in ROLES if role not in known.values()]
+        for roles in permutations(left, len(unknown)) if len(unknown) <= len(left) else ():
+            yield {**usual, **known, **dict(zip(unknown, roles))}
+    if len(free) >= (2 if shortened else 3):
+        for roles in permutations(ROLES, len(free)):
+            yield {**usual, **dict(zip(free, roles))}
+
+
+def _convention(entries, known):
+    known = {re.sub(r"_", "", name): value for name, value in known.items()}
+    try:
+        values = [evaluate(_called(entry), dict(known)) for entry in entries]
+    except NoExpression:
+        return None
+    if any(value.letters for value in values):
+        return None
+    M = np.array([value.number for value in values]).reshape(-1, 4)[:3]
+    row = [ANGLES[role] for role in ROLES]
+    for convention in ("standard", "craig"):
+        if np.allclose(M, link_matrices(convention, *row)[:3], atol=1e-6):
+            return convention
+    return None
+
+
+def _called(entry):
+    """``sind``, ``cosf`` and ``cos theta`` as the functions that the grammar knows."""
+    entry = re.sub(r"\b((?:\w+(?:\.|::))?(?:cos|sin))[fd]\s*\(", r"\1(", entry)
+    return re.sub(r"\b(cos|sin)\s+(\w+)", r"\1(\2)", entry)
+
+
+def _shortened(name):
+    function, angle = SHORT.fullmatch(name).groups()
+    of = math.cos if function.lower() == "c" else math.sin
+    return of(ANGLES["theta" if angle.lower() in "tq" else "alpha"])
