@@ -74,7 +74,7 @@ def read(source, nominal=None):
     for name, values in _unnumbered(arrays_in(source, twice)).items():
         if re.search(r"delta_", name):
             continue
-        role = role_of(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))[0]
+        role = source.role(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role

@@ -54,9 +54,10 @@ def read(source, nominal=None):
 def definitions(source):
     """{name: roles} of the functions and classes that the text defines with four columns."""
     orders: dict = {}
+    used = source.link_matrix.roles if source.link_matrix else {}
     for call in groups(source.code):
         roles = tuple(
-            role_of(_bare(item.text))[0]
+            used.get(_bare(item.text), role_of(_bare(item.text))[0])
             for item in call.items
             if item.text not in ("self", "this", "obj", "cls")
         )

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ..cells import cell_of
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
-from ..language.orders import order_in
+from ..language.orders import order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
 from .grid import from_grid
@@ -48,7 +48,10 @@ def read(source, nominal=None):
 def _numbers(source):
     found = groups(source.code)
     matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
+    matrices = [(group, rows) for group, rows in matrices if len(rows[0][1]) > 3] or matrices
     _require_one(matrices)
+    if matrices and len(matrices[0][1][0][1]) == 3:
+        return _of_three(matrices, source)
     grid = max(
         (
             *(rows for _, rows in matrices),
@@ -87,6 +90,20 @@ def _numbers(source):
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
+
+
+def _of_three(matrices, source):
+    """The Pasted table of rows without theta, where something says that they are rows."""
+    said = order_of_three(source)
+    named = [rows for group, rows in matrices if re.search(r"dh|denavit", group.target.lower())]
+    rows = max(named or ([rows for _, rows in matrices] if said else []), key=len, default=None)
+    if rows is None or len(rows) < 2:
+        return None
+    roles, why = ((*said[0], "theta"), said[1]) if said else (None, "")
+    turning = [(where, [*cells, "theta"]) for where, cells in rows]
+    table = from_grid(turning, source, roles, why)
+    note = "no column theta: each row is taken for a joint that turns, with its zero at theta = 0"
+    return replace(_with_beside(table, source), notes=(*table.notes, note))
 
 
 def _without_theta(table, source):
@@ -175,7 +192,7 @@ def _matrix(group):
             )
             for row in [*rows, *([line] if line else [])]
         ]
-    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 4 <= len(rows[0][1]) <= 8:
+    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= 8:
         return []
     if len(rows) == 1 and (
         group.mark == "(" or (not inner and group.mark != "[") or len(rows[0][1]) > 5

@@ -4,7 +4,7 @@ is which parameter, whatever they are called.
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations
 
 import numpy as np
@@ -48,12 +48,14 @@ NO_NAMES = ("pi", "np", "math", "cos", "sin")
 @dataclass(frozen=True)
 class LinkMatrix:
     """The convention of a link matrix, the parameter that each of its names means, and the order of
-    the columns that it takes its numbers from, () where it takes names.
+    the columns that it takes its numbers from, () where it takes names; ``listed`` are the names
+    of which it takes one number for each link, as ``a[i]``.
     """
 
     convention: str
     roles: dict
     order: tuple = ()
+    listed: tuple = ()
 
 
 def link_matrix_in(code):
@@ -76,15 +78,17 @@ def link_matrix_in(code):
         if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,5}|[cs])\b", " ".join(entries)):
             continue
         tried += 1
-        found = _solved(_by_column([_plain(entry, local) for entry in entries]))
+        entries = [_plain(entry, local) for entry in entries]
+        found = _solved(_by_column(entries))
         if found:
-            return found
+            listed = re.findall(rf"\b(\w+)(?={INDEX.pattern})", " ".join(entries))
+            return replace(found, listed=tuple(set(listed) & set(found.roles)))
     return None
 
 
 def _locals(code):
     """What stands for the cosines and sines: ``ct = cos(theta)``."""
-    found = {name: value for name, value in LOCAL.findall(code)}
+    found = dict(LOCAL.findall(code))
     for one, other, first, second in BOTH.findall(code):
         found.update({one: first, other: second})
     return found

@@ -6,7 +6,7 @@ import re
 
 from .roles import ROLES, role_of, unit_in
 
-__all__ = ["convention_in", "order_in", "order_of_names", "previous_in"]
+__all__ = ["convention_in", "order_in", "order_of_names", "order_of_three", "previous_in"]
 
 NAME = re.compile(r"[A-Za-z][\w.]*(?:[({\[]i(?:\s*-\s*1)?[)}\]]|_\{?i-1\}?|(?<=_i)-1)?")
 PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
@@ -27,6 +27,9 @@ def order_in(source):
     """(roles, units by role, where it says so, line) of the first place that names four columns in
     a row; None without one.
     """
+    used = source.link_matrix
+    if used and len(used.order) == 4:
+        return (used.order, {}, "as its own link matrix takes them", 0)
     for line, text in source.comments:
         found = order_of_names(text)
         if found:
@@ -42,6 +45,26 @@ def order_in(source):
     if len(picked) >= 4 and len(set(list(picked.values())[:4])) == 4:
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
+    return None
+
+
+def order_of_three(source):
+    """(roles, why) of rows of three numbers, a, d and alpha in some order, where theta stands
+    elsewhere or nowhere; None where nothing says the order.
+    """
+    four = order_in(source)
+    if four and "r" not in four[0]:
+        return tuple(role for role in four[0] if role != "theta"), four[2]
+    for text, why in (
+        *((text, "as the comment says") for _, text in source.comments),
+        (source.code, "as the program says"),
+    ):
+        words = re.findall(r"\b[A-Za-z]\w*|[^\s\w]|\d+", re.sub(r"\(\w+\)|\[\w+\]", "", text))
+        words = [word for word in words if word not in (",", "|", ";", "-", "/", "double", "float")]
+        for at in range(len(words) - 2):
+            roles = tuple(role_of(word)[0] for word in words[at : at + 3])
+            if set(roles) == {"a", "d", "alpha"}:
+                return roles, why
     return None
 
 

@@ -11,6 +11,7 @@ from .expressions import NoExpression, evaluate, key
 from .letters import unified
 from .matrices import link_matrix_in
 from .restated import restated
+from .roles import role_of
 
 __all__ = ["DEFINED", "Source", "source_of"]
 
@@ -89,6 +90,16 @@ class Source:
     def link_matrix(self):
         """The link matrix that the text computes, None without one."""
         return link_matrix_in(self.code)
+
+    def role(self, name):
+        """The parameter that a name means: as the link matrix of the text has it, else by its
+        words.
+        """
+        role, found = role_of(name)[0], self.link_matrix
+        name = name.split(".")[-1]
+        if found is None or (role is not None and name not in found.listed):
+            return role
+        return found.roles.get(name, found.roles.get(re.sub(r"_?\d+$", "", name), role))
 
     def value(self, text):
         """The Value of an expression of this text, None when it is none."""
