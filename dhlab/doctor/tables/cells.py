@@ -107,4 +107,7 @@ def _trimmed(text):
     text = next(part for part in bold.groups() if part) if bold else text
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
+    named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)
+    if named and kind_of_letter(named[1].replace("_", "")) in ("d", "a", "alpha", "length"):
+        text = text[named.end() :]  # d1 = 0.5 in a cell is 0.5
     return re.sub(r"^=\s*", "", text)

@@ -1,12 +1,15 @@
 """What a column of a pasted table can be: angles or lengths; and the order of the columns."""
 
+from dataclasses import dataclass
 from itertools import permutations
 
 import numpy as np
 
-__all__ = ["ROLES", "Order", "orders", "misplaced", "snapped"]
+from .cells import Cell
 
-from dataclasses import dataclass
+__all__ = ["IMPLIED", "ROLES", "Order", "orders", "misplaced", "snapped"]
+
+IMPLIED = Cell(0.0, (("theta", 1.0),), text="theta")  # the variable of rows that do not show it
 
 # who writes his columns so, the most common first
 DIALECTS = {
@@ -57,13 +60,14 @@ def orders(table, given):
     if table.roles is not None:
         return _named(table)
     columns = list(zip(*table.rows))
+    usual = DIALECTS if any(cell != IMPLIED for cell in columns[-1]) else ()
     strict = [_kind(column) for column in columns]
     lenient = [
         "any" if kind == "length" and _might_be_degrees(column) else kind
         for kind, column in zip(strict, columns)
     ]
     for kinds in (strict, lenient):
-        for known in (DIALECTS, permutations(ROLES)):
+        for known in (usual, permutations(ROLES)):
             fitting = [roles for roles in known if _fits(roles, columns, kinds)]
             if fitting:
                 return [

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ..cells import read_cell
 from ..language.brackets import cells_in
-from ..language.orders import order_in, order_of_names
+from ..language.orders import names_in_a_row, order_in, order_of_names
 from ..language.roles import ROLES, role_of
 from .grid import from_grid, header, units_of
 
@@ -18,6 +18,7 @@ ROW = re.compile(
     r"\s*[-*]?\s*([A-Za-z][\w ]{0,20}?)\s*[:=-]?\s*"
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
+LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
 MOST_WORDS = 4  # of a row's label
@@ -38,9 +39,13 @@ def read(source, nominal=None):
         return _from_lines(_broken(code).split("\n"), source)
     except ValueError as error:
         table = _in_comments(source)
-        if table is None:
+        if table is not None:
+            return table
+        below = _under_names(source.code.split("\n"))
+        if below is None:
             raise error
-        return table
+        grid, roles, units = below
+        return from_grid(grid, source, roles, "as the line above them says", units)
 
 
 def _in_comments(source):
@@ -175,12 +180,17 @@ def _trimmed(cells, mark):
 
 def _cells(line, wide):
     """Cells separated by spaces; "q2 - 90", "pi / 2", "90 deg" and "i - 1" are one cell each."""
-    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
-    line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
-    line = re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
+    line = _joined(line)
     if wide:
         return [cell for cell in re.split(r"\s{2,}", line.strip()) if cell]
     return cells_in(line.replace(",", " ") if not re.search(r"\d,\d", line) else line)
+
+
+def _joined(line):
+    """A line in which numbers and their units have no gap between them."""
+    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
+    line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
+    return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
 
 
 def _good(cell):
@@ -265,6 +275,35 @@ def _table_only(grid):
     return [grid[heads[0]], *kept] if heads else kept
 
 
+def _under_names(texts):
+    """(grid, roles, units) of rows below a line in which four names of columns follow each other,
+    whatever stands before and behind them; None without them.
+    """
+    for k, line in enumerate(texts):
+        named = names_in_a_row(line)
+        behind = line[named[2] :] if named else ""
+        if not named or re.search(r"off|sign|type|sigma|joint", behind, re.IGNORECASE):
+            continue
+        rows = []
+        for at, below in enumerate(_with_fractions(texts[k + 1 :]), k + 2):
+            cells = cells_in(_joined(LABEL.sub("", below)))
+            if len(cells) >= 4 and all(map(_good, cells[:4])):
+                rows.append((f"line {at}", cells[:4]))
+            elif rows and below.strip():
+                break
+        if len(rows) > 1:
+            return rows, named[0], named[1]
+    return None
+
+
+def _with_fractions(texts):
+    """Lines of a page on which a fraction takes two lines of its own behind its row: joined."""
+    text = re.sub(
+        r"\n[ \t]*(-?[ \t]*\d*pi)[ \t]*\n[ \t]*(\d)[ \t]*(?=\n|$)", r" \1/\2", "\n".join(texts)
+    )
+    return re.sub(r"(?<=-)[ \t]+(?=pi/\d$)", "", text, flags=re.MULTILINE).split("\n")
+
+
 def _is_last_of_matrix(cells):
     """Whether this is the row 0 0 0 1 of a link matrix that stands below the table."""
     if not all(_good(cell) and cell.strip("*` ") != "-" for cell in cells):
@@ -273,7 +312,7 @@ def _is_last_of_matrix(cells):
 
 
 def _is_row(cells, width):
-    if cells and len(str(cells[0]).split()) > MOST_WORDS:
+    if cells and len(cells) != width and len(str(cells[0]).split()) > MOST_WORDS:
         return False  # a sentence with numbers in it
     good = sum(map(_good, cells))
     if width:

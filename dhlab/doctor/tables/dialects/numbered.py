@@ -5,7 +5,6 @@
 import re
 
 from ..cells import cell_of
-from ..language.roles import role_of
 from ..language.source import DEFINED
 from ..pasted import Row, from_rows
 
@@ -17,7 +16,11 @@ FIELD = re.compile(
 # the number within the name: DH_0_THETA, J1_d
 WITHIN = re.compile(r"[A-Za-z_]*?(\d+)_?([A-Za-z]+)")
 NAMED_WITHIN = re.compile(r"\b([A-Za-z_]+\d+_[A-Za-z]+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
-CELL = re.compile(r"\b([A-Za-z_]+)\s*[\[(](\d+)[\])]\s*=\s*([^;\n=]+)")
+# a(2) = 0.3, a[2] = 0.3, and of a column or a row of numbers a(2,1) = 0.3, a[0][2] = 0.3
+CELL = re.compile(
+    r"\b([A-Za-z_]+)\s*[\[(](?:[01]\s*(?:,|\]\s*\[)\s*(?=\d+\s*[\])]))?(\d+)(?:\s*(?:,|\]\s*\[)\s*[01])?"
+    r"\s*[\])]\s*=\s*([^;\n=]+)"
+)
 PAIR = re.compile(r"(?<![\w.])([A-Za-z_]+?)_?(\d+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 
@@ -26,17 +29,25 @@ def read(source, nominal=None):
     """The Pasted table of numbered names; None when d, a and alpha are not all there."""
     found: dict = {}
     unread: dict = {}
+    unknown: dict = {}
     for name, index, text in _named(source.code):
-        role = role_of(name)[0]
+        role = source.role(name)
         value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
-        if text.strip().startswith("["):
+        if text.strip().startswith("[") or re.match(r"\s*(?:\w+\.)?symbols\b", text):
             continue  # A12 = [ … is a matrix
         if role in NAMES and value is None:
             unread.setdefault((role, int(index)), text.strip())
+        elif role is None and value is not None:
+            unknown.setdefault(name, {}).setdefault(int(index), (value, text.strip()))
         elif role in NAMES:
             found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
     if "a" not in found and "r" in found:
         found["a"] = found.pop("r")
+    other, twists = (
+        _twists(unknown) if "alpha" not in found and {"a", "d"} <= set(found) else ("", {})
+    )
+    if twists:
+        found["alpha"] = twists
     if not {"d", "alpha"} <= set(found) or len(found["alpha"]) < 2:
         return None
     shift, convention = _shift(found)
@@ -62,6 +73,7 @@ def read(source, nominal=None):
         for role, missing in gaps.items()
         if missing
     )
+    notes += (f"{other} is taken for alpha: it holds the angles",) if twists else ()
     return from_rows(
         [Row(cells, kind) for cells, kind in rows],
         why="as their names say",
@@ -69,6 +81,17 @@ def read(source, nominal=None):
         because="since a and alpha are counted from 0, d from 1" if convention else "",
         notes=notes,
     )
+
+
+def _twists(unknown):
+    """(name, its numbers) where one of the names that say nothing holds multiples of pi."""
+    angles = {
+        name: numbers
+        for name, numbers in unknown.items()
+        if len(numbers) > 2 and any(value.unit in ("rad", "deg") for value, _ in numbers.values())
+        if not any(value.letters for value, _ in numbers.values())
+    }
+    return next(iter(angles.items())) if len(angles) == 1 else ("", {})
 
 
 def _require_read(unread, found):

@@ -67,6 +67,7 @@ INVERSE = {
 }
 
 
+CALLED = {*TO_RADIANS, *PLAIN, *FUNCTIONS, *INVERSE, "degrees", "rad2deg", "r2d"}
 # arrays of joint values, as MATLAB indexes them: q(1), jA(1), config(1)
 JOINT_VALUES = re.compile(r"q\w{0,3}|th|theta\w{0,3}|ja?|joints?|angles?|conf\w*|phi|jointangles?")
 
@@ -245,7 +246,9 @@ class _Parser:
     def named(self, text):
         name = key(text)
         low = text.split(".")[-1].split("::")[-1].lower()
-        if self.peek() == ("op", "(") and not (JOINT_VALUES.fullmatch(low) and self.is_indexed()):
+        if self.peek() == ("op", "(") and not (
+            (JOINT_VALUES.fullmatch(low) or low not in CALLED) and self.is_indexed()
+        ):
             return self.called(low)
         if self.peek()[1] in ("(", "[") and self.peek(1)[0] == "number":
             bracket, index = self.take()[1], self.take()[1]

@@ -6,12 +6,19 @@ import re
 
 from .roles import ROLES, role_of, unit_in
 
-__all__ = ["convention_in", "order_in", "order_of_names", "order_of_three", "previous_in"]
+__all__ = [
+    "convention_in",
+    "names_in_a_row",
+    "order_in",
+    "order_of_names",
+    "order_of_three",
+    "previous_in",
+]
 
 NAME = re.compile(r"[A-Za-z][\w.]*(?:[({\[]i(?:\s*-\s*1)?[)}\]]|_\{?i-1\}?|(?<=_i)-1)?")
 PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
 BETWEEN = re.compile(
-    r"[\s,;|&/\[\](){}:=*'\"_.-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
+    r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
 UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
 MOVES = re.compile(
@@ -89,6 +96,12 @@ def order_of_names(text, in_code=False):
     >>> order_of_names("{theta0(deg), d, a, alpha(deg)}")
     (('theta', 'd', 'a', 'alpha'), {'theta': 'deg', 'alpha': 'deg'})
     """
+    found = names_in_a_row(text, in_code)
+    return found and found[:2]
+
+
+def names_in_a_row(text, in_code=False):
+    """(roles, units, where they end) as :func:`order_of_names`."""
     run, units, last = [], {}, 0
     for match in NAME.finditer(text):
         gap = text[last : match.start()]
@@ -114,7 +127,7 @@ def order_of_names(text, in_code=False):
             if len(run) == 4 and not in_code:
                 units.update(_unit_after(text, last, role))
             if len(run) == 4 and {"theta", "alpha"} <= set(run):
-                return tuple(run), units
+                return tuple(run), units, last
         else:
             run = [] if len(run) < 4 else run
             last = match.end()

@@ -21,6 +21,10 @@ KDL_JOINT = re.compile(r"\bJoint\s+(\w+)\s*[({]\s*((?:\w+::)*Joint::\w+)\s*[)}]\
 MATRIX = re.compile(r"\b([A-Za-z]\w*)[ \t]*=[ \t]*\[([^\[\]]*;[^\[\]]*)\]")
 
 
+# YAML: PI_2: &PI_2 1.5708, then *PI_2
+ANCHOR = re.compile(r"&([A-Za-z]\w*)[ \t]+(-?[\d.][\w.+-]*)[ \t]*$", re.MULTILINE)
+
+
 def restated(text):
     r"""The text, with what is spelled otherwise said plainly.
 
@@ -40,6 +44,9 @@ def restated(text):
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
     text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
     text = INCHES.sub(r"\1in", text)
+    for name, number in ANCHOR.findall(text):
+        text = re.sub(rf"\*{name}\b", number, text)
+    text = ANCHOR.sub(r"\2", text)
     for name, kind in KDL_JOINT.findall(text):
         text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
     return _without_indices(text)

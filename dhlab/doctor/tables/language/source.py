@@ -137,7 +137,7 @@ def source_of(text, values=None):
     code = _without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
-    code = _from_zero(code)
+    code = _from_zero(_two_families(code))
     known = _assigned(code)
     _require_apart(code)
     for _, comment in comments:
@@ -314,6 +314,27 @@ def _require_apart(code):
                 f"recognise_table: {shown} are different numbers in this text; what is each? Give"
                 " them names that differ in more than an underscore"
             )
+
+
+def _two_families(code):
+    """``[a1, a2]`` and ``[a_1, a_2]`` in one text are two parameters: the second gets another
+    name.
+    """
+    lists = [
+        re.findall(r"\b[A-Za-z]+_?\d\b", inside) for inside in re.findall(r"\[([^\[\]]*)\]", code)
+    ]
+    with_, without = (
+        {name for names in lists for name in names if ("_" in name) == mark} for mark in (1, 0)
+    )
+    for family in {name.split("_")[0] for name in with_}:
+        both = {
+            name
+            for name in with_
+            if name.startswith(f"{family}_") and name.replace("_", "") in without
+        }
+        if len(both) > 1:
+            code = re.sub(rf"\b{family}_(?=\d\b)", f"{family}under", code)
+    return code
 
 
 def _from_zero(code):
