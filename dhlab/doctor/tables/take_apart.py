@@ -17,10 +17,10 @@ from .dialects import (
     sequences,
     universal,
 )
-from .dialects.grid import from_grid
+from .dialects.grid import NoRows, from_grid, header
 from .language.axes import axes_in
 from .language.orders import convention_in, previous_in
-from .language.source import source_of
+from .language.source import source_of, uncommented
 from .pasted import Pasted
 
 __all__ = ["take_apart"]
@@ -65,7 +65,22 @@ def take_apart(given, values=None, nominal=None, length=None):
 
 
 def _from_text(text, values, nominal, length):
-    source = source_of(text, values)
+    try:
+        return _read(source_of(text, values), nominal, length)
+    except ValueError as error:
+        plain = uncommented(text) if isinstance(error, NoRows) else None
+        if plain is None:
+            raise
+        try:
+            found = _read(source_of(plain, values), nominal, length)
+        except ValueError:
+            raise error from None
+        if not isinstance(found, Pasted):
+            return found
+        return replace(found, notes=(*found.notes, "it was read from the comments"))
+
+
+def _read(source, nominal, length):
     source.asked_length = length or ""
     for read in READERS:
         try:
@@ -76,6 +91,8 @@ def _from_text(text, values, nominal, length):
             raise
         if read in (rows.read, functions.read) and found is not None:
             found = _larger(found, source)
+        elif read in (keyed.read, numbered.read) and found is not None:
+            found = _drawn(source, len(found.rows)) or found
         if found is not None:
             return _with_words(found, source) if isinstance(found, Pasted) else found
     raise AssertionError  # the last reader answers or raises
@@ -97,6 +114,16 @@ def _larger(found, source):
     except ValueError:
         return found
     return other if other.roles is not None and len(other.rows) > len(found.rows) else found
+
+
+def _drawn(source, least):
+    """A table drawn with bars and a heading, of which the numbers named in the text are the
+    letters' values, or remarks; None without one of so many rows.
+    """
+    if not any("|" in line and header(line.strip(" |").split("|")) for line in source.lines):
+        return None
+    table = _read_or_none(lines.read, source)
+    return table if table and table.roles is not None and len(table.rows) >= least else None
 
 
 def _read_or_none(read, source):

@@ -5,9 +5,10 @@ DHLink(…), RevoluteMDHLink(…), Frame::DH(…).
 import re
 
 from ..cells import cell_of, read_cell
+from ..columns import misplaced
 from ..language.brackets import cells_in, groups, keyword
 from ..language.roles import role_of
-from ..pasted import Row, from_rows
+from ..pasted import Pasted, Row, from_rows
 from .functions import definitions
 
 __all__ = ["read"]
@@ -65,6 +66,12 @@ def read(source, nominal=None):
             " paste one arm"
         )
     said = conventions.pop() if conventions else _default(source, forms)
+    if forms[0] == "DHLink" and (columns := _contradicted(rows)):
+        return Pasted(
+            columns, form="DHLink", convention=said or None, labels=("",) * len(rows),
+            kinds=tuple(row.kind for row in rows), signs=(1,) * len(rows),
+            notes=("the numbers contradict the order of that class in other programs",),
+        )  # fmt: skip
     return from_rows(
         rows,
         why="as their names say",
@@ -73,6 +80,17 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _contradicted(rows):
+    """The rows as they stand, four numbers each, where the order of their class would make lengths
+    of multiples of pi; () where it does not.
+    """
+    order = CLASSES[-2][3].split()
+    if any(list(row.cells)[:4] != order for row in rows):
+        return ()
+    odd = misplaced({role: [row.cells[role] for row in rows] for role in order})
+    return tuple(tuple(row.cells[role] for role in order) for row in rows) if odd else ()
 
 
 def _defines(group):

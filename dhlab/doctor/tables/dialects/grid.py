@@ -11,11 +11,11 @@ import numpy as np
 
 from ..beside import DASH, explained, require_no_fifth, slid, with_theta
 from ..cells import Cell, plain, read_cell
-from ..columns import LENGTHS
+from ..columns import IMPLIED, LENGTHS
 from ..language.roles import ROLES, role_of, unit_in
 from ..pasted import Pasted
 
-__all__ = ["from_grid", "header", "units_of"]
+__all__ = ["NoRows", "from_grid", "header", "units_of"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
 TURNED = {"yes": -1, "true": -1, "1": -1, "y": -1, "x": -1, "no": 1, "false": 1, "0": 1, "n": 1}
@@ -36,6 +36,10 @@ SIGNS = {
     **dict.fromkeys(("+", "+1", "1", "+z", "z+", "z", "ccw", "positive", "normal"), 1),
     **dict.fromkeys(("-", "-1", "-z", "z-", "cw", "negative", "reversed", "inverted"), -1),
 }
+
+
+class NoRows(ValueError):
+    """No line of the text is a row."""
 
 
 def header(cells):
@@ -123,7 +127,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         rows.append(_row(cells, roles, where, source))
         require_no_fifth(names, cells, where)
     if not rows:
-        raise ValueError(
+        raise NoRows(
             "recognise_table: expected at least one row of four numbers, found none; paste the"
             " table with its rows, one per line"
         )
@@ -131,6 +135,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     kept = roles and tuple(role for role in roles if role in KEPT)
     if any(cell is DASH for row in cells for cell in row):
         notes = (*notes, "a dash is taken for 0")
+    if any(cell is IMPLIED for row in cells for cell in row):
+        notes = (*notes, "an empty cell of theta is taken for the joint's variable")
     if kept:
         cells = tuple(slid(row, kept) for row in cells) if taken else cells
         cells, kept, beside = with_theta(cells, kept) if None not in roles else (cells, kept, ())
@@ -222,6 +228,8 @@ def _row(cells, roles, where, source):
             sign = _sign(word, where, SIGNS)
         elif role == "turned":
             sign = _sign(word, where, {**TURNED, **SIGNS, "1": -1})
+        elif role == "theta" and not word and isinstance(cell, str):
+            kept.append(IMPLIED)
         elif role in KEPT:
             kept.append(_cell(cell, where, k, source))
         elif roles is None:

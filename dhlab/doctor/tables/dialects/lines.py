@@ -8,7 +8,7 @@ from ..cells import read_cell
 from ..language.brackets import cells_in
 from ..language.orders import names_in_a_row, order_in, order_of_names
 from ..language.roles import ROLES, role_of
-from .grid import from_grid, header, units_of
+from .grid import NoRows, from_grid, header, units_of
 
 __all__ = ["read"]
 
@@ -41,7 +41,7 @@ def read(source, nominal=None):
         table = _in_comments(source)
         if table is not None:
             return table
-        below = _under_names(source.code.split("\n"))
+        below = _under_names(source.lines) if isinstance(error, NoRows) else None
         if below is None:
             raise error
         grid, roles, units = below
@@ -254,6 +254,11 @@ def _table_only(grid):
         and _is_row(cells, width)
         and not units_of(cells)
     ]
+    for k in range(1, len(grid)):  # a row's label may be long where the row stands below others
+        before, here = (int(grid[j][0].split()[1]) for j in (k - 1, k))
+        long = width and len(grid[k][1]) == width and _is_row(["", *grid[k][1][1:]], width)
+        if k - 1 in rows and k not in rows and long and here == before + 1:
+            rows = sorted([*rows, k])
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
         raise ValueError(
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
@@ -312,7 +317,7 @@ def _is_last_of_matrix(cells):
 
 
 def _is_row(cells, width):
-    if cells and len(cells) != width and len(str(cells[0]).split()) > MOST_WORDS:
+    if cells and len(str(cells[0]).split()) > MOST_WORDS:
         return False  # a sentence with numbers in it
     good = sum(map(_good, cells))
     if width:

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from ..cells import cell_of
+from ..columns import IMPLIED
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.orders import order_in, order_of_three
@@ -100,7 +101,7 @@ def _of_three(matrices, source):
     if rows is None or len(rows) < 2:
         return None
     roles, why = ((*said[0], "theta"), said[1]) if said else (None, "")
-    turning = [(where, [*cells, "theta"]) for where, cells in rows]
+    turning = [(where, [*cells, IMPLIED.text]) for where, cells in rows]
     table = from_grid(turning, source, roles, why)
     note = "no column theta: each row is taken for a joint that turns, with its zero at theta = 0"
     return replace(_with_beside(table, source), notes=(*table.notes, note))

@@ -91,6 +91,11 @@ class Source:
         """The link matrix that the text computes, None without one."""
         return link_matrix_in(self.code)
 
+    @property
+    def lines(self):
+        """The lines of the code."""
+        return self.code.split("\n")
+
     def role(self, name):
         """The parameter that a name means: as the link matrix of the text has it, else by its
         words.
@@ -245,6 +250,20 @@ def _without_comments(text, comments):
             comments.append((k + 1, line[cut:].lstrip("#%/! \t")))
             lines[k] = line[:cut]
     return "\n".join(lines)
+
+
+def uncommented(text):
+    """The text with the marks of its comments taken off, where most of it is one; None of others.
+
+    Examples
+    --------
+    >>> uncommented("# L1 = Link(d=0.1)\\n# L2 = Link(a=0.4)")
+    'L1 = Link(d=0.1)\\nL2 = Link(a=0.4)'
+    """
+    plain, n = re.subn(
+        r"^[ \t]*(?:#+|//+|%+|--|\*)[ \t]?(?=.*[\w\])}])", "", text, flags=re.MULTILINE
+    )
+    return plain if n > 1 else None
 
 
 def _comment_at(line):
