@@ -202,6 +202,8 @@ def _try(cell):
 def _row(cells, roles, where, source):
     """(Cells, label, kind, sign) of one line."""
     label, kind, sign, kept = "", "", 1, []
+    if roles is not None and len(cells) == len(roles) + 1 and _is_remark(cells[-1]):
+        cells = cells[:-1]
     if roles is not None and len(cells) == len(roles) + 1 and "label" not in roles:
         label, cells = plain(str(cells[0])), cells[1:]
         label = "" if label.isdigit() else label  # the index of a printed data frame
@@ -222,7 +224,11 @@ def _row(cells, roles, where, source):
             label = word or str(cell)
             told = re.search(r"\((r|p)\*?\)$", label)  # 3 (P)
             kind = kind or (told[1].upper() if told else "")
-        elif role == "type" or (role is None and word in KINDS and (k == 0 or len(word) > 1)):
+        elif role == "type" or (
+            role is None
+            and word in KINDS
+            and (k == 0 or len(word) > 1 or (word in "rp" and k == len(cells) - 1))
+        ):
             kind = KINDS.get(word.split(" ")[0], KINDS.get(word[:1], ""))
         elif role in ("sign", "direction"):
             sign = _sign(word, where, SIGNS)
@@ -238,6 +244,13 @@ def _row(cells, roles, where, source):
             else:
                 kept.append(_cell(cell, where, k, source))
     return tuple(kept), label, kind, sign
+
+
+def _is_remark(cell):
+    """Words behind the last column."""
+    return (
+        isinstance(cell, str) and _try(cell) is None and len(re.findall(r"[^\W\d_]{2,}", cell)) > 1
+    )
 
 
 def _sign(word, where, known):

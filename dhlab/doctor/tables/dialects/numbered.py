@@ -50,6 +50,7 @@ def read(source, nominal=None):
         found["alpha"] = twists
     if not {"d", "alpha"} <= set(found) or len(found["alpha"]) < 2:
         return None
+    _count_alike(found)
     shift, convention = _shift(found)
     first = min(found["d"])
     last = max(max(found["d"]), *(k + shift for k in found["alpha"]))
@@ -92,6 +93,13 @@ def _twists(unknown):
         if not any(value.letters for value, _ in numbers.values())
     }
     return next(iter(angles.items())) if len(angles) == 1 else ("", {})
+
+
+def _count_alike(found):
+    """theta1 beside d0, as many of each: both are those of the first link."""
+    theta, d = found.get("theta"), found["d"]
+    if theta and min(theta) == min(d) + 1 and max(theta) == max(d) + 1:
+        found["theta"] = {k - 1: value for k, value in theta.items()}
 
 
 def _require_read(unread, found):

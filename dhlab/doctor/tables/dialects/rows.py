@@ -34,6 +34,9 @@ MAKERS = {
     "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
     "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
 }
+ONE_CELL = re.compile(
+    r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
+)
 LAST_ROW = ["0", "0", "0", "1"]
 NAMED = (
     (r"[\"']mdh[\"']|modified", "craig"),
@@ -58,6 +61,9 @@ def _numbers(source):
             *(rows for _, rows in matrices),
             _one_a_call(found),
             _one_a_name(found),
+            _one_an_index(found),
+            _by_fours(found, source),
+            _cell_by_cell(source.code),
             *_streams(source.code),
             *_listed(source.code),
         ),
@@ -196,7 +202,10 @@ def _matrix(group):
     if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= 8:
         return []
     if len(rows) == 1 and (
-        group.mark == "(" or (not inner and group.mark != "[") or len(rows[0][1]) > 5
+        (group.outer is not None and group.outer.mark != "(" and len(group.outer.items) > 1)
+        or group.mark == "("
+        or (not inner and group.mark != "[")
+        or len(rows[0][1]) > 5
     ):
         return []
     return rows
@@ -255,6 +264,7 @@ def _with_types(table, source):
 def _is_table(rows, source):
     """Whether rows are no matrix of formulas, no pose, nor the last row of one."""
     read = all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
+    read = read and bool(re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row)))
     last = len(rows) in (1, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
     return read and bool(rows) and not last
 
@@ -294,6 +304,40 @@ def _one_a_name(found):
     whole = [one for one in rows.values() if sorted(one) == list(range(min(one), max(one) + 1))]
     numbered = max(whole, key=len, default={})
     return [numbered[k] for k in sorted(numbered)] if len(numbered) > 1 else []
+
+
+def _one_an_index(found):
+    """The rows that are put into a table one by one: ``DH(1,:) = [0, 0.3, 0, 90]``."""
+    rows: dict = {}
+    for group in found:
+        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        alone = group.target and group.mark != "(" and group.outer is None
+        if alone and 4 <= len(cells) <= 6 and re.search(r"\d", group.text):
+            rows.setdefault((group.target, len(cells)), []).append((f"line {group.line}", cells))
+    most = max(rows.values(), key=len, default=[])
+    return most if len(most) > 1 else []
+
+
+def _by_fours(found, source):
+    """Rows of four in one flat list, where the text says in which order they stand."""
+    for group in found:
+        cells = [item.text for item in group.items]
+        many = len(cells) >= 8 and len(cells) % 4 == 0 and group.mark != "("
+        if many and not any(item.groups for item in group.items) and order_in(source):
+            return [(f"line {group.line}", cells[k : k + 4]) for k in range(0, len(cells), 4)]
+    return []
+
+
+def _cell_by_cell(code):
+    """A table of which every number is put in by its two indices: ``dh[1][3] = 90``."""
+    cells: dict = {}
+    for name, i, j, text in ONE_CELL.findall(code):
+        cells.setdefault(name, {})[int(i), int(j)] = text.strip()
+    for held in cells.values():
+        rows, columns = (sorted({at[k] for at in held}) for k in (0, 1))
+        if len(rows) > 1 and len(columns) in (4, 5) and len(held) == len(rows) * len(columns):
+            return [(f"row {i}", [held[i, j] for j in columns]) for i in rows]
+    return []
 
 
 def _streams(code):

@@ -108,7 +108,7 @@ def names_in_a_row(text, in_code=False):
         if re.fullmatch(r"[ms]?dh", match[0].lower()) or text[match.start() :][:3].lower() == "d-h":
             run, last = ([] if len(run) < 4 else run), match.end()
             continue
-        role = role_of(match[0])[0]
+        role = role_of(match[0] if in_code else re.sub(r"(?<=[a-z])_?\d$", "", match[0]))[0]
         role = "theta" if role == "offset" and "theta" not in run else role
         unit = unit_in("x (" + match[0] + ")") if match[0] not in ("d", "a") else ""
         if (unit and run and "(" in gap) or (unit and "[" in gap and run):

@@ -25,6 +25,10 @@ MATRIX = re.compile(r"\b([A-Za-z]\w*)[ \t]*=[ \t]*\[([^\[\]]*;[^\[\]]*)\]")
 ANCHOR = re.compile(r"&([A-Za-z]\w*)[ \t]+(-?[\d.][\w.+-]*)[ \t]*$", re.MULTILINE)
 
 
+TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
+ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
+
+
 def restated(text):
     r"""The text, with what is spelled otherwise said plainly.
 
@@ -44,6 +48,7 @@ def restated(text):
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
     text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
     text = INCHES.sub(r"\1in", text)
+    text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
         text = re.sub(rf"\*{name}\b", number, text)
     text = ANCHOR.sub(r"\2", text)

@@ -116,7 +116,7 @@ def role_of(text):
     bare = PREVIOUS.sub(" ", bare) if previous else bare
     words = re.sub(r"[\[\](){}_,;:./|*'\"]+", " ", bare)
     words = re.sub(r"(?<=[a-z])0?[ijk]\b|(?<=\bd)h\b", "", words) if len(words) < 8 else words
-    words = " ".join(FILLER.sub(" ", words).split())
+    whole, words = words, " ".join(FILLER.sub(" ", words).split())
     if words in LABELS:
         return "label", False
     foreign = _without_accents(bare)
@@ -127,7 +127,7 @@ def role_of(text):
             if re.search(pattern, foreign):
                 return role, previous
     for pattern, role in PHRASES:
-        if re.search(pattern, words) or re.search(pattern, bare):
+        if any(re.search(pattern, said) for said in (words, bare, whole)):
             return role, previous
     if words in LETTERS:
         return LETTERS[words], previous

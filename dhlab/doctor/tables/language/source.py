@@ -142,6 +142,7 @@ def source_of(text, values=None):
     code = _without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
+    code = re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)
     code = _from_zero(_two_families(code))
     known = _assigned(code)
     _require_apart(code)
@@ -303,6 +304,7 @@ def _assigned(text):
             if len(parts) == names.count(",") + 1:
                 known.setdefault(key(name.strip()), said)
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
+        value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):
             said = said.strip().rstrip(".)")
             if said.count("(") > said.count(")"):
