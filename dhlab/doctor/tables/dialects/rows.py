@@ -37,6 +37,7 @@ MAKERS = {
 ONE_CELL = re.compile(
     r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
+NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 LAST_ROW = ["0", "0", "0", "1"]
 NAMED = (
     (r"[\"']mdh[\"']|modified", "craig"),
@@ -58,7 +59,7 @@ def _numbers(source):
         return _of_three(matrices, source)
     grid = max(
         (
-            *(rows for _, rows in matrices),
+            _likeliest(matrices),
             _one_a_call(found),
             _one_a_name(found),
             _one_an_index(found),
@@ -97,6 +98,17 @@ def _numbers(source):
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
+
+
+def _likeliest(matrices):
+    """The rows that are named a table, else those of four or five numbers, else the largest."""
+
+    def likely(one):
+        name, rows = one[0].target.lower(), one[1]
+        named = bool(re.search(r"dh|denavit", name)) - bool(NO_TABLE.search(name))
+        return named, len(rows[0][1]) in (4, 5), _size(rows)
+
+    return max(matrices, key=likely, default=(None, []))[1]
 
 
 def _of_three(matrices, source):

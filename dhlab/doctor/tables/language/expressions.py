@@ -252,6 +252,9 @@ class _Parser:
             return self.called(low)
         if self.peek()[1] in ("(", "[") and self.peek(1)[0] == "number":
             bracket, index = self.take()[1], self.take()[1]
+            if bracket == "[" and self.peek() == ("op", ",") and self.peek(1)[0] == "number":
+                self.take()
+                index = f"{index},{self.take()[1]}"
             self.expect(")" if bracket == "(" else "]")
             listed = f"{name}[{int(index) - 1}]" if bracket == "(" and index.isdigit() else ""
             listed = listed or f"{name}[{index}]"  # MATLAB counts from 1

@@ -30,6 +30,7 @@ BOTH = re.compile(  # ct, st = np.cos(theta), np.sin(theta)
 ENTRY = re.compile(
     r"\b[A-Za-z_]\w*\s*[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
+IN_LINE = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*=(?!=)\s*([^=;\n]+)")
 FILLED = re.compile(r"<<([^;]{40,1500});")
 LIKE = re.compile(r"\b(?:\w+\.)*(zero|one)s(?:_like)?\([^()]*\)")
 # one number of a row: dh[i][2], dh(i, 3), params[:, 0], dh[4*i + 1], p[2]
@@ -106,6 +107,7 @@ def _matrices(code):
         cells = [cell.strip() for cell in cells_in(block.replace("\n", " "))]
         if len(cells) in (12, 16):
             yield cells
+    yield from _one_by_one(code)
     entries: dict = {}
     for i, j, text in ENTRY.findall(code):
         entries.setdefault((int(i), int(j)), text.strip())
@@ -116,6 +118,19 @@ def _matrices(code):
             for i in range(4)
             for j in range(4)
         ]
+
+
+def _one_by_one(code):
+    """The entries, 16 under one name, that are written one behind the other: ``m[7] = d``."""
+    held: dict = {}
+    for name, index, text in IN_LINE.findall(code):
+        held.setdefault(name, {})[int(index)] = text.strip()
+    for entries in held.values():
+        if set(range(12)) <= set(entries) <= set(range(16)):
+            last = ["0", "0", "0", "1"]
+            whole = [entries.get(k, last[k - 12] if k > 11 else "") for k in range(16)]
+            yield whole
+            yield [whole[4 * (k % 4) + k // 4] for k in range(16)]
 
 
 def _closing(code):

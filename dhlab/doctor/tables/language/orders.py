@@ -21,6 +21,10 @@ BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
 UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
+NAMED_MOVE = r"\b(?:rot|rotation|trans|transl|translation|r|t)_?[xz]\b"
+BARE = re.compile(  # Rz * Tz * Tx * Rx
+    rf"{NAMED_MOVE}(?:\s*(?:[*@.]|\bdot\b|[()])+\s*{NAMED_MOVE}){{3}}", re.IGNORECASE
+)
 MOVES = re.compile(
     r"(?:\brot(?:ate|ation)?|\br|\btrot|\bt|\btrans(?:late|lation|l)?|\bdh)_?([xyz])\b\s*\(\s*([^()]*)\)"
     r"|\brot\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^()]*)\)"
@@ -151,6 +155,10 @@ def convention_in(source):
 
 def _of_moves(line):
     """Rz Tz Tx Rx is the standard row, Rx Tx Rz Tz Craig's."""
+    bare = BARE.search(line)
+    if bare:
+        words = re.findall(r"([rt])\w*?([xz])\b", bare[0].lower())
+        return _by_moves([kind.upper() + axis for kind, axis in words])
     if line.count("(") < 3:
         return None
     found = []
@@ -164,6 +172,10 @@ def _of_moves(line):
         if role_of(argument.split(",")[0])[0] is None and match[5] is None:
             return None
         found.append(("R" if turns else "T") + axis)
+    return _by_moves(found)
+
+
+def _by_moves(found):
     if sorted(found) != ["Rx", "Rz", "Tx", "Tz"]:
         return None
     return {("Rz", "Tz"): "standard", ("Rx", "Tx"): "craig"}.get(tuple(sorted(found[:2])))
