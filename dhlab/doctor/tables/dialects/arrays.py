@@ -13,6 +13,7 @@ __all__ = ["arrays_in", "read"]
 WRAPPERS = re.compile(
     r"(?:array|matrix|asarray|list|tuple|vector|radians|deg2rad|rad|tensor|svector|deg)$"
 )
+STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
 AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$)")
 BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
@@ -26,6 +27,7 @@ def arrays_in(source, twice=None):
         lambda m: m[1] + ": [" + ", ".join(re.findall(r"-\s+([^\n]+)", m[2])) + "]\n",
         source.code,
     )
+    code = STREAM.sub(r"\1 = [\2];", code)
     found = {}
     for group in groups(code):
         outer = group.outer
@@ -83,7 +85,11 @@ def read(source, nominal=None):
             by_role.setdefault(role, values)
     if "a" not in by_role and "r" in by_role:
         by_role["a"] = by_role.pop("r")
-    if not {"d", "a", "alpha"} <= set(by_role):
+    notes = ()
+    if "alpha" not in by_role and {"d", "a"} <= set(by_role):
+        name, by_role["alpha"] = _twists(source, len(by_role["a"]))
+        notes = (f"{name} is taken for alpha: it holds the angles",)
+    if not all(by_role.get(role) for role in ("d", "a", "alpha")):
         return None
     again = [name for name in sorted(twice) if role_of(name)[0] in ("d", "a", "alpha", "r")]
     if again:
@@ -116,8 +122,23 @@ def read(source, nominal=None):
         labels=("",) * n,
         kinds=_kinds(source, n),
         signs=signs if len(signs) == n else (1,) * n,
+        notes=notes,
         **_known_form(source),
     )
+
+
+def _twists(source, n):
+    """(name, numbers) of the one array, of those whose name says nothing, that holds multiples of
+    pi; ("", None) where none or several do.
+    """
+    angles = {
+        name: values
+        for name, values in arrays_in(source).items()
+        if len(values) == n and source.role(name) is None
+        if any(value.unit in ("rad", "deg") for value, _ in values)
+        if not any(value.letters for value, _ in values)
+    }
+    return next(iter(angles.items())) if len(angles) == 1 else ("", None)
 
 
 def _unnumbered(arrays):

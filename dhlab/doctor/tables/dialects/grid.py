@@ -114,6 +114,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             below = [other for place, other in grid if place != where and not units_of(other)]
             named, (roles, beside) = roles, explained(roles, cells, below)
             notes, taken = (*notes, *beside), roles != named
+            _require_once(roles, cells)
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
             why, because = "as the header says", _because(said)
             continue
@@ -149,6 +150,17 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     if said == "i" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
     return table
+
+
+def _require_once(roles, cells):
+    """Two columns of one name: nobody can say which is meant."""
+    for role in ROLES:
+        names = [str(cell).strip() for cell, one in zip(cells, roles) if one == role]
+        if len(names) > 1:
+            raise ValueError(
+                f"recognise_table: expected one column {role}, found {' and '.join(names)[:60]};"
+                " which one is it? Leave the other out"
+            )
 
 
 def _with_directions(roles, grid):

@@ -19,6 +19,10 @@ ROW = re.compile(
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
 LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
+PHRASE = re.compile(  # the gap in link length, joint angle
+    r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
+    r"|(?<=\bjoint)\s+(?=(?:angle|offset|distance)\b)|(?<=\btwist)\s+(?=angle\b)"
+)
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
 MOST_WORDS = 4  # of a row's label
@@ -187,7 +191,11 @@ def _cells(line, wide):
 
 
 def _joined(line):
-    """A line in which numbers and their units have no gap between them."""
+    """A line in which numbers and their units, and the words of one name, have no gap between
+    them.
+    """
+    if not re.search(r"\d", line):
+        line = PHRASE.sub("_", line)
     line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
     line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
     return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)

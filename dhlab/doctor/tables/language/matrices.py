@@ -28,7 +28,7 @@ BOTH = re.compile(  # ct, st = np.cos(theta), np.sin(theta)
     re.MULTILINE,
 )
 ENTRY = re.compile(
-    r"\b[A-Za-z_]\w*\s*[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
+    r"\b[A-Za-z_]\w*\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
 IN_LINE = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*=(?!=)\s*([^=;\n]+)")
 FILLED = re.compile(r"<<([^;]{40,1500});")
