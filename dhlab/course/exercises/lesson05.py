@@ -157,23 +157,6 @@ EXERCISES = [
             " 24 pass."
         ),
     ),
-    Value(
-        id="05.5",
-        title="The new origin",
-        draw=draw_column,
-        answer=lambda **row: row_in_radians(**row)[:3, 3],
-        mistakes=wrong_origins,
-        units="m",
-        entries=("x", "y", "z"),
-        praise="The link swings with θ; d lifts it; α has no say in the position.",
-        hints=(
-            (
-                "The last column of the link matrix is where the origin goes: which of the four"
-                " numbers enter it?"
-            ),
-            "a is walked along the new x arrow, which θ has turned: (a cos θ, a sin θ, d).",
-        ),
-    ),
     ClosedForm(
         id="05.6",
         title="dh_transform in closed form",
@@ -217,8 +200,42 @@ EXERCISES = [
             ),
         ),
     ),
+    Value(
+        id="05.9",
+        title="The matrix of a sliding joint",
+        points=2,
+        draw=draw_slide,
+        answer=slide,
+        mistakes=wrong_slides,
+        units="pose",
+        tolerance=1e-6,
+        praise="For a sliding joint d moves and θ stays: the matrix is the same.",
+        hints=(
+            "Which of the four numbers does a sliding joint change?",
+            "Call your dh_transform with theta = -90° in radians and d = q3.",
+        ),
+    ),
+    Value(
+        id="05.5",
+        practice=True,
+        title="The new origin",
+        draw=draw_column,
+        answer=lambda **row: row_in_radians(**row)[:3, 3],
+        mistakes=wrong_origins,
+        units="m",
+        entries=("x", "y", "z"),
+        praise="The link swings with θ; d lifts it; α has no say in the position.",
+        hints=(
+            (
+                "The last column of the link matrix is where the origin goes: which of the four"
+                " numbers enter it?"
+            ),
+            "a is walked along the new x arrow, which θ has turned: (a cos θ, a sin θ, d).",
+        ),
+    ),
     Choice(
         id="05.8",
+        practice=True,
         title="What a good test needs",
         question="Which test would have shown that sign?",
         correct="general",
@@ -248,20 +265,5 @@ EXERCISES = [
                 "Then every entry, and every sign, has to be right.",
             ),
         },
-    ),
-    Value(
-        id="05.9",
-        title="The matrix of a sliding joint",
-        points=2,
-        draw=draw_slide,
-        answer=slide,
-        mistakes=wrong_slides,
-        units="pose",
-        tolerance=1e-6,
-        praise="For a sliding joint d moves and θ stays: the matrix is the same.",
-        hints=(
-            "Which of the four numbers does a sliding joint change?",
-            "Call your dh_transform with theta = -90° in radians and d = q3.",
-        ),
     ),
 ]
