@@ -37,7 +37,7 @@ EXERCISES = [
             "shoulder-height": "the height of the shoulder above the base",
             "wrist-to-tool": "from the wrist's centre to the tool point",
             "upper-arm": "the upper arm",
-            "sideways": "the step sideways, along the wrist's first axis",
+            "sideways": "the step sideways, along the axis of joint 4",
         },
         accepts=lambda parts: parts == list(OF_LENGTHS.values()),
         explain=explain_lengths,
@@ -208,8 +208,24 @@ EXERCISES = [
             "Print i and the q it uses, for the first row.",
         ),
     ),
+    Value(
+        id="06.10",
+        title="The pose of an IRB 120",
+        points=3,
+        draw=draw_unseen,
+        answer=unseen_pose,
+        mistakes=wrong_unseen,
+        units="pose",
+        tolerance=1e-4,
+        praise="An ABB IRB 120, with two offsets in its table.",
+        hints=(
+            "Which columns of the rows are in degrees, and which unit has q?",
+            "Both angle columns and q go through np.deg2rad; the offsets stay in the rows.",
+        ),
+    ),
     Choice(
         id="06.8",
+        practice=True,
         title="Far outside the limits",
         question="What comes back?",
         correct="right-pose",
@@ -237,6 +253,7 @@ EXERCISES = [
     ),
     Order(
         id="06.9",
+        practice=True,
         title="Structures of four arms",
         question=(
             "A letter for each arm: the article's arm, the UR5e, the AR4, the Piper. A letter may"
@@ -262,21 +279,6 @@ EXERCISES = [
                 "For the second look at a4, a5 and d5 of the standard rows. On which arm is one of"
                 " them not 0?"
             ),
-        ),
-    ),
-    Value(
-        id="06.10",
-        title="The pose of an IRB 120",
-        points=3,
-        draw=draw_unseen,
-        answer=unseen_pose,
-        mistakes=wrong_unseen,
-        units="pose",
-        tolerance=1e-4,
-        praise="An ABB IRB 120, with two offsets in its table.",
-        hints=(
-            "Which columns of the rows are in degrees, and which unit has q?",
-            "Both angle columns and q go through np.deg2rad; the offsets stay in the rows.",
         ),
     ),
 ]

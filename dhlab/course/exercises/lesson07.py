@@ -49,26 +49,6 @@ EXERCISES = [
             ),
         ),
     ),
-    Function(
-        id="07.2",
-        title="A program for six axes",
-        points=2,
-        draw=general_chain,
-        special=SPECIAL["forward_kinematics"],
-        answer=product,
-        names=("rows", "q"),
-        family="forward_kinematics",
-        handed_out=two_sources,
-        sparing=True,
-        praise="One conversion too many. On a flat arm, where every α is 0, nobody could notice.",
-        hints=(
-            (
-                "A flat arm has α = 0 in every row. Which line does something that makes no"
-                " difference then?"
-            ),
-            "Which unit does α come in, and which unit does dh_transform want?",
-        ),
-    ),
     Prediction(
         id="07.P1",
         title="A length that is 5 cm too long",
@@ -82,26 +62,6 @@ EXERCISES = [
         outcome=(
             "every link behind is carried along by 5 cm, in the direction of x2: the length of the"
             " error is the error of the length, and its direction turns with the link."
-        ),
-    ),
-    Repair(
-        id="07.3",
-        title="Which length, and by how much",
-        points=3,
-        answer=lambda **log: article(),
-        draw=draw_length,
-        handed_out=lambda rows, **log: rows,
-        praise="One arrow accused itself: the residual lay along it at every pose.",
-        hints=(
-            (
-                "d_i acts along z_{i-1}, which is frames[:, i - 1, :3, 2]; a_i acts along x_i,"
-                " which is frames[:, i, :3, 0]."
-            ),
-            (
-                "Multiply the residuals with an arrow and add over the three coordinates. The"
-                " guilty arrow gives nearly one number at every pose, within the tape's noise, and"
-                " its mean is missing in the table."
-            ),
         ),
     ),
     Impostor(
@@ -193,23 +153,6 @@ EXERCISES = [
             ),
         ),
     ),
-    Value(
-        id="07.7",
-        title="Zero offsets of shoulder and elbow",
-        points=2,
-        draw=draw_offsets,
-        answer=offsets_of,
-        mistakes=wrong_offsets,
-        turns=(0, 1),
-        units=("deg", "deg"),
-        tolerance=0.04,
-        entries=("joint 2", "joint 3"),
-        praise="Added to θ, these two bring the model from centimetres down to the noise.",
-        hints=(
-            "calibrate_offsets returns a Calibration; what is in its offsets?",
-            "The offsets are in radians, one per joint; joints 2 and 3 stand at places 1 and 2.",
-        ),
-    ),
     Repair(
         id="07.8",
         title="A table from a paper",
@@ -224,6 +167,66 @@ EXERCISES = [
                 "Hand the likelier reading's arm to dh.diagnose, with q and the measured poses;"
                 " then change the one entry it names."
             ),
+        ),
+    ),
+    Function(
+        id="07.2",
+        practice=True,
+        title="A program for six axes",
+        points=2,
+        draw=general_chain,
+        special=SPECIAL["forward_kinematics"],
+        answer=product,
+        names=("rows", "q"),
+        family="forward_kinematics",
+        handed_out=two_sources,
+        sparing=True,
+        praise="One conversion too many. On a flat arm, where every α is 0, nobody could notice.",
+        hints=(
+            (
+                "A flat arm has α = 0 in every row. Which line does something that makes no"
+                " difference then?"
+            ),
+            "Which unit does α come in, and which unit does dh_transform want?",
+        ),
+    ),
+    Repair(
+        id="07.3",
+        practice=True,
+        title="Which length, and by how much",
+        points=3,
+        answer=lambda **log: article(),
+        draw=draw_length,
+        handed_out=lambda rows, **log: rows,
+        praise="One arrow accused itself: the residual lay along it at every pose.",
+        hints=(
+            (
+                "d_i acts along z_{i-1}, which is frames[:, i - 1, :3, 2]; a_i acts along x_i,"
+                " which is frames[:, i, :3, 0]."
+            ),
+            (
+                "Multiply the residuals with an arrow and add over the three coordinates. The"
+                " guilty arrow gives nearly one number at every pose, within the tape's noise, and"
+                " its mean is missing in the table."
+            ),
+        ),
+    ),
+    Value(
+        id="07.7",
+        practice=True,
+        title="Zero offsets of shoulder and elbow",
+        points=2,
+        draw=draw_offsets,
+        answer=offsets_of,
+        mistakes=wrong_offsets,
+        turns=(0, 1),
+        units=("deg", "deg"),
+        tolerance=0.04,
+        entries=("joint 2", "joint 3"),
+        praise="Added to θ, these two bring the model from centimetres down to the noise.",
+        hints=(
+            "calibrate_offsets returns a Calibration; what is in its offsets?",
+            "The offsets are in radians, one per joint; joints 2 and 3 stand at places 1 and 2.",
         ),
     ),
 ]
