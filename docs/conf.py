@@ -52,6 +52,7 @@ html_static_path = [
     "_static",
     "../dhlab/view/explorer/explorer.js",
     "../dhlab/view/explorer/instrument.js",
+    "../dhlab/view/explorer/gif.js",
 ]
 html_css_files = ["site.css"]
 html_copy_source = False

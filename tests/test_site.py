@@ -19,6 +19,7 @@ from urllib.parse import unquote, urljoin, urlsplit
 import nbformat
 import numpy as np
 import pytest
+from PIL import Image
 
 import dhlab as dh
 
@@ -348,6 +349,42 @@ def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(new_page, addres
     page.evaluate(f"q => {explorer}.host.set('q', q)", np.deg2rad([170, 0, 0, 0, 0, 0]).tolist())
     keep.click()
     assert "With the hand straight: from pose 2 to 3" in said.inner_text()
+
+
+def test_a_motion_is_saved_as_a_gif_where_no_video_can_be_made(new_page, address, tmp_path):
+    page = new_page(viewport={"width": 1280, "height": 900})
+    page.add_init_script("delete globalThis.MediaRecorder")
+    page.goto(f"{address}/robots/ur5e.html#q=40,-60,80,-110,-80,20")
+    page.get_by_text("Play a motion").click()
+    asked = []
+    page.on("request", lambda request: asked.append(request.url))
+    explorer = "document.querySelector('.dhlab-explorer').explorer"
+    page.evaluate(f"{explorer}.host.set('q', [0, -1, 1, 0, 0, 0])")
+    page.get_by_role("button", name="Keep this pose").click()
+    assert page.get_by_role("button", name="Save as a video").count() == 0 and asked == []
+    with page.expect_download() as taken:
+        page.get_by_role("button", name="Save as a GIF").click()
+    assert taken.value.suggested_filename == "universal-robots-ur5e.gif"
+    taken.value.save_as(tmp_path / "motion.gif")
+    shown = page.evaluate(
+        f"""() => {{ const {{ canvas }} = {explorer}.stage, pen = canvas.getContext("2d");
+            return [canvas.width, canvas.height,
+                Array.from(pen.getImageData(0, 0, canvas.width, canvas.height).data)]; }}"""
+    )
+    assert (tmp_path / "motion.gif").stat().st_size < 2e6
+    with Image.open(tmp_path / "motion.gif") as gif:
+        assert gif.n_frames == 31 and gif.size[0] == min(640, shown[0])
+        times, pictures = [], []
+        for k in range(gif.n_frames):
+            gif.seek(k)
+            times.append(gif.info["duration"])
+            pictures.append(np.asarray(gif.convert("RGB"), dtype=float))
+    assert sum(times[:-1]) == pytest.approx(2500, rel=0.06) and times[-1] > 1000
+    assert all((a != b).any() for a, b in zip(pictures, pictures[1:], strict=False))
+    end = Image.frombytes("RGBA", tuple(shown[:2]), bytes(shown[2]))
+    ground = Image.new("RGBA", end.size, tuple(map(int, pictures[0][0, 0])))
+    end = Image.alpha_composite(ground, end).convert("RGB").resize(gif.size)
+    assert np.abs(pictures[-1] - np.asarray(end, dtype=float)).mean() < 3  # of 255
 
 
 def test_the_real_robot_stands_where_its_urdf_says(new_page, address):

@@ -27,7 +27,7 @@ def arm():
 
 def test_module_is_what_its_source_gives(packages):
     subprocess.run(["npm", "run", "--silent", "build"], cwd=packages, check=True)
-    for name in ("explorer.js", "instrument.js"):
+    for name in ("explorer.js", "instrument.js", "gif.js"):
         assert (packages.parent / name).read_bytes() == MODULE.with_name(name).read_bytes(), (
             "run npm ci and npm run build in dhlab/view/explorer/js"
         )

@@ -1,29 +1,31 @@
-// A motion through kept configurations, seen with its trace: joint-straight, hand-straight, or both beside each other; and saved as a video.
+// A motion through kept configurations, seen with its trace: joint-straight, hand-straight, or both beside each other; and saved as a video or a GIF.
 
 import { drawBody } from "../bodies.js";
 import { button, choice } from "../controls.js";
 import { h, write } from "../dom.js";
 import { endOf, forward, frames } from "../kinematics.js";
 import { origin } from "../matrix.js";
-import { save } from "./out.js";
+import { save, taker } from "./out.js";
 import { STEPS, path } from "./path.js";
 
 const SECONDS = 2.5; // for a stretch
 const TYPES = ["video/webm;codecs=vp9", "video/webm", "video/mp4"];
+const EVERY = 3, WIDEST = 640, REST = 1200; // of a GIF: steps from picture to picture, pixels, ms at its end
 
 export class Motion {
   constructor({ stage, mode, host }, name) {
     Object.assign(this, { stage, mode, host, arm: host.data.arm, poses: [host.get("q")], way: "joints", running: 0, shown: null });
     this.said = h("p", { role: "status" });
     this.playing = button("Play", () => this.play());
-    this.video = button("Save as a video", () => this.record(name()));
+    this.type = TYPES.find((one) => globalThis.MediaRecorder?.isTypeSupported(one));
+    this.saving = [...(this.type ? [button("Save as a video", () => this.record(name()))] : []), button("Save as a GIF", () => this.animate(name()))];
     const ways = choice("Between two poses", "way", [["joints", "Each joint straight"], ["hand", "The hand straight"], ["both", "Both"]], "joints", (way) => {
       this.way = way;
       this.plan();
     });
     this.element = h("details", { class: "edit motion" }, h("summary", {}, "Play a motion"), h("div", { class: "below" },
       h("p", { class: "hint" }, "Move the arm and keep the pose, as often as you like; then play."),
-      h("div", { class: "give" }, button("Keep this pose", () => this.keep()), button("Forget the poses", () => this.forget()), this.playing, this.video), ways.element, this.said));
+      h("div", { class: "give" }, button("Keep this pose", () => this.keep()), button("Forget the poses", () => this.forget()), this.playing, ...this.saving), ways.element, this.said));
     this.plan();
   }
 
@@ -37,11 +39,15 @@ export class Motion {
     this.plan();
   }
 
+  allow(ready) {
+    for (const one of [this.playing, ...this.saving]) one.disabled = !ready;
+  }
+
   // Both ways through the poses, and what is to be said of them.
   plan() {
     cancelAnimationFrame(this.running);
     const ready = this.poses.length > 1, { arm, poses, mode: { size } } = this;
-    this.playing.disabled = this.video.disabled = !ready;
+    this.allow(ready);
     this.ways = ready ? { joints: path(arm, poses, "joints", size), hand: path(arm, poses, "hand", size) } : null;
     if (this.ways) for (const one of Object.values(this.ways)) one.trace = one.qs.map((q) => origin(forward(arm, q)));
     this.shown = null;
@@ -61,17 +67,31 @@ export class Motion {
     return said.length ? `${all} With the hand straight: ${said.join("; ")}.` : `${all} With the hand straight, the line can be followed all the way.`;
   }
 
+  // The poses on the way, and how many there are.
+  lead() {
+    return (this.way === "hand" ? this.ways.hand : this.ways.joints).qs;
+  }
+
+  // From the first pose, with a new trace.
+  begin() {
+    cancelAnimationFrame(this.running);
+    this.show(0);
+    this.mode.rework();
+  }
+
+  show(k) {
+    this.shown = k;
+    this.host.set("q", this.lead()[k]);
+  }
+
   // Resolves when the end is reached. `seen` is called after every picture.
   play(seen = () => {}) {
-    cancelAnimationFrame(this.running);
-    const last = this.ways.joints.qs.length - 1, lead = this.way === "hand" ? this.ways.hand : this.ways.joints, begin = performance.now();
-    this.host.set("q", lead.qs[0]);
-    this.mode.rework(); // with a new trace
+    this.begin();
+    const last = this.lead().length - 1, start = performance.now();
     return new Promise((done) => {
       const tick = (now) => {
-        const k = Math.max(0, Math.min(last, Math.round(((now - begin) / 1000 / SECONDS) * STEPS)));
-        this.shown = k;
-        this.host.set("q", lead.qs[k]);
+        const k = Math.max(0, Math.min(last, Math.round(((now - start) / 1000 / SECONDS) * STEPS)));
+        this.show(k);
         seen();
         if (k < last) this.running = requestAnimationFrame(tick);
         else done();
@@ -91,20 +111,37 @@ export class Motion {
   }
 
   async record(name) {
-    const type = TYPES.find((one) => globalThis.MediaRecorder?.isTypeSupported(one));
-    if (!type) return write(this.said, "This browser records no video; a screen recorder will do.");
-    const { canvas } = this.stage, copy = h("canvas", { width: canvas.width, height: canvas.height }), pen = copy.getContext("2d"), parts = [];
-    const ground = getComputedStyle(this.stage.element.closest(".explorer")).backgroundColor, recorder = new MediaRecorder(copy.captureStream(30), { mimeType: type });
+    const { type } = this, { canvas, take } = taker(this.stage), parts = [], recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type });
     recorder.ondataavailable = ({ data }) => parts.push(data);
     recorder.onstop = () => save(`${name}.${type.startsWith("video/mp4") ? "mp4" : "webm"}`, type, new Blob(parts, { type }));
     recorder.start();
-    this.video.disabled = true;
-    await this.play(() => {
-      pen.fillStyle = ground;
-      pen.fillRect(0, 0, copy.width, copy.height);
-      pen.drawImage(canvas, 0, 0);
-    });
+    this.allow(false);
+    await this.play(take);
     recorder.stop();
-    this.video.disabled = false;
+    this.allow(true);
+  }
+
+  // As a GIF, picture by picture, however long each takes; nothing where the poses change meanwhile.
+  async animate(name) {
+    const { ways } = this, delay = (1000 * SECONDS * EVERY) / STEPS;
+    this.allow(false);
+    this.begin();
+    const { gif } = await import(new URL(`gif.js${new URL(import.meta.url).search}`, import.meta.url)), made = await gif(this.pictures(ways), delay, REST);
+    if (this.ways !== ways) return;
+    save(`${name}.gif`, "image/gif", made);
+    this.allow(true);
+    write(this.said, this.words());
+  }
+
+  async *pictures(ways) {
+    const { canvas, pen, take } = taker(this.stage, WIDEST), last = this.lead().length - 1;
+    for (let k = 0; k <= last && this.ways === ways; k += EVERY) {
+      this.show(k);
+      this.stage.draw(performance.now());
+      take();
+      write(this.said, `${Math.round((100 * k) / last)} % of the GIF is made.`);
+      yield pen.getImageData(0, 0, canvas.width, canvas.height);
+      await new Promise((next) => setTimeout(next)); // so that the page answers
+    }
   }
 }

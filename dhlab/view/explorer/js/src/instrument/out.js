@@ -11,14 +11,22 @@ export function save(name, type, content) {
   setTimeout(() => URL.revokeObjectURL(address), 1000);
 }
 
-// The view as it stands, on its ground.
+// Takes the view as it stands, on its ground, at most `widest` pixels wide: {canvas, pen, take()}.
+export function taker({ canvas, element }, widest = Infinity) {
+  const part = Math.min(1, widest / canvas.width), copy = h("canvas", { width: Math.round(part * canvas.width), height: Math.round(part * canvas.height) });
+  const pen = copy.getContext("2d", { willReadFrequently: true }), ground = getComputedStyle(element.closest(".explorer")).backgroundColor;
+  const take = () => {
+    pen.fillStyle = ground;
+    pen.fillRect(0, 0, copy.width, copy.height);
+    pen.drawImage(canvas, 0, 0, copy.width, copy.height);
+    return copy;
+  };
+  return { canvas: copy, pen, take };
+}
+
 export function picture(stage, name) {
   stage.draw(performance.now());
-  const { canvas } = stage, copy = h("canvas", { width: canvas.width, height: canvas.height }), pen = copy.getContext("2d");
-  pen.fillStyle = getComputedStyle(stage.element.closest(".explorer")).backgroundColor;
-  pen.fillRect(0, 0, copy.width, copy.height);
-  pen.drawImage(canvas, 0, 0);
-  copy.toBlob((blob) => save(`${name}.png`, "image/png", blob));
+  taker(stage).take().toBlob((blob) => save(`${name}.png`, "image/png", blob));
 }
 
 const exact = (value) => String(Number(value.toPrecision(15)) + 0);
