@@ -7,6 +7,7 @@ import pytest
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Choice, Order, Table, Value
+from dhlab.geometry.procedure.frames import assign_frames
 
 ALL = exercises()
 TABLES = [key for key, e in ALL.items() if isinstance(e, Table)]
@@ -123,3 +124,47 @@ def test_an_origin_beside_its_axis_is_not_taken_for_millimetres(beside):
     frames = [[[0, 0, 1], [beside, 0, 0], [1, 0, 0]], *([...] * 3 for _ in range(3))]
     verdict = ALL["04.4"].judge(frames, 1)
     assert "millimetres" not in verdict.headline and f"{beside:g} m beside z0" in verdict.headline
+
+
+@pytest.mark.parametrize("key", VECTORS)
+@pytest.mark.parametrize("kind", [int, float])
+def test_zeros_are_called_zeros_and_not_numbers_cut_off(key, kind):
+    e = ALL[key]
+    right = np.asarray(e.answer(**e.given(1)), dtype=float)
+    verdict = e.judge(np.zeros(right.shape, dtype=kind), 1)
+    assert verdict.status == "wrong" and "right numbers" not in verdict.headline
+
+
+@pytest.mark.parametrize("key", ["04.2", "04.4", "04.12"])
+def test_bare_arrows_are_not_read_as_frames(key):
+    frame = [[0, 0, 1], [0, 0, 0], [1, 0, 0]]
+    count = len(ALL[key].given(1)["axes"]) + 1
+    assert "found a single one" in ALL[key].judge(frame, 1).headline
+    mixed = ALL[key].judge([frame, [0, 0, 1], *[...] * (count - 2)], 1).headline
+    assert "for frame 1, three lists, found [0, 0, 1]" in mixed
+    begun = ALL[key].judge([frame, *[...] * (count - 1)], 1)
+    assert begun.status == "not attempted" and begun.place == "right so far: z0, o0, x0"
+
+
+@pytest.mark.parametrize("factor, unit", [(1000, "millimetres"), (100, "centimetres")])
+@pytest.mark.parametrize("axes, name", [((2,), "z of o2"), ((0, 2), "o2"), ((0,), "x of o2")])
+def test_one_origin_or_a_part_of_it_in_other_units_is_called_so(factor, unit, axes, name):
+    """04.12: axes 2 and 3 are parallel, at y free, so that x and z of o2 alone are given."""
+    given = ALL["04.12"].given(1)
+    placed = assign_frames(given["axes"], end=given["end"]).frames(np.zeros(len(given["axes"])))
+    frames = [[T[:3, 2], T[:3, 3].copy(), T[:3, 0]] for T in placed]
+    assert ALL["04.12"].judge(frames, 1).status == "right"
+    frames[2][1][list(axes)] *= factor
+    verdict = ALL["04.12"].judge(frames, 1)
+    assert verdict.headline == f"in other units: {name} in {unit}; metres are asked"
+
+
+def test_an_origin_hundreds_of_metres_away_is_asked_for_its_unit():
+    """The last origin may stand anywhere along its axes, 750 in place of 0.75 too."""
+    given = ALL["04.12"].given(0)
+    placed = assign_frames(given["axes"], end=given["end"]).frames(np.zeros(len(given["axes"])))
+    frames = [[T[:3, 2], T[:3, 3].copy(), T[:3, 0]] for T in placed]
+    frames[3][1][0] *= 1000
+    away = np.linalg.norm(frames[3][1])
+    verdict = ALL["04.12"].judge(frames, 0)
+    assert verdict.status == "wrong" and verdict.headline == f"o3 lies {away:.0f} m from the base"

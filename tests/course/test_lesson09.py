@@ -334,7 +334,7 @@ def test_the_bare_sheet_put_in_as_it_stands(variant):
     verdict = exercises()["09.4"].judge(as_it_stands, variant)
     assert verdict.mistake == "length-unit" and "both units" in verdict.headline
     assert (
-        "nothing is changed"
+        "this is still the arm"
         in exercises()["09.3"].judge([*REPAIRED[:5], [180, 0.041, 0, 180]], variant).headline
     )
 

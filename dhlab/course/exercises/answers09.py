@@ -175,7 +175,7 @@ def unrepaired() -> Mistakes:
     yield (
         "alpha-value",
         Said(
-            "nothing is changed yet",
+            "this is still the arm of the maker's table",
             next="Ask dh.diagnose about sheet first: which number does it name?",
         ),
         Arm(DHTable.craig(typed, angle="deg"), sign=load("ar4").sign),

@@ -273,7 +273,7 @@ EXERCISES = [
         words=SIGNS,
         handed_out=lambda standard, converted: converted,
         sparing=True,
-        praise="One column. A half-converted table looks as tidy as a right one.",
+        praise="Column a had stayed behind. A half-converted table looks as tidy as a right one.",
         hints=(
             (
                 "Compare the two tables column by column. Which columns stayed, and which of them"

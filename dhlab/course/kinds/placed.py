@@ -13,8 +13,8 @@ from ...placing.board import Placement
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
 from .drawn import drawn_frames
+from .framed import far_away, first_wrong, in_other_units, rows_of
 from .kept import kept_apart
-from .reading import as_numbers, is_array_of, unusable
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 
@@ -93,7 +93,6 @@ SLIDES = (
     "Move the joint alone. Along which direction do all its points go?",
 )
 KINDS = {"z": "a z arrow", "o": "an origin", "x": "an x arrow"}  # told before the frame is
-LENGTHS = {"millimetres": 1000, "centimetres": 100}
 TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
@@ -122,7 +121,7 @@ class Frames(Exercise):
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         given = self.given(variant)
-        rows = _rows(answer, len(given["axes"]) + 1)
+        rows = rows_of(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):
             return self.wrong(
                 headline=rows,
@@ -132,12 +131,15 @@ class Frames(Exercise):
                 ),
             )
         task = Placement(given["axes"], given["end"])
-        wrong = _first_wrong(task, rows)
+        wrong = first_wrong(task, rows)
         if wrong is not None:
-            unit = _in_other_units(given, rows)
+            unit = in_other_units(given, rows, wrong.step)
             if unit:
                 return self.told("length-unit", unit)
             return self.slowly(self._refused(task, wrong, _was_allowed(task, given, rows, wrong)))
+        far = far_away(task)
+        if far:
+            return self.told("length-unit", far)
         if not task.finished:
             right = ", ".join(
                 f"{letter}{i}"
@@ -152,11 +154,11 @@ class Frames(Exercise):
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
         given = self.given(variant)
-        rows = _rows(answer, len(given["axes"]) + 1)
+        rows = rows_of(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):
             return None
         task = Placement(given["axes"], given["end"])
-        wrong = _first_wrong(task, rows)
+        wrong = first_wrong(task, rows)
         if wrong is None:
             return None
         return drawn_frames(task, wrong, rows[int(wrong.step[1:])]["zox".index(wrong.step[0])])
@@ -198,65 +200,6 @@ def _same(answer, frames):
         return False
 
 
-def _rows(answer, count):
-    """The answer as ``count`` rows of three, or a sentence."""
-    try:
-        rows = [list(row) for row in answer]
-    except TypeError:
-        return f"expected {count} rows [z, origin, x], one per frame, found {type(answer).__name__}"
-    if len(rows) != count:
-        return f"expected {count} rows [z, origin, x], frames 0 to {count - 1}, found {len(rows)}"
-    found = next(filter(None, (unusable(part) for row in rows for part in row)), "")
-    if found:
-        return f"expected plain numbers, found {found}"
-    short = next((i for i, row in enumerate(rows) if len(row) != 3), None)
-    return (
-        rows
-        if short is None
-        else f"expected z, origin and x for frame {short}, found {len(rows[short])} entries"
-    )
-
-
-def _first_wrong(task, rows):
-    """Make every step that is there, all z first; the Judgement on the first wrong one, or None.
-    What waits for a missing step waits.
-    """
-    steps = [(task.set_z, i, row[0]) for i, row in enumerate(rows)]
-    steps += [
-        step
-        for i, row in enumerate(rows)
-        for step in ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))
-    ]
-    for place, i, value in steps:
-        judgement = None if untouched(value) else place(i, value)
-        if judgement is not None and not judgement and judgement.rule != "order":
-            return judgement
-    return None
-
-
-def _in_other_units(given, rows):
-    """What is said of origins that are right in another unit than metres; None."""
-    there = [(i, row[1]) for i, row in enumerate(rows) if is_array_of(as_numbers(row[1]), row[1])]
-    if not any(np.any(as_numbers(point)) for _, point in there):
-        return None
-
-    def fits(times):
-        scaled = [list(row) for row in rows]
-        for i, point in there:
-            scaled[i][1] = times * as_numbers(point)
-        return _first_wrong(Placement(given["axes"], given["end"]), scaled) is None
-
-    if fits(0):  # the origins that are there would be right anywhere near the base's
-        return None
-    for unit, factor in LENGTHS.items():
-        if fits(1 / factor):
-            return Said(
-                f"in other units: the origins in {unit}; metres are asked",
-                next=f"Divide by {factor}, once, and all origins.",
-            )
-    return None
-
-
 def _was_allowed(task, given, rows, wrong):
     """Which of the steps that a learner changed were right as they were handed out, as a sentence;
     "" when none was.
@@ -264,14 +207,14 @@ def _was_allowed(task, given, rows, wrong):
     if "frames" not in given:
         return ""
     handed_out = Placement(given["axes"], given["end"])
-    broken = _first_wrong(handed_out, given["frames"]).step
+    broken = first_wrong(handed_out, given["frames"])
     changed = [
         f"{letter}{i}"
         for i, (row, frame) in enumerate(zip(rows, given["frames"]))
         for letter, part, before in zip("zox", row, frame)
         if not untouched(part) and not _same([[part]], [[before]])
     ]
-    allowed = [step for step in changed if step != broken]
+    allowed = [step for step in changed if broken is None or step != broken.step]
     return (
         f" {' and '.join(allowed)} {'was' if len(allowed) == 1 else 'were'} allowed as handed out."
         if allowed

@@ -1,7 +1,7 @@
 """``Value``: a number or an array to be worked out."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,9 @@ CUT_OFF = Said(
 ROUNDED = Said(
     "these are the right numbers, rounded too early",
     next="Give more digits, or let numpy compute the numbers.",
+)
+NOTHING = Said(
+    "every number is 0", next="Was each number written in its place before this was handed in?"
 )
 HARDLY = 0.1  # of the largest number: further off, a rounded answer is hardly the right one
 
@@ -118,6 +121,8 @@ class Value(Exercise):
                 and not self.differs(array, np.asarray(value, dtype=float)).any()
             ):
                 return self.told(mistake, said)
+        if not array.any():
+            return self.told(None, replace(NOTHING, place=self._place(off)))
         whole = isinstance(answer, np.ndarray) and array.dtype.kind == "i"
         if whole and np.array_equal(array, np.trunc(expected)):
             return self.told("integer-arrays", CUT_OFF)

@@ -124,4 +124,9 @@ GENERAL = [
     (r"these are the right numbers with their decimals cut off", cut_off),
     (r"these are the right numbers, rounded too early", fewer_decimals),
     (r"expected .+, found .+", other_shape),
+    (r"every number is 0 @ (?P<count>\d+) of .+", lambda a, g, f: not np.any(a)),
+    (
+        r"every number is 0 @ (?P<names>.+)",
+        lambda a, g, f: not np.any(a) and these_entries(a, g, f),
+    ),
 ]

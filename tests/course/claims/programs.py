@@ -45,7 +45,7 @@ class Program:
     def __init__(self, f, is_chain, order=STANDARD):
         rng = np.random.default_rng(8)
         signs = rng.choice([-1, 1], (5, 5, 4))
-        sizes = rng.uniform([0.3, 0.1, 0.1, 0.3], [1.3, 0.6, 0.6, 1.3], (5, 5, 4))
+        sizes = rng.uniform([0.3, 1.1, 1.1, 0.3], [1.3, 2.6, 2.6, 1.3], (5, 5, 4))
         many = (signs * sizes)[:, : 4 if is_chain else 1]
         self.cases = [(rows, 0.7 * rng.normal(size=len(rows)) * is_chain) for rows in many]
         self.f, self.is_chain, self.order = f, is_chain, order

@@ -860,7 +860,7 @@ MOVED = [
 ]
 MAKERS = [
     (
-        r"nothing is changed yet",
+        r"this is still the arm of the maker's table",
         is_arm(lambda g, f: degrees_of(right_of(g)) + 270 * np.outer(np.eye(6)[5], np.eye(4)[3])),
     ),
     (
