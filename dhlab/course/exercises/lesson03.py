@@ -101,30 +101,6 @@ EXERCISES = [
             "Both x moves come before Rz(θ).",
         ),
     ),
-    CraigsMatrix(
-        id="03.3",
-        title="craig_transform",
-        points=2,
-        draw=general_row,
-        special=SPECIAL["dh_transform"],
-        answer=craig,
-        names=("theta", "d", "a", "alpha"),
-        family="craig_transform",
-        words={
-            "craig-rows-in-standard-matrix": STANDARD_ORDER,
-            "order-taken-for-free": OTHER_ORDER,
-            "matrix-entry-mistyped": ENTRIES,
-            "alpha-sign": CRAIGS_ALPHA,
-            ("row-vector-convention", "the turn about z"): CRAIGS_THETA,
-            ("row-vector-convention", ""): BOTH_TURNS,
-            "pose-inverted": INVERTED,
-        },
-        praise="The same four moves, the other way about.",
-        hints=(
-            "Multiply the four moves in the order of the last exercise, from left to right.",
-            "Link first: the two x moves. Then the joint: the two z moves.",
-        ),
-    ),
     Prediction(
         id="03.P2",
         title="The same rows in Craig's matrix, at q = 0",
@@ -176,55 +152,6 @@ EXERCISES = [
             ),
         },
     ),
-    Order(
-        id="03.5",
-        title="Published tables to classify",
-        question="Which convention is each of the six tables written in? Six letters.",
-        alphabet="sc",
-        points=2,
-        length=6,
-        repeats=True,
-        items={"standard": "standard", "craig": "Craig's"},
-        accepts=lambda given: given == PUBLISHED,
-        explain=explain_published,
-        praise="All six. A habit of tables, and a good first guess.",
-        hints=(
-            "What comes before joint 1, and what after the last joint? Mostly nothing.",
-            (
-                "Craig's row 1 holds the link before joint 1, the standard last row the link after"
-                " the last joint: there the zeros stand."
-            ),
-        ),
-    ),
-    Order(
-        id="03.6",
-        title="Why two tables differ",
-        question="What is behind each pair? Five letters; one is left over.",
-        points=2,
-        length=5,
-        repeats=True,
-        items={
-            "convention": "another convention, the same arm",
-            "hand": "a hand is counted in",
-            "digit": "a wrong digit",
-            "zero-pose": "another zero pose",
-            "reversed-joint": "a joint counted the other way",
-            "other-robots": "different robots",
-        },
-        accepts=lambda given: given == REASONS,
-        explain=explain_reasons,
-        praise="One of five was the convention. Ask what differs before you convert.",
-        hints=(
-            (
-                "Let dh.equivalent speak: it names the first joint that differs, or what would make"
-                " the two one arm."
-            ),
-            (
-                "Read each sentence to its end: a tool, 0.3 mm, a joint's zero, a joint's"
-                " direction, or nothing but the convention."
-            ),
-        ),
-    ),
     Table(
         id="03.7",
         title="From standard to Craig",
@@ -243,24 +170,6 @@ EXERCISES = [
             (
                 "Row 1 has no link before it: zeros. Row 2 holds the pair of link 1, row 3 that of"
                 " link 2."
-            ),
-        ),
-    ),
-    Table(
-        id="03.8",
-        title="From Craig to standard",
-        points=2,
-        draw=draw_craig,
-        answer=to_standard,
-        convention="standard",
-        mistakes=half_to_standard,
-        words=SIGNS,
-        praise="The pairs moved up, and zeros stand in the last row.",
-        hints=(
-            "The other way round: which way do the pairs move now?",
-            (
-                "Row i of the standard table takes a and α from row i+1. What comes after the last"
-                " row?"
             ),
         ),
     ),
@@ -298,6 +207,101 @@ EXERCISES = [
                 " at q_check."
             ),
             "Both the rows and q are in degrees; forward takes radians.",
+        ),
+    ),
+    CraigsMatrix(
+        id="03.3",
+        practice=True,
+        title="craig_transform",
+        points=2,
+        draw=general_row,
+        special=SPECIAL["dh_transform"],
+        answer=craig,
+        names=("theta", "d", "a", "alpha"),
+        family="craig_transform",
+        words={
+            "craig-rows-in-standard-matrix": STANDARD_ORDER,
+            "order-taken-for-free": OTHER_ORDER,
+            "matrix-entry-mistyped": ENTRIES,
+            "alpha-sign": CRAIGS_ALPHA,
+            ("row-vector-convention", "the turn about z"): CRAIGS_THETA,
+            ("row-vector-convention", ""): BOTH_TURNS,
+            "pose-inverted": INVERTED,
+        },
+        praise="The same four moves, the other way about.",
+        hints=(
+            "Multiply the four moves in the order of 03.2, from left to right.",
+            "Link first: the two x moves. Then the joint: the two z moves.",
+        ),
+    ),
+    Order(
+        id="03.5",
+        practice=True,
+        title="Published tables to classify",
+        question="Which convention is each of the six tables written in? Six letters.",
+        alphabet="sc",
+        points=2,
+        length=6,
+        repeats=True,
+        items={"standard": "standard", "craig": "Craig's"},
+        accepts=lambda given: given == PUBLISHED,
+        explain=explain_published,
+        praise="All six. A habit of tables, and a good first guess.",
+        hints=(
+            "What comes before joint 1, and what after the last joint? Mostly nothing.",
+            (
+                "Craig's row 1 holds the link before joint 1, the standard last row the link after"
+                " the last joint: there the zeros stand."
+            ),
+        ),
+    ),
+    Order(
+        id="03.6",
+        practice=True,
+        title="Why two tables differ",
+        question="What is behind each pair? Five letters; one is left over.",
+        points=2,
+        length=5,
+        repeats=True,
+        items={
+            "convention": "another convention, the same arm",
+            "hand": "a hand is counted in",
+            "digit": "a wrong digit",
+            "zero-pose": "another zero pose",
+            "reversed-joint": "a joint counted the other way",
+            "other-robots": "different robots",
+        },
+        accepts=lambda given: given == REASONS,
+        explain=explain_reasons,
+        praise="One of five was the convention. Ask what differs before you convert.",
+        hints=(
+            (
+                "Let dh.equivalent speak: it names the first joint that differs, or what would make"
+                " the two one arm."
+            ),
+            (
+                "Read each sentence to its end: a tool, 0.3 mm, a joint's zero, a joint's"
+                " direction, or nothing but the convention."
+            ),
+        ),
+    ),
+    Table(
+        id="03.8",
+        practice=True,
+        title="From Craig to standard",
+        points=2,
+        draw=draw_craig,
+        answer=to_standard,
+        convention="standard",
+        mistakes=half_to_standard,
+        words=SIGNS,
+        praise="The pairs moved up, and zeros stand in the last row.",
+        hints=(
+            "The other way round: which way do the pairs move now?",
+            (
+                "Row i of the standard table takes a and α from row i+1. What comes after the last"
+                " row?"
+            ),
         ),
     ),
 ]

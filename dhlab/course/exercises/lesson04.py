@@ -155,6 +155,7 @@ EXERCISES = [
     ),
     Frames(
         id="04.10",
+        practice=True,
         title="An arm with a sliding joint",
         points=3,
         draw=draw_sliding,

@@ -129,44 +129,6 @@ EXERCISES = [
         ),
     ),
     Choice(
-        id="04.6",
-        title="A step along parallel axes",
-        question="Where does the step of 0.1 m along the parallel axes 2 and 3 belong?",
-        correct="either-row",
-        hints=(
-            (
-                "Between parallel axes the origin may slide. What happens to d before it, and to d"
-                " behind it?"
-            ),
-            (
-                "Add up the d along the parallel axes, in each of the tables. Which sum is the"
-                " arm's step?"
-            ),
-        ),
-        options={
-            "row-3": Option(
-                "row 3 only: the normal must go through the previous origin, so d2 = 0",
-                "That is a habit of books, and a good one, but no rule: slide o2 and d2 is whatever"
-                " you like.",
-                "table-taken-as-unique",
-            ),
-            "both-rows": Option(
-                "both rows, since both axes are stepped along",
-                "Then the step is made twice, and everything behind it is 0.1 m off.",
-                "parallel-offset-in-both-rows",
-            ),
-            "either-row": Option(
-                "either row, or a part in each, as long as the sum is 0.1 m",
-                "The origin slides along z, d before it grows by what d behind it loses.",
-            ),
-            "neither": Option(
-                "neither: a step sideways belongs into a",
-                "a runs along x, across the axes. This step is along them.",
-                "a-d-exchanged",
-            ),
-        },
-    ),
-    Choice(
         id="04.8",
         title="A z axis turned round",
         question="z2 is turned round, properly. What changes?",
@@ -205,7 +167,47 @@ EXERCISES = [
         },
     ),
     Choice(
+        id="04.6",
+        practice=True,
+        title="A step along parallel axes",
+        question="Where does the step of 0.1 m along the parallel axes 2 and 3 belong?",
+        correct="either-row",
+        hints=(
+            (
+                "Between parallel axes the origin may slide. What happens to d before it, and to d"
+                " behind it?"
+            ),
+            (
+                "Add up the d along the parallel axes, in each of the tables. Which sum is the"
+                " arm's step?"
+            ),
+        ),
+        options={
+            "row-3": Option(
+                "row 3 only: the normal must go through the previous origin, so d2 = 0",
+                "That is a habit of books, and a good one, but no rule: slide o2 and d2 is whatever"
+                " you like.",
+                "table-taken-as-unique",
+            ),
+            "both-rows": Option(
+                "both rows, since both axes are stepped along",
+                "Then the step is made twice, and everything behind it is 0.1 m off.",
+                "parallel-offset-in-both-rows",
+            ),
+            "either-row": Option(
+                "either row, or a part in each, as long as the sum is 0.1 m",
+                "The origin slides along z, d before it grows by what d behind it loses.",
+            ),
+            "neither": Option(
+                "neither: a step sideways belongs into a",
+                "a runs along x, across the axes. This step is along them.",
+                "a-d-exchanged",
+            ),
+        },
+    ),
+    Choice(
         id="04.9",
+        practice=True,
         title="The calibration that never fits",
         question=(
             "A camera and an arm report one point. They differ by 0.15 m along the tool's own z,"
@@ -246,6 +248,7 @@ EXERCISES = [
     ),
     Frames(
         id="04.15",
+        practice=True,
         title="A small welding robot",
         points=4,
         draw=draw_roll_wrist,
