@@ -44,30 +44,6 @@ EXERCISES = [
             " link, and the lever runs from the axis to the end.",
         ),
     ),
-    Value(
-        id="08.1",
-        title="One column of the Jacobian",
-        draw=draw_bend,
-        answer=third_column,
-        mistakes=wrong_columns,
-        units=("m", "m", "m", "", "", ""),
-        entries=(
-            "v along x0",
-            "v along y0",
-            "v along z0",
-            "ω about x0",
-            "ω about y0",
-            "ω about z0",
-        ),
-        praise="What joint 3 alone does to the end: three numbers of v, three of ω.",
-        hints=(
-            "Joint 3 turns about z of frame {2}, through the origin of frame {2}.",
-            (
-                "The lever runs from that origin to the end: v is the axis crossed with the lever,"
-                " ω the axis."
-            ),
-        ),
-    ),
     Function(
         id="08.2",
         title="The geometric Jacobian",
@@ -185,6 +161,31 @@ EXERCISES = [
             (
                 "Six equations, six unknown speeds: J times the speeds is the hand's velocity, v"
                 " above ω."
+            ),
+        ),
+    ),
+    Value(
+        id="08.1",
+        practice=True,
+        title="One column of the Jacobian",
+        draw=draw_bend,
+        answer=third_column,
+        mistakes=wrong_columns,
+        units=("m", "m", "m", "", "", ""),
+        entries=(
+            "v along x0",
+            "v along y0",
+            "v along z0",
+            "ω about x0",
+            "ω about y0",
+            "ω about z0",
+        ),
+        praise="What joint 3 alone does to the end: three numbers of v, three of ω.",
+        hints=(
+            "Joint 3 turns about z of frame {2}, through the origin of frame {2}.",
+            (
+                "The lever runs from that origin to the end: v is the axis crossed with the lever,"
+                " ω the axis."
             ),
         ),
     ),
