@@ -208,15 +208,30 @@ EXERCISES = [
     Prediction(
         id="08.P4",
         title="How many answers",
-        question="How many q reach the cup, whole turns apart?",
+        question="How many q reach the cup, if whole turns of a joint are not counted?",
         options={"one": "1", "two": "2", "eight": "8", "endless": "infinitely many"},
         correct="eight",
         outcome=(
             "eight: two shoulders, two elbows, two wrists, and each goes with each of the others."
         ),
     ),
+    Reaches(
+        id="08.13",
+        title="An arm you have not solved",
+        points=3,
+        draw=draw_ur5e,
+        answer=a_way_to,
+        mistakes=wrong_ways,
+        entries=tuple(f"joint {i}" for i in range(1, 7)),
+        praise="A q that reaches the pose. There are others, and each of them counts.",
+        hints=(
+            "Your loop asks for nothing but rows: give it ur5e.table.rows and a bent start.",
+            "Not there yet? Make more steps, or begin at another start, and ask ur5e.forward.",
+        ),
+    ),
     Program(
         id="08.8",
+        practice=True,
         title="All eight branches",
         points=3,
         draw=draw_reachable,
@@ -252,20 +267,6 @@ EXERCISES = [
                 " it: which of the two is transposed, and on which side?"
             ),
             "For the second wrist three angles change: one its sign, the other two by half a turn.",
-        ),
-    ),
-    Reaches(
-        id="08.13",
-        title="An arm you have not solved",
-        points=3,
-        draw=draw_ur5e,
-        answer=a_way_to,
-        mistakes=wrong_ways,
-        entries=tuple(f"joint {i}" for i in range(1, 7)),
-        praise="A q that reaches the pose. There are others, and each of them counts.",
-        hints=(
-            "Your loop asks for nothing but rows: give it ur5e.table.rows and a bent start.",
-            "Not there yet? Make more steps, or begin at another start, and ask ur5e.forward.",
         ),
     ),
 ]
