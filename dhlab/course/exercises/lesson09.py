@@ -90,60 +90,6 @@ EXERCISES = [
             " own base: name the base, and nothing is left."
         ),
     ),
-    Table(
-        id="09.3",
-        title="The smallest fix: a table from the maker's program",
-        points=2,
-        answer=lambda: Arm(DHTable.craig(MAKERS, angle="deg"), sign=load("ar4").sign),
-        mistakes=unrepaired,
-        sparing=True,
-        praise=(
-            "One number of 24. The maker's own program had it wrong in one place, and right in"
-            " another."
-        ),
-        hints=(
-            "Call dh.diagnose with sheet, as the comment says, and read its first two lines.",
-            (
-                "It names the α of a link by the standard row. A Craig row begins with a and α of"
-                " the link before its joint."
-            ),
-        ),
-    ),
-    Table(
-        id="09.4",
-        title="Six axes and a flange",
-        points=3,
-        answer=lambda: assign_frames(PIPER[0], end=PIPER[1]),
-        mistakes=wrong_piper,
-        tolerance=1e-4,
-        praise="From a sheet of paper to an arm, on your own.",
-        hints=(
-            "Two units must be changed on the way in. Which?",
-            (
-                "dh.assign_frames takes pairs (point, direction) in metres, and end as a pose:"
-                " transform.from_xyz_rpy makes one, in radians."
-            ),
-        ),
-    ),
-    Value(
-        id="09.10",
-        title="A reading at the stop",
-        points=2,
-        draw=draw_bench,
-        answer=reading,
-        mistakes=misread_bench,
-        units=("", "deg"),
-        entries=("sign", "offset"),
-        turns=(1,),
-        praise="Two numbers from one reading, and no doctor. The cell below asks the tape.",
-        hints=(
-            "At the stop you know both: what the encoder reads, and what q2 is.",
-            (
-                "The encoder counts down where q2 grows: that is the sign. The offset is what makes"
-                " the reading at the stop give the stop's angle."
-            ),
-        ),
-    ),
     Value(
         id="09.5",
         title="A column of a pose",
@@ -249,5 +195,62 @@ EXERCISES = [
                 "joint-reversed",
             ),
         },
+    ),
+    Table(
+        id="09.3",
+        practice=True,
+        title="The smallest fix: a table from the maker's program",
+        points=2,
+        answer=lambda: Arm(DHTable.craig(MAKERS, angle="deg"), sign=load("ar4").sign),
+        mistakes=unrepaired,
+        sparing=True,
+        praise=(
+            "One number of 24. The maker's own program had it wrong in one place, and right in"
+            " another."
+        ),
+        hints=(
+            "Call dh.diagnose with ours, as the comment says, and read its first two lines.",
+            (
+                "It names the α of a link by the standard row. A Craig row begins with a and α of"
+                " the link before its joint."
+            ),
+        ),
+    ),
+    Value(
+        id="09.10",
+        practice=True,
+        title="A reading at the stop",
+        points=2,
+        draw=draw_bench,
+        answer=reading,
+        mistakes=misread_bench,
+        units=("", "deg"),
+        entries=("sign", "offset"),
+        turns=(1,),
+        praise="Two numbers from one reading, and no doctor. The cell below asks the tape.",
+        hints=(
+            "At the stop you know both: what the encoder reads, and what q2 is.",
+            (
+                "The encoder counts down where q2 grows: that is the sign. The offset is what makes"
+                " the reading at the stop give the stop's angle."
+            ),
+        ),
+    ),
+    Table(
+        id="09.4",
+        practice=True,
+        title="Six axes and a flange",
+        points=3,
+        answer=lambda: assign_frames(PIPER[0], end=PIPER[1]),
+        mistakes=wrong_piper,
+        tolerance=1e-4,
+        praise="From a sheet of paper to an arm, on your own.",
+        hints=(
+            "Two units must be changed on the way in. Which?",
+            (
+                "dh.assign_frames takes pairs (point, direction) in metres, and end as a pose:"
+                " transform.from_xyz_rpy makes one, in radians."
+            ),
+        ),
     ),
 ]
