@@ -12,7 +12,7 @@ from ...mistakes.remade import A, D, with_rows
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "within", "fit", "jacobian"]
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,17 @@ def misfit(arm, data):
     if ends == 0 or (ends == 1 and (data.R is None or chi2 > _hopeless(data))):
         return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
     return fit(placed, data, ())
+
+
+def within(arm, data, chi2):
+    """Whether the misfit of an arm is no larger than ``chi2``: as :func:`misfit` says, and told
+    from the positions alone where these miss by more.
+    """
+    if not data.base_free and not data.tool_free:
+        off = (arm.forward(data.q)[..., :3, 3] - data.p) / data.noise[0]
+        if (off * off).sum() > chi2:
+            return False
+    return misfit(arm, data).chi2 <= chi2
 
 
 def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):

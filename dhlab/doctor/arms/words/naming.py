@@ -10,7 +10,7 @@ from ...mistakes.changes import Scaled
 from ...mistakes.faults import faults
 from ...mistakes.registry import OTHER, preference, value_mistake
 from ...mistakes.remade import ALPHA, THETA, A, D
-from ..search.fitting import misfit
+from ..search.fitting import misfit, within
 from ..search.measured import Measured
 from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
@@ -101,7 +101,7 @@ def _made_on(right, wrong, data, fitted):
     found = [
         fault
         for fault in faults(right)
-        if misfit(fault.arm, sample).chi2 <= enough and not _scaled_to_nothing(fault, wrong)
+        if within(fault.arm, sample, enough) and not _scaled_to_nothing(fault, wrong)
     ]
     found.sort(key=lambda fault: _order(fault, wrong, max(slack)))
     return list(
