@@ -141,6 +141,10 @@ def _with_words(table, source):
             "recognise_table: expected a table, found zeros only, as of an arm that stands at"
             " q = 0; paste the rows with the lengths and angles"
         )
+    if table.because.startswith("by the index i-1") and _contradicts(source):
+        note = "the index i-1 in the header is Craig's, and the text computes or names the other"
+        table = replace(table, convention=None, because="", notes=(*table.notes, note))
+        return _with_units(table, source)
     if not table.convention:
         computed = convention_in(source)
         if computed and source.convention and computed[0] != source.convention:
@@ -153,4 +157,15 @@ def _with_words(table, source):
             table = replace(table, convention="craig", because="by the index i-1 in the comment")
         elif source.convention:
             table = replace(table, convention=source.convention, because="as the text says")
+    return _with_units(table, source)
+
+
+def _contradicts(source):
+    """Whether the link matrix of the text is the standard one."""
+    found = convention_in(source)
+    return found is not None and found[0] == "standard"
+
+
+def _with_units(table, source):
+    """The table with what words of the text say of its units."""
     return replace(table, length=table.length or source.length, angle=table.angle or source.angle)

@@ -76,7 +76,7 @@ def link_matrix_in(code):
     for entries in _matrices(code):
         if tried == MOST_TRIED:
             return None
-        if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,5}|[cs])\b", " ".join(entries)):
+        if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)):
             continue
         tried += 1
         entries = [_plain(entry, local) for entry in entries]
@@ -108,6 +108,7 @@ def _matrices(code):
         if len(cells) in (12, 16):
             yield cells
     yield from _one_by_one(code)
+    yield from _drawn(code)
     entries: dict = {}
     for i, j, text in ENTRY.findall(code):
         entries.setdefault((int(i), int(j)), text.strip())
@@ -118,6 +119,20 @@ def _matrices(code):
             for i in range(4)
             for j in range(4)
         ]
+
+
+def _drawn(code):
+    """The entries of a matrix that is drawn over three or four lines, each with four of them."""
+    rows: list = []
+    for line in [*code.split("\n"), ""]:
+        line = re.sub(r"^[^=\[|]*=\s*(?=[\[|(]|$)", "", line).strip(" \t[]|;,.⎡⎢⎣⎤⎥⎦")
+        cells = [cell for cell in re.split(r"\s{2,}|\s*[|&]\s*|\s*,\s+", line) if cell]
+        if len(cells) == 4:
+            rows.append(cells)
+            continue
+        if len(rows) in (3, 4):
+            yield [cell for row in rows for cell in row]
+        rows = []
 
 
 def _one_by_one(code):

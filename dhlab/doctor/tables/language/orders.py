@@ -145,7 +145,7 @@ def _unit_after(text, at, role):
 
 def convention_in(source):
     """(convention, why) of the link matrix that the text itself computes; None without one."""
-    for line in source.text.split("\n"):
+    for line in re.sub(r"\s*\n\s*(?=[*@])|(?<=[*@])\s*\n\s*", " ", source.text).split("\n"):
         found = _of_moves(line)
         if found:
             return found, "by the order of the elementary moves in it"

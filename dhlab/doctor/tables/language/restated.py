@@ -25,6 +25,11 @@ MATRIX = re.compile(r"\b([A-Za-z]\w*)[ \t]*=[ \t]*\[([^\[\]]*;[^\[\]]*)\]")
 ANCHOR = re.compile(r"&([A-Za-z]\w*)[ \t]+(-?[\d.][\w.+-]*)[ \t]*$", re.MULTILINE)
 
 
+# Eigen: Translation3d(a, 0, 0) * AngleAxisd(alpha, Vector3d::UnitX())
+ALONG = re.compile(r"(?:\w+::)*Translation3[df]\s*\(")
+ON_AXIS = re.compile(
+    r"(?:\w+::)*AngleAxis[df]\s*\(\s*([^,;]+?)\s*,\s*(?:\w+::)*Unit([XYZ])\(\)\s*\)"
+)
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
 
@@ -48,6 +53,9 @@ def restated(text):
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
     text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
     text = INCHES.sub(r"\1in", text)
+    text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
+    if len(re.findall(r"\\n\s*\|", text)) > 2:
+        text = text.replace("\\n", "\n")  # a text within a program
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
         text = re.sub(rf"\*{name}\b", number, text)
