@@ -160,7 +160,10 @@ def _require_one(matrices):
 def _with_more(order, rows, source):
     """The order where an index or a name stands before the four, or sigma and an offset after."""
     more = ("sigma", "offset")
-    if any(_value(row[4], source) not in (Value(0.0), Value(1.0)) for row in rows):
+    words = {str(row[4]).strip("'\" ").upper() for row in rows}
+    if words <= {"R", "P", "REVOLUTE", "PRISMATIC"}:
+        more = ("type", "offset")
+    elif any(_value(row[4], source) not in (Value(0.0), Value(1.0)) for row in rows):
         more = ("offset", "sigma")
     if any(re.search(r"al(?:ph|f)a\W+(?:theta_?)?offset", text) for _, text in source.comments):
         more = ("offset", "sigma")

@@ -169,7 +169,7 @@ def _of_moves(line):
             held = [k for k in range(3) if match[5 + k].strip() not in ("0", "0.0", "")]
             axis, turns = ("xyz"[held[0]] if len(held) == 1 else ""), False
         argument = match[2] or match[4] or match[9] or "d"
-        if role_of(argument.split(",")[0])[0] is None and match[5] is None:
+        if role_of(re.sub(r"_?\d+$", "", argument.split(",")[0]))[0] is None and match[5] is None:
             return None
         found.append(("R" if turns else "T") + axis)
     return _by_moves(found)
