@@ -19,8 +19,9 @@ from .dialects import (
 )
 from .dialects.grid import NoRows, from_grid, header
 from .language.axes import axes_in
+from .language.comments import uncommented
 from .language.orders import convention_in, previous_in
-from .language.source import source_of, uncommented
+from .language.source import source_of
 from .pasted import Pasted
 
 __all__ = ["take_apart"]

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from ..cells import read_cell
 from ..language.brackets import cells_in
-from ..language.orders import names_in_a_row, order_in, order_of_names
+from ..language.orders import order_in, order_of_names
 from ..language.roles import ROLES, role_of
 from .grid import NoRows, from_grid, header, units_of
+from .spaced import is_cell, spaced_cells, under_names
 
 __all__ = ["read"]
 
@@ -17,11 +18,6 @@ RULE = re.compile(r"[-|:+=\s().;_*#~]*")  # a line that only separates
 ROW = re.compile(
     r"\s*[-*]?\s*([A-Za-z][\w ]{0,20}?)\s*[:=-]?\s*"
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
-)
-LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
-PHRASE = re.compile(  # the gap in link length, joint angle
-    r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
-    r"|(?<=\bjoint)\s+(?=(?:angle|offset|distance)\b)|(?<=\btwist)\s+(?=angle\b)"
 )
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
@@ -45,7 +41,7 @@ def read(source, nominal=None):
         table = _in_comments(source)
         if table is not None:
             return table
-        below = _under_names(source.lines) if isinstance(error, NoRows) else None
+        below = under_names(source.lines) if isinstance(error, NoRows) else None
         if below is None:
             raise error
         grid, roles, units = below
@@ -60,7 +56,9 @@ def _in_comments(source):
     for k, comment in source.comments:
         if k <= len(lines):
             lines[k - 1] = comment
-    if not any(header(_cells(line, False)) or header(line.split("|")) for line in lines if line):
+    if not any(
+        header(spaced_cells(line, False)) or header(line.split("|")) for line in lines if line
+    ):
         return None
     try:
         table = _from_lines(lines, source)
@@ -162,10 +160,10 @@ def _splitter(lines):
             if mark == ",":
                 return lambda line: [cell.strip() for cell in re.split(r",(?![^(]*\))", line)], mark
             return (lambda line, mark=mark: _trimmed(line.split(mark), mark)), mark
-    wide, narrow = ([_cells(line, gap) for line in lines] for gap in (True, False))
+    wide, narrow = ([spaced_cells(line, gap) for line in lines] for gap in (True, False))
     if _alike(wide) >= max(_alike(narrow), 1):
-        return (lambda line: _cells(line, True)), None
-    return (lambda line: _cells(line, False)), None
+        return (lambda line: spaced_cells(line, True)), None
+    return (lambda line: spaced_cells(line, False)), None
 
 
 def _alike(rows):
@@ -182,36 +180,6 @@ def _trimmed(cells, mark):
     return cells
 
 
-def _cells(line, wide):
-    """Cells separated by spaces; "q2 - 90", "pi / 2", "90 deg" and "i - 1" are one cell each."""
-    line = _joined(line)
-    if wide:
-        return [cell for cell in re.split(r"\s{2,}", line.strip()) if cell]
-    return cells_in(line.replace(",", " ") if not re.search(r"\d,\d", line) else line)
-
-
-def _joined(line):
-    """A line in which numbers and their units, and the words of one name, have no gap between
-    them.
-    """
-    if not re.search(r"\d", line):
-        line = PHRASE.sub("_", line)
-    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
-    line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
-    return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
-
-
-def _good(cell):
-    """Whether a cell is a number, a dash, or a letter with its index."""
-    if cell.strip("*` ") == "-":
-        return True
-    try:
-        found = read_cell(cell)
-    except ValueError:
-        return False
-    return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
-
-
 def _one_cell_a_line(grid, lines):
     """The grid of a page that was copied with every cell on a line of its own; None of others."""
     for k, (_, cells) in enumerate(grid):
@@ -219,7 +187,7 @@ def _one_cell_a_line(grid, lines):
             continue
         rest = [(number, line) for number, line in lines if number > int(grid[k][0].split()[1])]
         if len(rest) < 2 * len(cells) or any(
-            "|" in line or len(_cells(line, True)) > 1 for _, line in rest
+            "|" in line or len(spaced_cells(line, True)) > 1 for _, line in rest
         ):
             return None
         rows = [rest[at : at + len(cells)] for at in range(0, len(rest), len(cells))]
@@ -232,12 +200,12 @@ def _one_cell_a_line(grid, lines):
 def _named_one_a_line(lines):
     """The same where the cells of the heading stand in lines of their own, too."""
     words = [line for _, line in lines]
-    if len(words) < 8 or any("|" in word or len(_cells(word, True)) > 1 for word in words):
+    if len(words) < 8 or any("|" in word or len(spaced_cells(word, True)) > 1 for word in words):
         return None
     for first in range(len(words)):
         for width in (5, 6, 4):
             cells = words[first : first + width]
-            if not header(cells) or any(_good(cell) for cell in cells):
+            if not header(cells) or any(is_cell(cell) for cell in cells):
                 continue
             rest = range(first, len(words) - width + 1, width)
             return [(f"line {lines[at][0]}", words[at : at + width]) for at in rest]
@@ -280,7 +248,7 @@ def _table_only(grid):
     for k in range(rows[0], rows[-1] + 1):
         if k in rows:
             kept.append(grid[k])
-        elif sum(map(_good, grid[k][1])) >= 2:
+        elif sum(map(is_cell, grid[k][1])) >= 2:
             raise ValueError(
                 f"recognise_table: {grid[k][0]}: expected a row like the others, found"
                 f" {' '.join(grid[k][1])[:60]!r}; mend it or leave it out"
@@ -288,38 +256,9 @@ def _table_only(grid):
     return [grid[heads[0]], *kept] if heads else kept
 
 
-def _under_names(texts):
-    """(grid, roles, units) of rows below a line in which four names of columns follow each other,
-    whatever stands before and behind them; None without them.
-    """
-    for k, line in enumerate(texts):
-        named = names_in_a_row(line)
-        behind = line[named[2] :] if named else ""
-        if not named or re.search(r"off|sign|type|sigma|joint", behind, re.IGNORECASE):
-            continue
-        rows = []
-        for at, below in enumerate(_with_fractions(texts[k + 1 :]), k + 2):
-            cells = cells_in(_joined(LABEL.sub("", below)))
-            if len(cells) >= 4 and all(map(_good, cells[:4])):
-                rows.append((f"line {at}", cells[:4]))
-            elif rows and below.strip():
-                break
-        if len(rows) > 1:
-            return rows, named[0], named[1]
-    return None
-
-
-def _with_fractions(texts):
-    """Lines of a page on which a fraction takes two lines of its own behind its row: joined."""
-    text = re.sub(
-        r"\n[ \t]*(-?[ \t]*\d*pi)[ \t]*\n[ \t]*(\d)[ \t]*(?=\n|$)", r" \1/\2", "\n".join(texts)
-    )
-    return re.sub(r"(?<=-)[ \t]+(?=pi/\d$)", "", text, flags=re.MULTILINE).split("\n")
-
-
 def _is_last_of_matrix(cells):
     """Whether this is the row 0 0 0 1 of a link matrix that stands below the table."""
-    if not all(_good(cell) and cell.strip("*` ") != "-" for cell in cells):
+    if not all(is_cell(cell) and cell.strip("*` ") != "-" for cell in cells):
         return False
     return [read_cell(cell).value for cell in cells] == [0, 0, 0, 1]
 
@@ -327,7 +266,7 @@ def _is_last_of_matrix(cells):
 def _is_row(cells, width):
     if cells and len(str(cells[0]).split()) > MOST_WORDS:
         return False  # a sentence with numbers in it
-    good = sum(map(_good, cells))
+    good = sum(map(is_cell, cells))
     if width:
         return (len(cells) in (width, width + 1) and good >= 2) or good >= max(3, len(cells) - 1)
     return good >= 3 and 2 * good >= len(cells)

@@ -12,6 +12,7 @@ from ..language.expressions import Value
 from ..language.orders import order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
+from .filled import filled
 from .grid import from_grid
 from .keyed import in_groups
 
@@ -34,9 +35,6 @@ MAKERS = {
     "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
     "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
 }
-ONE_CELL = re.compile(
-    r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
-)
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 LAST_ROW = ["0", "0", "0", "1"]
 NAMED = (
@@ -57,20 +55,7 @@ def _numbers(source):
     _require_one(matrices)
     if matrices and len(matrices[0][1][0][1]) == 3:
         return _of_three(matrices, source)
-    grid = max(
-        (
-            _likeliest(matrices),
-            _one_a_call(found),
-            _one_a_name(found),
-            _one_an_index(found),
-            _by_fours(found, source),
-            _cell_by_cell(source.code),
-            *_streams(source.code),
-            *_listed(source.code),
-        ),
-        key=_size,
-        default=None,
-    )
+    grid = max((_likeliest(matrices), *filled(found, source)), key=_size, default=None)
     if not grid or len(grid) < 1 or _size(grid) < 4:
         return None
     if any(_value(cell, source) is None for _, row in grid for cell in _inner(row)):
@@ -282,90 +267,6 @@ def _is_table(rows, source):
     read = read and bool(re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row)))
     last = len(rows) in (1, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
     return read and bool(rows) and not last
-
-
-def _listed(code):
-    """Rows one below the other, as YAML has them: ``- [0, 0.4, 0, 90]``."""
-    rows: list = []
-    for number, line in enumerate([*code.split("\n"), ""], 1):
-        found = re.fullmatch(r"\s*-\s*\[([^\[\]]*)\]\s*,?\s*", line)
-        cells = cells_in(found[1]) if found else []
-        if cells and (not rows or len(cells) == len(rows[0][1])):
-            rows.append((f"line {number}", cells))
-            continue
-        if len(rows) > 1 and 4 <= len(rows[0][1]) <= 8:
-            yield rows
-        rows = [(f"line {number}", cells)] if cells else []
-
-
-def _one_a_call(found):
-    """The rows that calls of one function take: ``setFixedTransform(j1, [0 …], 'dh')``."""
-    rows: dict = {}
-    for group in found:
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
-        if group.outer is not None and group.outer.name and group.mark != "(" and len(cells) == 4:
-            rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
-    return max(rows.values(), key=len, default=[])
-
-
-def _one_a_name(found):
-    """The rows in arrays that are numbered: ``float link1[] = {0, L1, 0, 90};``."""
-    rows = {}
-    for group in found:
-        name = re.fullmatch(r"(?:dh_?)?(link|joint|row|dh|param|l|j)_?(\d+)", group.target.lower())
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
-        if name and group.mark != "(" and len(cells) == 4:
-            rows.setdefault(name[1], {})[int(name[2])] = (f"line {group.line}", cells)
-    whole = [one for one in rows.values() if sorted(one) == list(range(min(one), max(one) + 1))]
-    numbered = max(whole, key=len, default={})
-    return [numbered[k] for k in sorted(numbered)] if len(numbered) > 1 else []
-
-
-def _one_an_index(found):
-    """The rows that are put into a table one by one: ``DH(1,:) = [0, 0.3, 0, 90]``."""
-    rows: dict = {}
-    for group in found:
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
-        alone = group.target and group.mark != "(" and group.outer is None
-        if alone and 4 <= len(cells) <= 6 and re.search(r"\d", group.text):
-            rows.setdefault((group.target, len(cells)), []).append((f"line {group.line}", cells))
-    most = max(rows.values(), key=len, default=[])
-    return most if len(most) > 1 else []
-
-
-def _by_fours(found, source):
-    """Rows of four in one flat list, where the text says in which order they stand."""
-    for group in found:
-        cells = [item.text for item in group.items]
-        many = len(cells) >= 8 and len(cells) % 4 == 0 and group.mark != "("
-        if many and not any(item.groups for item in group.items) and order_in(source):
-            return [(f"line {group.line}", cells[k : k + 4]) for k in range(0, len(cells), 4)]
-    return []
-
-
-def _cell_by_cell(code):
-    """A table of which every number is put in by its two indices: ``dh[1][3] = 90``."""
-    cells: dict = {}
-    for name, i, j, text in ONE_CELL.findall(code):
-        cells.setdefault(name, {})[int(i), int(j)] = text.strip()
-    for held in cells.values():
-        rows, columns = (sorted({at[k] for at in held}) for k in (0, 1))
-        if len(rows) > 1 and len(columns) in (4, 5) and len(held) == len(rows) * len(columns):
-            return [(f"row {i}", [held[i, j] for j in columns]) for i in rows]
-    return []
-
-
-def _streams(code):
-    """Eigen's ``DH << 0, 0.1, …;``, by lines, or by fours where it stands in one."""
-    for match in re.finditer(r"<<\s*([^;<]{8,2000});", code):
-        lines = [
-            cells_in(line.strip().rstrip(",")) for line in match[1].split("\n") if line.strip()
-        ]
-        if len(lines) == 1 and len(lines[0]) >= 8 and len(lines[0]) % 4 == 0:
-            lines = [lines[0][k : k + 4] for k in range(0, len(lines[0]), 4)]
-        if len(lines) > 1 and len({len(line) for line in lines}) == 1:
-            first = code.count("\n", 0, match.start()) + 1
-            yield [(f"line {first + k}", line) for k, line in enumerate(lines)]
 
 
 def _size(grid):

@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from .comments import without_comments
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
 from .matrices import link_matrix_in
@@ -16,7 +17,6 @@ from .roles import role_of
 __all__ = ["DEFINED", "Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
-BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
 RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
 DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
@@ -139,7 +139,7 @@ def source_of(text, values=None):
         )
     text = unified(_unwrapped(text))
     comments: list[tuple[int, str]] = []
-    code = _without_comments(text, comments)
+    code = without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     code = re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)
@@ -232,67 +232,6 @@ def _joined_heading(text):
         return text
     cells = (" ".join(map(str.strip, parts)) for parts in zip(*lines))
     return text[: drawn.start(1)] + f"| {' | '.join(cells)} |\n" + text[drawn.end(1) :]
-
-
-def _without_comments(text, comments):
-    """The text with comments blanked, which are added to ``comments`` with their line."""
-
-    def blanked(match):
-        line = text.count("\n", 0, match.start()) + 1
-        comments.extend(
-            (line + k, part.strip(" */'\"")) for k, part in enumerate(match[0].split("\n"))
-        )
-        return "\n" * match[0].count("\n")
-
-    lines = BLOCK.sub(blanked, text).split("\n")
-    for k, line in enumerate(lines):
-        cut = _comment_at(line)
-        if cut is not None:
-            comments.append((k + 1, line[cut:].lstrip("#%/! \t")))
-            lines[k] = line[:cut]
-    return "\n".join(lines)
-
-
-def uncommented(text):
-    """The text with the marks of its comments taken off, where most of it is one; None of others.
-
-    Examples
-    --------
-    >>> uncommented("# L1 = Link(d=0.1)\\n# L2 = Link(a=0.4)")
-    'L1 = Link(d=0.1)\\nL2 = Link(a=0.4)'
-    """
-    plain, n = re.subn(
-        r"^[ \t]*(?:#+|//+|%+|--|\*)[ \t]?(?=.*[\w\])}])", "", text, flags=re.MULTILINE
-    )
-    return plain if n > 1 else None
-
-
-def _comment_at(line):
-    """Where a comment begins in a line, None when there is none."""
-    if re.match(r"\s*#\s*(define|include|if|endif|pragma)\b", line):
-        cut = line.find("//")
-        return cut if cut >= 0 else None
-    quote = ""
-    for at, letter in enumerate(line):
-        if quote:
-            quote = "" if letter == quote else quote
-        elif (
-            letter in "'\""
-            and line.find(letter, at + 1) > 0
-            and line[:at].rstrip()[-1:] in "([{,=:;"
-        ):
-            quote = letter
-        elif (
-            (letter == "%" and line[at + 1 : at + 3] != "pi")
-            or (
-                letter == "#"
-                and "|" not in line[:at]
-                and line[at + 1 : at + 2] not in (",", "|", "\t")
-            )
-            or (line.startswith("//", at) and line[at - 1 : at] != ":")
-        ):
-            return at
-    return None
 
 
 def _assigned(text):

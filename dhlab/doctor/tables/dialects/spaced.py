@@ -1,0 +1,76 @@
+"""Lines whose cells stand between spaces: where each ends, and rows below names of columns wherever
+they stand in the line.
+"""
+
+import re
+
+from ..cells import read_cell
+from ..language.brackets import cells_in
+from ..language.orders import names_in_a_row
+
+__all__ = ["is_cell", "spaced_cells", "under_names"]
+
+PHRASE = re.compile(  # the gap in link length, joint angle
+    r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
+    r"|(?<=\bjoint)\s+(?=(?:angle|offset|distance)\b)|(?<=\btwist)\s+(?=angle\b)"
+)
+LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
+
+
+def spaced_cells(line, wide):
+    """Cells separated by spaces; "q2 - 90", "pi / 2", "90 deg" and "i - 1" are one cell each."""
+    line = _joined(line)
+    if wide:
+        return [cell for cell in re.split(r"\s{2,}", line.strip()) if cell]
+    return cells_in(line.replace(",", " ") if not re.search(r"\d,\d", line) else line)
+
+
+def _joined(line):
+    """A line in which numbers and their units, and the words of one name, have no gap between
+    them.
+    """
+    if not re.search(r"\d", line):
+        line = PHRASE.sub("_", line)
+    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
+    line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
+    return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
+
+
+def is_cell(cell):
+    """Whether a cell is a number, a dash, or a letter with its index."""
+    if cell.strip("*` ") == "-":
+        return True
+    try:
+        found = read_cell(cell)
+    except ValueError:
+        return False
+    return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
+
+
+def under_names(texts):
+    """(grid, roles, units) of rows below a line in which four names of columns follow each other,
+    whatever stands before and behind them; None without them.
+    """
+    for k, line in enumerate(texts):
+        named = names_in_a_row(line)
+        behind = line[named[2] :] if named else ""
+        if not named or re.search(r"off|sign|type|sigma|joint", behind, re.IGNORECASE):
+            continue
+        rows = []
+        for at, below in enumerate(_with_fractions(texts[k + 1 :]), k + 2):
+            cells = cells_in(_joined(LABEL.sub("", below)))
+            if len(cells) >= 4 and all(map(is_cell, cells[:4])):
+                rows.append((f"line {at}", cells[:4]))
+            elif rows and below.strip():
+                break
+        if len(rows) > 1:
+            return rows, named[0], named[1]
+    return None
+
+
+def _with_fractions(texts):
+    """Lines of a page on which a fraction takes two lines of its own behind its row: joined."""
+    text = re.sub(
+        r"\n[ \t]*(-?[ \t]*\d*pi)[ \t]*\n[ \t]*(\d)[ \t]*(?=\n|$)", r" \1/\2", "\n".join(texts)
+    )
+    return re.sub(r"(?<=-)[ \t]+(?=pi/\d$)", "", text, flags=re.MULTILINE).split("\n")
