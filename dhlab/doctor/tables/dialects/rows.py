@@ -53,7 +53,8 @@ def _numbers(source):
     matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
     matrices = [(group, rows) for group, rows in matrices if len(rows[0][1]) > 3] or matrices
     _require_one(matrices)
-    if matrices and len(matrices[0][1][0][1]) == 3:
+    upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
+    if matrices and len(matrices[0][1][0][1]) == 3 and not upright:
         return _of_three(matrices, source)
     grid = max((_likeliest(matrices), *filled(found, source)), key=_size, default=None)
     if not grid or len(grid) < 1 or _size(grid) < 4:

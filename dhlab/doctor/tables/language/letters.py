@@ -127,10 +127,11 @@ def _gap(match):
 
 
 def _in_brackets(match):
-    """A matrix of cosines as ``[ …, …; … ]``; others as they are."""
-    if not OF_ANGLES.search(match[2]):
-        return match[0]
+    """A matrix of cosines, or of numbers in every row, as ``[ …, …; … ]``; others as they are."""
     rows = re.split(r"\\\\(?:\[[^\]\n]*\])?", match[2].replace("\n", " "))
+    rows = [row for row in rows if row.strip()]
+    if not OF_ANGLES.search(match[2]) and not all(re.search(r"\d", row) for row in rows):
+        return match[0]
     return "[" + "; ".join(", ".join(row.split("&")) for row in rows if row.strip()) + "]"
 
 

@@ -126,7 +126,9 @@ def names_in_a_row(text, in_code=False):
             if run and not fits and len(run) >= 4 and role not in run:
                 pass
             if len(run) < 4 or fits:
-                run = [*run, role] if fits else [role]
+                near = BETWEEN.fullmatch(text, last, match.start()) if run else None
+                kept = run[run.index(role) + 1 :] if near and role in run else []
+                run = [*run, role] if fits else [*kept, role]
             last = match.end()
             if len(run) == 4 and not in_code:
                 units.update(_unit_after(text, last, role))

@@ -30,6 +30,13 @@ ALONG = re.compile(r"(?:\w+::)*Translation3[df]\s*\(")
 ON_AXIS = re.compile(
     r"(?:\w+::)*AngleAxis[df]\s*\(\s*([^,;]+?)\s*,\s*(?:\w+::)*Unit([XYZ])\(\)\s*\)"
 )
+# np.matrix('0 0.3; 0 0')
+IN_QUOTES = re.compile(r"(?<=mat)(?:rix)?\(\s*['\"]([^'\"\n]*;[^'\"\n]*)['\"]\s*\)")
+# <xacro:property name="a1" value="0.3"/>
+PROPERTY = re.compile(
+    r"^[ \t]*<\S+\s+name\s*=\s*[\"'](\w+)[\"']\s+value\s*=\s*[\"']([^\"'\n]*)[\"']\s*/>",
+    re.MULTILINE,
+)
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
 
@@ -56,6 +63,8 @@ def restated(text):
     text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
     if len(re.findall(r"\\n\s*\|", text)) > 2:
         text = text.replace("\\n", "\n")  # a text within a program
+    text = IN_QUOTES.sub(r"([\1])", text)
+    text = PROPERTY.sub(r"\1 = \2", text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
         text = re.sub(rf"\*{name}\b", number, text)

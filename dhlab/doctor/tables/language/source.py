@@ -40,7 +40,7 @@ WORDS_FOR = {
     r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
-    r"|standart d-?h|standaard",
+    r"|standart d-?h|standaard|\bframe(?:::|\.)dh\(",
 }
 CONVENTION = re.compile(
     r"^[ \t]*['\"]?(?:dh_?)?convention['\"]?[ \t]*[:=][ \t]*['\"]?([\w -]+)",
