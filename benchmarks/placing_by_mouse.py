@@ -161,15 +161,15 @@ class Hand:
     def place(self, lines, stop=None):
         """Go on until every frame is placed, or for so many right steps."""
         done = 0
-        while (step := (answer := self.answer)["next"]) and done != stop:
+        while (step := (answer := self.answer).get("next")) and done != stop:
             offers = answer["offers"]
-            fitting = [lines.fits(step, one["value"], one["point"]) for one in offers]
+            fitting = [lines.fits(step, one["value"], one.get("point")) for one in offers]
             order = [k for k in self.rng.permutation(len(offers)) if (step, k) not in self.known]
             if self.rng.random() > WRONG:
                 order.sort(key=lambda k: fitting[k] is not True)
             told = self.make(int(order[0]), answer, lines)
             sent, right = self.page.evaluate("() => window.sent"), told["said"]["right"]
-            value, point = sent["value"], sent["point"]
+            value, point = sent["value"], sent.get("point")
             fits = lines.fits(step, value, point)
             if fits is not None:
                 self.count["judged as they should" if right == fits else "misjudged"] += 1
@@ -179,7 +179,7 @@ class Hand:
                 done += 1
                 continue
             self.refused.append((step, value, fits))
-            same = [one["value"] == value and one["point"] == point for one in offers]
+            same = [one["value"] == value and one.get("point") == point for one in offers]
             self.known |= {(step, j) for j, equal in enumerate(same) if equal}
 
     def make(self, k, answer, lines):
@@ -193,7 +193,7 @@ class Hand:
                 return told
         told = self.click(k, answer)
         sent = self.page.evaluate("() => window.sent")
-        same = sent["value"] == offers[k]["value"] and sent["point"] == offers[k]["point"]
+        same = sent["value"] == offers[k]["value"] and sent.get("point") == offers[k].get("point")
         self.count["choices hit" if same else "choices missed"] += 1
         return told
 
