@@ -159,6 +159,11 @@ def explain_lines(lines: list[str]) -> Known | None:
             "z1 and z2: these are the axes of joints 1 and 2",
             next="The first row turns about z0, and that is the motion of joint 1. Count on.",
         )
+    if lines[:2] == OF_Z[1:]:
+        return "frame-at-other-end", Said(
+            "z0 and z1: these are the axes of joints 2 and 3, one joint too far",
+            next="The first row turns about z0, and that is the motion of joint 1. Count on.",
+        )
     metal = ", ".join(f"z{i}" for i, line in enumerate(lines) if line not in OF_Z)
     if metal:
         return "z-across-joint-axis", Said(

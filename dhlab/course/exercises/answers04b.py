@@ -82,11 +82,11 @@ def draw_roll_wrist(rng: np.random.Generator) -> dict[str, Any]:
     return {"axes": axes, "end": pose_of(MINUS_Z, Y, X, [round(fore + 0.08, 6), 0, level])}
 
 
-SAID = {
-    "parallel": "Their directions are the same or opposite",
-    "skew": "Their directions differ, and they have no point in common",
-    "line": "They are one and the same line",
-    "meet": "They have one point in common",
+NOT_SO = {  # of a case that was said, what is not so where the axes meet or are parallel
+    "parallel": "Parallel axes have the same direction or the opposite one: these two have not.",
+    "skew": "Skew axes differ in direction: these two do not.",
+    "line": "Axes on one line have all points in common: these two have not.",
+    "meet": "Axes that meet have a point in common: these two have none.",
 }
 
 
@@ -99,7 +99,7 @@ def explain_pairs(cases: list[str]) -> Known:
         why=(
             "The points given are somewhere on the axes, and lines go on beyond them."
             if housings
-            else f"{SAID[cases[first]]}: that is not so here."
+            else NOT_SO[cases[first]]
         ),
         next="Compare the directions first, then ask whether the two lines have a point in common.",
     )

@@ -153,8 +153,8 @@ EXERCISES = [
             ),
             "wrong-order": Option(
                 "the poses were multiplied in the wrong order",
-                "In another order nothing fits, whatever the tool; here the errors are as large as the"
-                " tool is long.",
+                "Then the errors had nothing to do with the tool. Here they are as large as"
+                " the tool is long.",
                 "product-reversed",
             ),
         },

@@ -173,8 +173,8 @@ EXERCISES = [
             ),
             "pointing-away": Option(
                 "x of the new plate must point away from the old z, so two signs are fixed",
-                "It may point either way; a and α change their signs with it, and the θ of this row and"
-                " of the next one by 180°.",
+                "It may point either way; a and α change their signs with it, and the θ of this row"
+                " and of the next one by 180°.",
                 "minus-taken-for-error",
             ),
         },

@@ -47,7 +47,7 @@ EXERCISES = [
         title="The article's arm, shoulder to forearm",
         points=2,
         draw=draw_half_arm,
-        praise="Half the arm stands, and every z is on its joint.",
+        praise="Half the arm stands: z0, z1 and z2 lie on the axes of joints 1, 2 and 3.",
         hints=(
             "Frames 0 and 1 are placed. z2 lies on the axis of joint 3; frame 3 stands at the"
             " forearm's end.",

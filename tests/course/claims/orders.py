@@ -182,6 +182,10 @@ CLAIMS = {
             lambda a, f: a[1:] == ["axis-1", "axis-2"],
         ),
         says(
+            r"z0 and z1: these are the axes of joints 2 and 3, one joint too far",
+            lambda a, f: a[:2] == ["axis-2", "axis-3"],
+        ),
+        says(
             r"(?P<names>[z\d, ]+): this line is no joint's axis",
             lambda a, f: (
                 f["names"].split(", ") == [f"z{k}" for k, line in enumerate(a) if line not in LINE]
