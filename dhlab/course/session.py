@@ -205,8 +205,8 @@ def course_map(lesson: str = "") -> Map:
 
     Examples
     --------
-    >>> course_map("05").to_dict()["05"][1]
-    9
+    >>> course_map("05").to_dict()["05"].done
+    0
     """
     if lesson and lesson not in SITTINGS:
         raise ValueError(

@@ -164,7 +164,7 @@ def test_a_marker_is_named_with_its_line(tmp_path):
             "",
             'expected one cell that begins with check("05.2", ...), found none',
         ),
-        ("  minutes: 45", "  minutes: [45", "expected YAML in the head"),
+        ("  minutes: 50", "  minutes: [50", "expected YAML in the head"),
         (":tags: [worked]", ":tags: [worked", "expected YAML in the head"),
         (
             "dhlab:\n",
@@ -275,7 +275,7 @@ def test_an_exercise_that_would_fail_a_student_is_refused(
 ):
     changed = {**exercises(), key: change(exercises()[key])}
     monkeypatch.setattr(faults, "exercises", lambda: changed)
-    found = said(source(tmp_path, "Press *Play all*", "Press *Play all*"))
+    found = said(source(tmp_path, "## Key points", "## Key points"))
     assert (
         words in found
         and re.match(rf"dhlab/course/exercises/lesson05\.py(, line \d+)?, {key}: ", found)

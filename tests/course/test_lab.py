@@ -236,7 +236,7 @@ def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page
     kernel_is_idle(page)
     for cell in (0, checks - 1, checks):
         run(page, cell)
-    page.get_by_role("radio", name="the arm reported the flange").check(force=True)
+    page.get_by_role("radio", name="the controller reported the flange").check(force=True)
     expect(page.get_by_text("is not in the notebook yet").first).to_be_visible()
     page.screenshot(path=folder.parent / "cards.png")
     cell = run(page, checks - 1)
