@@ -127,7 +127,7 @@ EXERCISES = [
         title="Shoulder and elbow",
         points=2,
         draw=draw_shoulder,
-        praise="Twelve choices, and every one keeps its rule.",
+        praise="Every choice keeps its rule.",
         hints=(
             (
                 "All z first. Then go frame by frame and ask each time: are the two axes skew, do"
