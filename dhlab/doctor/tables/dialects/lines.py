@@ -136,7 +136,7 @@ def _without_brackets(line):
     line = re.sub(
         r"^[\w\s().]*=\s*\[|^[\w\s().]*=\s*\w*\(\s*\[|[\[\]](?!\w)(?<!\w.)|^\s*\[", " ", line
     )
-    line = re.sub(r"^\s*(%|#|//)\s*", "", line)
+    line = re.sub(r"^\s*(%|#|//|[-*](?=\s+\w+\s*\|))\s*", "", line)
     return line.strip().rstrip(";,").strip()
 
 

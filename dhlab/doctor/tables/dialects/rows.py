@@ -175,15 +175,15 @@ def _made_by(source):
 
 def _matrix(group):
     """[(where, cells)] of the rows in a group."""
-    rows = []
+    rows, items = [], [item for item in group.items if item.text not in ("None", "null", "nil")]
     inner = [
         item.groups[-1]
-        for item in group.items
+        for item in items
         if item.groups
         and item.text.rstrip().endswith(item.groups[-1].text)
         and re.fullmatch(r"[\w.:]*\s*", item.text[: -len(item.groups[-1].text)] or "")
     ]
-    if len(inner) >= 1 and len(inner) == len(group.items):
+    if len(inner) >= 1 and len(inner) == len(items):
         rows = [(f"line {part.line}", [item.text for item in part.items]) for part in inner]
         rows = [(where, cells_in(cells[0]) if len(cells) == 1 else cells) for where, cells in rows]
     elif all(part.mark == "(" for part in inner):

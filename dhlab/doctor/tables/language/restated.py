@@ -59,7 +59,7 @@ def restated(text):
     text = EQUATION.sub(r"\1 = \2", text)
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
     text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
-    text = INCHES.sub(r"\1in", text)
+    text = INCHES.sub(_inches, text)
     text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
     if len(re.findall(r"\\n\s*\|", text)) > 2:
         text = text.replace("\\n", "\n")  # a text within a program
@@ -72,6 +72,13 @@ def restated(text):
     for name, kind in KDL_JOINT.findall(text):
         text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
     return _without_indices(text)
+
+
+def _inches(match):
+    """``7"`` as ``7in``, but for the end of a quotation, as in ``"q2-90"``."""
+    before = match.string[: match.start()].rsplit("\n", 1)[-1]
+    opened = len(re.findall(r'(?<!\d)"', before))
+    return match[0] if opened % 2 else f"{match[1]}in"
 
 
 def _named(line):
