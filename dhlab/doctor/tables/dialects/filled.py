@@ -7,8 +7,9 @@ import re
 from ..language.brackets import cells_in
 from ..language.orders import order_in
 
-__all__ = ["filled"]
+__all__ = ["TABLE", "filled"]
 
+TABLE = re.compile(r"^(?!.*(?:limit|range|home|pose)).*(?:dh|denavit|table|param|links?(?:_|$))")
 ONE_CELL = re.compile(
     r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
@@ -60,7 +61,7 @@ def _one_an_index(found):
     rows: dict = {}
     for group in found:
         cells = [cell for item in group.items for cell in cells_in(item.text)]
-        alone = group.target and group.mark != "(" and group.outer is None
+        alone = TABLE.search(group.target.lower()) and group.mark != "(" and group.outer is None
         if alone and 4 <= len(cells) <= 6 and re.search(r"\d", group.text):
             rows.setdefault((group.target, len(cells)), []).append((f"line {group.line}", cells))
     most = max(rows.values(), key=len, default=[])
@@ -71,7 +72,12 @@ def _by_fours(found, source):
     """Rows of four in one flat list, where the text says in which order they stand."""
     for group in found:
         cells = [item.text for item in group.items]
-        many = len(cells) >= 8 and len(cells) % 4 == 0 and group.mark != "("
+        many = (
+            TABLE.search(group.target.lower())
+            and len(cells) >= 8
+            and len(cells) % 4 == 0
+            and group.mark != "("
+        )
         if many and not any(item.groups for item in group.items) and order_in(source):
             return [(f"line {group.line}", cells[k : k + 4]) for k in range(0, len(cells), 4)]
     return []

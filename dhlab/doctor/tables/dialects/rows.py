@@ -12,7 +12,7 @@ from ..language.expressions import Value
 from ..language.orders import order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
-from .filled import filled
+from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups
 
@@ -56,10 +56,9 @@ def _numbers(source):
     upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
     if matrices and len(matrices[0][1][0][1]) == 3 and not upright:
         return _of_three(matrices, source)
-    grid = max((_likeliest(matrices), *filled(found, source)), key=_size, default=None)
-    if not grid or len(grid) < 1 or _size(grid) < 4:
-        return None
-    if any(_value(cell, source) is None for _, row in grid for cell in _inner(row)):
+    grids = [_likeliest(matrices), *filled(found, source)]
+    grid = max((grid for grid in grids if _is_read(grid, source)), key=_size, default=None)
+    if not grid or _size(grid) < 4:
         return None
     order, convention, form = _made_by(source)
     why, units = f"as {form} has them" if form else "", {}
@@ -86,11 +85,17 @@ def _numbers(source):
     return _without_theta(table, source) if form.startswith("SerialLink") else table
 
 
+def _target(group):
+    """What a group is assigned to, itself or in a call: ``dh = np.array([…])``."""
+    outer = group.outer.target if group.outer is not None else ""
+    return (group.target or outer).lower()
+
+
 def _likeliest(matrices):
     """The rows that are named a table, else those of four or five numbers, else the largest."""
 
     def likely(one):
-        name, rows = one[0].target.lower(), one[1]
+        name, rows = _target(one[0]), one[1]
         named = bool(re.search(r"dh|denavit", name)) - bool(NO_TABLE.search(name))
         return named, len(rows[0][1]) in (4, 5), _size(rows)
 
@@ -99,9 +104,11 @@ def _likeliest(matrices):
 
 def _of_three(matrices, source):
     """The Pasted table of rows without theta, where something says that they are rows."""
-    said = order_of_three(source)
-    named = [rows for group, rows in matrices if re.search(r"dh|denavit", group.target.lower())]
-    rows = max(named or ([rows for _, rows in matrices] if said else []), key=len, default=None)
+    said, named = order_of_three(source), []
+    for group, rows in matrices:
+        if TABLE.search(_target(group)) or (said and not order_in(source)):
+            named.append(rows)
+    rows = max(named, key=len, default=None)
     if rows is None or len(rows) < 2:
         return None
     roles, why = ((*said[0], "theta"), said[1]) if said else (None, "")
@@ -262,10 +269,15 @@ def _with_types(table, source):
     return table
 
 
+def _is_read(rows, source):
+    return all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
+
+
 def _is_table(rows, source):
     """Whether rows are no matrix of formulas, no pose, nor the last row of one."""
-    read = all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
-    read = read and bool(re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row)))
+    read = _is_read(rows, source) and bool(
+        re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row))
+    )
     last = len(rows) in (1, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
     return read and bool(rows) and not last
 

@@ -39,8 +39,8 @@ UNITS = {
     **dict.fromkeys(("in", "inch", "inches"), "in"),
 }
 TO_RADIANS = (
-    "deg2rad radians rad d2r torad to_rad toradians degtorad deg_to_rad deg_2_rad dtor degrees_to"
-    "_radians radian deg"
+    "deg2rad radians rad d2r torad to_rad toradians to_radians degtorad deg_to_rad deg_2_rad dtor"
+    " degrees_to_radians radian deg"
 ).split()
 PLAIN = (
     "float float64 float32 double int rational integer s sympify mpf n number sym sp_float"
@@ -247,7 +247,7 @@ class _Parser:
         name = key(text)
         low = text.split(".")[-1].split("::")[-1].lower()
         if self.peek() == ("op", "(") and not (
-            (JOINT_VALUES.fullmatch(low) or low not in CALLED) and self.is_indexed()
+            (JOINT_VALUES.fullmatch(low) or low not in CALLED | UNITS.keys()) and self.is_indexed()
         ):
             return self.called(low)
         if self.peek()[1] in ("(", "[") and self.peek(1)[0] == "number":
@@ -272,9 +272,10 @@ class _Parser:
         return Value(0.0, {name: 1.0})
 
     def is_indexed(self):
-        """Whether one whole number stands between the brackets that follow."""
+        """Whether the number of a joint stands between the brackets that follow."""
         index = self.peek(1)
-        return index[0] == "number" and index[1].isdigit() and self.peek(2) == ("op", ")")
+        joint = index[0] == "number" and index[1].isdigit() and len(index[1]) == 1
+        return joint and self.peek(2) == ("op", ")")
 
     def looked_up(self, name):
         """What a letter stands for; each is worked out once, whoever asks."""
