@@ -105,6 +105,8 @@ def _larger(found, source):
     stand in braces.
     """
     alone = len(found.rows) == 1
+    if found.roles is None and (named := _read_or_none(numbered.read, source)):
+        return named  # numbers with names say more than a list without
     named = keyed.read(source) if alone or found.why == "as their names say" else None
     if named is None and (alone or found.form.startswith("calls")):
         named = _read_or_none(numbered.read, source)

@@ -26,7 +26,7 @@ def filled(found, source):
     """
     yield _one_a_call(found)
     yield _one_a_name(found)
-    yield _one_an_index(found)
+    yield _one_an_index(found, source)
     yield _by_fours(found, source)
     yield _cell_by_cell(source.code)
     yield from _streams(source.code)
@@ -56,7 +56,7 @@ def _one_a_name(found):
     return [numbered[k] for k in sorted(numbered)] if len(numbered) > 1 else []
 
 
-def _one_an_index(found):
+def _one_an_index(found, source):
     """The rows that are put into a table one by one: ``DH(1,:) = [0, 0.3, 0, 90]``."""
     rows: dict = {}
     for group in found:
@@ -64,8 +64,29 @@ def _one_an_index(found):
         alone = TABLE.search(group.target.lower()) and group.mark != "(" and group.outer is None
         if alone and 4 <= len(cells) <= 6 and re.search(r"\d", group.text):
             rows.setdefault((group.target, len(cells)), []).append((f"line {group.line}", cells))
-    most = max(rows.values(), key=len, default=[])
-    return most if len(most) > 1 else []
+    (name, _), most = max(rows.items(), key=lambda one: len(one[1]), default=(("", 0), []))
+    if len(most) < 2:
+        return []
+    _require_all(name, most, source)
+    return most
+
+
+def _require_all(name, rows, source):
+    """No row may be left out, nor a cell that cannot be read."""
+    put = re.findall(rf"\b{re.escape(name)}\s*[\[(]\s*(\d+)[^=\n]*=(?!=)", source.code)
+    indices = sorted({int(index) for index in put})
+    if indices and indices != list(range(indices[0], indices[-1] + 1)):
+        raise ValueError(
+            f"recognise_table: {name}: expected rows {indices[0]} to {indices[-1]}, found"
+            f" {', '.join(map(str, indices))}; paste the missing ones"
+        )
+    for where, cells in rows:
+        bad = next((cell for cell in cells if source.value(cell) is None), None)
+        if bad is not None:
+            raise ValueError(
+                f"recognise_table: {where}: expected a number or a joint variable, found"
+                f" {bad[:40]!r}; write it as one of these"
+            )
 
 
 def _by_fours(found, source):

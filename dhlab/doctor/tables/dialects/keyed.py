@@ -104,6 +104,7 @@ def in_groups(source):
                 row["type"] = pair[1].strip("'\"").lower()
         wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
         if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
+            _require_read(group, row)
             rows.append(row)
     if len(rows) < 2:
         return None
@@ -119,6 +120,17 @@ def in_groups(source):
         ],
         why="as their names say",
     )
+
+
+def _require_read(group, row):
+    """A number that is named and cannot be read must not be taken for 0."""
+    for name, text in filter(None, _items(group)):
+        role = role_of(name)[0]
+        if role in ("d", "a", "alpha", "r") and role not in row and re.search(r"[(\d]", text):
+            raise ValueError(
+                f"recognise_table: line {group.line}: {name}: expected a number, found"
+                f" {text[:40]!r}; write the number, or what its letters are"
+            )
 
 
 def _items(group):

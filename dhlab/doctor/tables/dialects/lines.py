@@ -235,6 +235,7 @@ def _table_only(grid):
         long = width and len(grid[k][1]) == width and _is_row(["", *grid[k][1][1:]], width)
         if k - 1 in rows and k not in rows and long and here == before + 1:
             rows = sorted([*rows, k])
+    rows = _without_what_follows(rows, grid) if len(heads) == 1 else rows
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
         raise ValueError(
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
@@ -254,6 +255,23 @@ def _table_only(grid):
                 f" {' '.join(grid[k][1])[:60]!r}; mend it or leave it out"
             )
     return [grid[heads[0]], *kept] if heads else kept
+
+
+def _without_what_follows(rows, grid):
+    """The rows up to where two lines or more stand between, and more than between the rows before:
+    there something else begins, unless the numbers of the rows go on.
+    """
+    at = [int(grid[k][0].split()[1]) for k in rows]
+    first = [str(grid[k][1][0]).strip() for k in rows]
+    widest = 2
+    for n in range(1, len(rows)):
+        gap = at[n] - at[n - 1]
+        goes_on = first[n].isdigit() and first[n - 1].isdigit()
+        goes_on = goes_on and int(first[n]) == int(first[n - 1]) + 1
+        if n > 1 and gap > widest and not goes_on:
+            return rows[:n]
+        widest = max(widest, gap)
+    return rows
 
 
 def _is_last_of_matrix(cells):

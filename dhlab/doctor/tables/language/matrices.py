@@ -48,9 +48,9 @@ NO_NAMES = ("pi", "np", "math", "cos", "sin")
 
 @dataclass(frozen=True)
 class LinkMatrix:
-    """The convention of a link matrix, the parameter that each of its names means, and the order of
-    the columns that it takes its numbers from, () where it takes names; ``listed`` are the names
-    of which it takes one number for each link, as ``a[i]``.
+    """The convention of a link matrix ("" where a text has one of each), the parameter that each of
+    its names means, and the order of the columns that it takes its numbers from, () where it takes
+    names; ``listed`` are the names of which it takes one number for each link, as ``a[i]``.
     """
 
     convention: str
@@ -71,11 +71,10 @@ def link_matrix_in(code):
     >>> found.convention, found.roles["b"], found.roles["l"]
     ('standard', 'alpha', 'a')
     """
-    local = _locals(code)
-    tried = 0
+    local, solved, tried = _locals(code), None, 0
     for entries in _matrices(code):
         if tried == MOST_TRIED:
-            return None
+            break
         if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)):
             continue
         tried += 1
@@ -83,8 +82,11 @@ def link_matrix_in(code):
         found = _solved(_by_column(entries))
         if found:
             listed = re.findall(rf"\b(\w+)(?={INDEX.pattern})", " ".join(entries))
-            return replace(found, listed=tuple(set(listed) & set(found.roles)))
-    return None
+            found = replace(found, listed=tuple(set(listed) & set(found.roles)))
+            if solved is not None and solved.convention != found.convention:
+                return replace(solved, convention="")
+            solved = solved or found
+    return solved
 
 
 def _locals(code):

@@ -152,7 +152,7 @@ def convention_in(source):
         if found:
             return found, "by the order of the elementary moves in it"
     found = source.link_matrix
-    return (found.convention, "by the matrix in it") if found else None
+    return (found.convention, "by the matrix in it") if found and found.convention else None
 
 
 def _of_moves(line):
