@@ -1,12 +1,13 @@
-"""The site in Firefox: whether its explorer is drawn and turns, lessons run, answers are checked and
-the bench answers; seconds, script errors and requests to elsewhere.
+"""The site in Firefox: whether its explorer is drawn and turns, lessons run, answers are checked
+and the bench answers; seconds, script errors and requests to elsewhere.
 
     make site LIVE=1
     xvfb-run -a -s "-screen 0 1280x1000x24" python benchmarks/firefox.py [--shots FOLDER]
 
 Firefox (Debian: firefox-esr) is spoken to in WebDriver BiDi, through the socket that it opens
-itself. It needs a screen, or that of Xvfb: without one it runs, but gives pages no WebGL. Its profile is new for each line, so that nothing comes from a cache. Exit 1 where something
-did not come, a script failed or something was asked of elsewhere.
+itself. It needs a screen, or that of Xvfb: without one it runs, but gives pages no WebGL. Its
+profile is new for each line, so that nothing comes from a cache. Exit 1 where something did not
+come, a script failed or something was asked of elsewhere.
 """
 
 import base64

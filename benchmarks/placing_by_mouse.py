@@ -46,7 +46,7 @@ ENDINGS = {"right": 0.6, "wrong": 0.25, "not attempted": 0.15}
 DRAGGED = 0.7  # how often an origin that can be dragged is dragged
 FREE = 0.2  # and how often to a place that nobody offered
 # the explorer of the page on which frames are placed, and what it hands to Python
-FOUND = """() => { window.placing = [...document.querySelectorAll('div')].find((div) => div.explorer?.host?.get('_answer')?.offers)?.explorer;
+FOUND = """() => { window.placing = [...document.querySelectorAll('div')].findLast((div) => div.explorer?.host?.get('_answer')?.offers)?.explorer;
     if (!window.placing) return false;
     const { host } = window.placing, send = host.send.bind(host);
     window.sent = null;
@@ -261,8 +261,9 @@ class Hand:
         return told
 
     def by_letter(self, k, answer):
-        self.page.locator(".offers input").nth(k).check(force=True)
-        self.page.get_by_role("button", name="Place it").click()
+        view = self.page.locator(".explorer:has(.submit)").last
+        view.locator(".offers input").nth(k).check(force=True)
+        view.get_by_role("button", name="Place it").click()
         return self.judged(answer["turn"])
 
     def judged(self, before):

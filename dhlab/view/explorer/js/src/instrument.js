@@ -37,7 +37,7 @@ export function instrument(explorer) {
   root.querySelector(".below").append(
     h("details", { class: "edit" }, h("summary", {}, "Change the table"), h("div", { class: "below" }, convention.element, numbers.element, back)),
     motion.element, body.element,
-    h("div", { class: "give" }, button("Copy a link to this", link), button("Save the picture", () => picture(stage, nameOf())),
+    h("div", { class: "give" }, button("Copy a link to this", link), button("Save the picture", () => picture(stage, nameOf()), { disabled: !stage.works }),
       button("Save the table", () => save(`${nameOf()}.yaml`, "application/yaml", yaml(arm, changed()))), said));
   root.querySelector(".explorer").append(h("style", {}, STYLE));
   addEventListener("hashchange", fromAddress);

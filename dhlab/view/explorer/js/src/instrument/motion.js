@@ -40,7 +40,8 @@ export class Motion {
   }
 
   allow(ready) {
-    for (const one of [this.playing, ...this.saving]) one.disabled = !ready;
+    this.playing.disabled = !ready;
+    for (const one of this.saving) one.disabled = !ready || !this.stage.works;
   }
 
   // Both ways through the poses, and what is to be said of them.

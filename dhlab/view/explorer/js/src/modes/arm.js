@@ -29,7 +29,7 @@ export function armMode(host, redraw) {
     redraw();
   });
   mode.tools = [switchOf("Frames", "frames"), switchOf("All letters", "letters"), switchOf("Zero pose", "ghost"), switchOf("Trace", "trace")];
-  mode.controls = [sliders.element, h("p", { class: "hint" }, "Drag the ring to move the hand, an arrow of it to turn it, a joint or a link to move one joint; beside the arm you turn the view.")];
+  mode.controls = [sliders.element, h("p", { class: "hint by-hand" }, "Drag the ring to move the hand, an arrow of it to turn it, a joint or a link to move one joint; beside the arm you turn the view.")];
   mode.hover = hover;
   mode.grab = grab;
   mode.rework = rework;

@@ -25,7 +25,7 @@ export function poseMode(host, redraw) {
   });
   const quarter = h("div", { class: "transport", role: "group", "aria-label": "A quarter turn about an arrow of the plate" },
     ...AXES.map((letter, k) => button(`${letter} +90°`, () => turnOwn(k), { "aria-label": `${letter} +90°: a quarter turn about the plate's own ${letter}` })));
-  const hint = h("p", { class: "hint" }, "Drag the tip of an arrow to turn the plate, its middle to move it. Point at a column: its arrow lights up.");
+  const hint = h("p", { class: "hint by-hand" }, "Drag the tip of an arrow to turn the plate, its middle to move it. Point at a column: its arrow lights up.");
   const panel = h("fieldset", { class: "sliders" }, legend, ...sliders.map((one) => one.element), quarter);
   mode.controls = [...(two ? [which.element] : [shown[0].table.element]), panel, hint];
   mode.below = two ? [h("div", { class: "matrices" }, ...shown.map((one) => one.table.element))] : [];
