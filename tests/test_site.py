@@ -13,6 +13,7 @@ import zipfile
 from functools import partial
 from html import unescape
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from itertools import pairwise
 from pathlib import Path
 from urllib.parse import unquote, urljoin, urlsplit
 
@@ -380,7 +381,7 @@ def test_a_motion_is_saved_as_a_gif_where_no_video_can_be_made(new_page, address
             times.append(gif.info["duration"])
             pictures.append(np.asarray(gif.convert("RGB"), dtype=float))
     assert sum(times[:-1]) == pytest.approx(2500, rel=0.06) and times[-1] > 1000
-    assert all((a != b).any() for a, b in zip(pictures, pictures[1:], strict=False))
+    assert all((a != b).any() for a, b in pairwise(pictures))
     end = Image.frombytes("RGBA", tuple(shown[:2]), bytes(shown[2]))
     ground = Image.new("RGBA", end.size, tuple(map(int, pictures[0][0, 0])))
     end = Image.alpha_composite(ground, end).convert("RGB").resize(gif.size)

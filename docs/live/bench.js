@@ -1,19 +1,10 @@
 // The bench: an arm and a question, answered by Python beside the page.
 
+import { h } from "./elements.js";
 import { Kernel } from "./kernel.js";
 import { fill } from "./outputs.js";
 
 const host = document.querySelector(".dhlab-bench");
-const h = (tag, attributes = {}, ...children) => {
-  const element = document.createElement(tag);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
-    else if (value !== null) element.setAttribute(key, value);
-  }
-  element.append(...children);
-  return element;
-};
-
 const DO = { read: "Read it", diagnose: "What is wrong?", fk: "Where is its end?", compare: "Compare with another", convert: "Convert" };
 const CHOICES = {
   order: ["theta d a alpha", "alpha a d theta", "theta a d alpha", "a alpha d theta", "alpha d a theta", "d theta a alpha"],
