@@ -293,6 +293,38 @@ def test_undamped_steps_are_named_however_they_are_made(name, variant):
     assert half.mistake is None and "steps = 1" in half.next and "entry" not in str(half)
 
 
+def _ending_early(ends):
+    """A loop that is left when ``ends(error before, step, error after)`` says so."""
+
+    def solve(rows, T_goal, q, damping, steps):
+        for _ in range(steps):
+            frames = np.array(frames_of(rows, q))
+            e = pose_error(frames[-1], T_goal)
+            dq = damped_step(geometric_jacobian(frames, frames[-1], [False] * 6), e, damping)
+            q = q + dq
+            after = pose_error(np.array(frames_of(rows, q))[-1], T_goal)
+            if ends(*map(np.linalg.norm, (e, dq, after))):
+                break
+        return q
+
+    return solve
+
+
+@pytest.mark.parametrize(
+    "ends",
+    [
+        lambda before, step, after: after < 1e-3,
+        lambda before, step, after: after < 1e-5,
+        lambda before, step, after: step < 1e-4,
+        lambda before, step, after: after > before,
+    ],
+)
+def test_a_loop_that_ends_before_its_steps_are_done_is_refused(ends):
+    verdict = LESSON["08.6"].judge(_ending_early(ends))
+    assert verdict.status == "wrong" and "special case" in verdict.headline
+    assert LESSON["08.6"].judge(_ending_early(lambda *sizes: False)).status == "right"
+
+
 READ_OFF = {
     "θ4 is off by 180°": (lambda y, x: (-y, -x), None),
     "θ6 is off by 180°": (None, lambda y, x: (-y, -x)),

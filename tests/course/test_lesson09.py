@@ -311,6 +311,14 @@ def test_the_table_of_09_7_is_everybodys_own_and_of_the_kr6s_build():
         np.testing.assert_array_equal(rows[:, 1:3] != 0, kr6[:, 1:3] != 0)
 
 
+def test_the_table_that_is_given_is_no_answer_to_09_7_nor_is_any_makers():
+    exercise, kr6 = exercises()["09.7"], dh.load("kr6_r700")
+    given = exercise.given(1)["table"]
+    for answer in (given, dh.Arm(given), kr6, kr6.table, kr6.to("standard"), given.rows.tolist()):
+        assert exercise.judge(answer, 1).status == "wrong"
+    assert exercise.judge(dh.Arm(given).to("standard"), 1).status == "right"
+
+
 @pytest.mark.parametrize("variant", [0, 2])
 @pytest.mark.parametrize("mistake, words, made", HALVES, ids=[words for _, words, _ in HALVES])
 def test_half_a_conversion_is_named(mistake, words, made, variant):

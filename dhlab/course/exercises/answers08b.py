@@ -16,6 +16,7 @@ from ..verdict import Verdict
 from .answers08 import general, random_pose
 
 __all__ = [
+    "EARLY",
     "FRAME",
     "STEPS",
     "Reaches",
@@ -64,6 +65,18 @@ def draw_task(rng: np.random.Generator) -> tuple:
     rows, q = general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], general(rng, 0.2, 1.3, 6)
     goal = product(rows, q + general(rng, 0.1, 0.3, 6))
     return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
+
+
+def _near_and_far():
+    """Tasks that begin near the goal, and one in which a step leads further away and the next ones
+    back: a loop that ends before its steps are done is wrong there.
+    """
+    rows, _, q, *_ = draw_task(np.random.default_rng(8))
+    for off, damping in ((3e-4, 0.1), (3e-6, 0.1), (1.2, 0.02)):
+        yield rows, product(rows, q + off * np.array([1, -1, 1, 1, -1, 1])), q, damping, 4
+
+
+EARLY = tuple(_near_and_far())
 
 
 def draw_reachable(rng: np.random.Generator) -> tuple:

@@ -7,6 +7,7 @@ from ...doctor.programs.wrong.jacobians import pose_error
 from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
 from ..kinds import Choice, Function, Option, Order, Prediction, Said
 from .answers08b import (
+    EARLY,
     FRAME,
     STEPS,
     Reaches,
@@ -88,6 +89,7 @@ EXERCISES = [
         title="Damped least squares",
         points=4,
         draw=draw_task,
+        special=EARLY,
         answer=inverse_kinematics,
         names=("rows", "T_goal", "q", "damping", "steps"),
         family="inverse_kinematics",
