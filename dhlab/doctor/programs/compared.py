@@ -56,8 +56,10 @@ class Answers:
         return [case for case, wrong in zip(self.cases, self.off) if wrong == off]
 
 
-def compared(here, there):
-    """None when all general answers are right, otherwise the diagnosis."""
+def compared(here, there, pairs=True):
+    """None when all general answers are right, otherwise the diagnosis; ``pairs`` as for
+    :func:`explained`.
+    """
     if not any(here.off):
         return None
     before = residual(here.array, here.right)
@@ -67,7 +69,7 @@ def compared(here, there):
             " it is the only one shows when it is mended."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    findings = explained(here)
+    findings = explained(here, pairs)
     if findings:
         return explains(findings, before)
     seen = seen_in(here.task.bare(here.array), here.task.bare(here.right), here.task.versions)
@@ -81,8 +83,8 @@ def explains(findings, before):
     return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
 
 
-def explained(here):
-    """The mistakes that together explain the answers."""
+def explained(here, pairs=True):
+    """The mistakes that together explain the answers; without ``pairs`` no two slips."""
     tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
     task, bare = here.task, here.task.bare
     chains, given = bare(here.right), here.given
@@ -91,7 +93,9 @@ def explained(here):
         if found is not None:
             return (found,)
         given = list(bare(here.array))
-    return explain_all(given, chains, here.cases, task.versions, tolerance, symptoms=False)
+    return explain_all(
+        given, chains, here.cases, task.versions, tolerance, symptoms=False, pairs=pairs
+    )
 
 
 def _remembered(answers, cases, off):
@@ -108,6 +112,8 @@ def _remembered(answers, cases, off):
 
 def _headline(findings):
     titles = [catalogue()[finding.mistake].title for finding in findings]
+    if len(titles) == 1 and findings[0].place.count("column") > 1:  # each entry is a mistake
+        return f"Mistakes of one kind together explain what this program answers: {titles[0]}."
     if len(titles) == 1:
         return f"One mistake explains what this program answers: {titles[0]}."
     if len(set(titles)) == 1:

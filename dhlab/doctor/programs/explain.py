@@ -81,9 +81,10 @@ def _named(finding):
     return catalogue()[finding.mistake].title + (f" ({finding.place})" if finding.place else "")
 
 
-def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True):
+def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True, pairs=True):
     """All the mistakes that together explain the answers, a tuple of Findings; parameters as
-    :func:`explain_function`. Without ``symptoms`` nothing is told that is only seen.
+    :func:`explain_function`. Without ``symptoms`` nothing is told that is only seen; without
+    ``pairs`` no two slips are sought.
     """
     if kind in NUMBERS:
         found = _wrong_version(answers, cases, kind)
@@ -101,14 +102,14 @@ def explain_all(answers, expected, cases, kind, tolerance=1e-9, symptoms=True):
         return (find("integer-arrays"),)
     if _same(answers, expected, tolerance):
         return ()
-    slips, look_alikes = _searched(answers, cases, kind, tolerance)
+    slips, look_alikes = _searched(answers, cases, kind, tolerance, pairs)
     if slips:
         return tuple(_finding(slip, look_alikes if len(slips) == 1 else ()) for slip in slips)
     one_row = as_another_arm(answers, cases, tolerance) if kind == "forward_kinematics" else None
     if one_row is not None:
         return (one_row,)
     topped = _with_right_last_row(answers, expected, tolerance)
-    if topped is not None and (slips := _searched(topped, cases, kind, tolerance)[0]):
+    if topped is not None and (slips := _searched(topped, cases, kind, tolerance, pairs)[0]):
         return (find("last-row-missing"), *(_finding(slip, ()) for slip in slips))
     found = (
         _wrong_version(answers, cases, kind)
@@ -134,9 +135,9 @@ def _with_right_last_row(answers, expected, tolerance):
     )
 
 
-def _searched(answers, cases, kind, tolerance):
+def _searched(answers, cases, kind, tolerance, pairs):
     return (
-        search(answers, cases, kind, tolerance)
+        search(answers, cases, kind, tolerance, pairs)
         if kind in ("dh_transform", "forward_kinematics")
         else ((), ())
     )

@@ -2,6 +2,7 @@
 one, and what is wrong with it in words.
 """
 
+import contextlib
 import inspect
 import time
 from dataclasses import replace
@@ -27,13 +28,16 @@ from .compared import (
 from .explain import hides_the_rest
 from .running.answers import answers_in_time, single_precision
 from .running.calling import CallFault, is_stub
+from .running.deadline import OutOfTime, limited
 from .source.lines import lines_to_change
 from .task import KINDS, RIGHT, Task
 
 __all__ = ["diagnose_function"]
 
-SECONDS = 1.55  # of the processor, for everything; the lines that must change get what is left
-AS_ARM = 0.9  # for the program taken for an arm, with one mistake or with two
+SECONDS = 1.85  # of the processor, for everything
+AS_ARM = 0.9  # at most, for the program taken for an arm, with one mistake or with two
+KEPT = 0.35  # for the second of these, where the search for lines that must change goes before
+LEAST = 0.3  # for that search; for anything else it is not worth beginning with less than half
 HALVES = 3  # changes of the text that may be one half of what is wrong
 
 
@@ -140,13 +144,24 @@ def _diagnosed(f, task):
         if task.is_chain and not task.lists and _takes_lists(f, task):
             return _diagnosed(f, task)
         return _with_lines(_stopped(fault), f, task)
-    steps = (compared(here, there), special(here, there), from_lists(f, here))
+    pairs = not _knows_its_rows(task)  # their lines go before two slips, which take their time
+    steps = (compared(here, there, pairs), special(here, there), from_lists(f, here))
     wrong = [step for step in steps if step is not None]  # one that is found is false
     if not wrong:
         return agrees(here)
     bent = pose_fault(here.array) is not None
+    task.kept = KEPT if _knows_its_rows(task) and not bent else 0.0
     diagnosis = _with_lines(_as_arm(wrong[0], here, f, 1), f, task, bent)
     return diagnosis if diagnosis.lines else _as_arm(diagnosis, here, f, 2)
+
+
+def _two_slips(here):
+    """Two slips that explain the answers of a program that knows its rows, as time allows."""
+    left = SECONDS - (time.process_time() - here.task.started)
+    if left > 0 and _knows_its_rows(here.task):
+        with contextlib.suppress(OutOfTime):
+            return limited(left, explained, here)
+    return ()
 
 
 def _as_arm(diagnosis, here, f, mistakes):
@@ -155,14 +170,15 @@ def _as_arm(diagnosis, here, f, mistakes):
     """
     if not diagnosis.headline.startswith(UNKNOWN):
         return diagnosis
-    findings = _of_its_arm(here, f, mistakes)
+    findings = (_two_slips(here) if mistakes == 2 else ()) or _of_its_arm(here, f, mistakes)
     return explains(findings, diagnosis.before) if findings else diagnosis
 
 
 def _of_its_arm(here, f, mistakes):
     """What explains the answers as those of another arm, where the program knows its rows."""
     task = here.task
-    if not task.is_chain or "rows" in task.names or pose_fault(here.array) is not None:
+    left = SECONDS - (time.process_time() - task.started)
+    if not _knows_its_rows(task) or left < LEAST / 2 or pose_fault(here.array) is not None:
         return ()
     from .search.itsarm import STEP, as_its_arm, is_a_chain  # with scipy, which nothing else needs
 
@@ -176,7 +192,12 @@ def _of_its_arm(here, f, mistakes):
         return ()
     if len(called) <= n or not is_a_chain(zero, alone, q, here.array):
         return ()
-    return as_its_arm(here.array, task.arm, q, AS_ARM, mistakes)
+    return as_its_arm(here.array, task.arm, q, min(AS_ARM, left), mistakes)
+
+
+def _knows_its_rows(task):
+    """Whether a program for one arm has its table written in."""
+    return task.is_chain and "rows" not in task.names
 
 
 def _takes_lists(f, task):
@@ -206,8 +227,10 @@ def _with_lines(diagnosis, f, task, bent=False):
         (task.arguments(case), task.right(case))
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
-    left = SECONDS - (time.process_time() - task.started)
-    lines, steps, whole, better = lines_to_change(f, calls, EXACT, max(left, SECONDS / 2))
+    left = SECONDS - task.kept - (time.process_time() - task.started)
+    lines, steps, whole, better = lines_to_change(
+        f, calls, EXACT, max(left, LEAST), task.arm if task.is_chain else None
+    )
     diagnosis = replace(diagnosis, lines=lines, repaired=whole)
     if not lines:
         unknown = diagnosis.verdict == UNEXPLAINED
@@ -226,6 +249,8 @@ def _half(better, task, bent):
     With ``bent`` the answers were no poses, so that they were not looked at as an arm's.
     """
     for lines, g in better[:HALVES]:
+        if time.process_time() - task.started > SECONDS - LEAST / 2:
+            return None
         try:
             here, _ = _answers(g, task)
         except (CallFault, NotImplementedError):

@@ -61,6 +61,7 @@ class Task:
         self.kind, self.arm, self.lists, self.convention = kind, arm, False, convention
         self.plain = True  # whether rows and q are all there is to the arm
         self.started = 0.0  # s of the processor, when the program was first looked at
+        self.kept = 0.0  # s that are kept for the last thing that is tried
         self.names = ROW if kind == "dh_transform" else names
         if kind == "dh_transform":
             self.arm = None
@@ -94,7 +95,7 @@ class Task:
             alone = [(row[None] * [0.5, 1, 1, 1], row[:1] * 0.5) for row in SIMPLE[3:]]
             return [*alone, (SIMPLE[4:6], np.zeros(2)), (SIMPLE[5:7], np.array([0.2, -0.4]))]
         n = len(self.arm)
-        return [(self.arm.table.rows, q) for q in (np.zeros(n), *(0.7 * np.eye(n)[:5]))]
+        return [(self.arm.table.rows, q) for q in (np.zeros(n), *(0.7 * np.eye(n)))]
 
     def right(self, case):
         """The right answer to a call."""

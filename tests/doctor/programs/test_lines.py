@@ -223,3 +223,54 @@ def test_nothing_is_told_of_what_no_small_change_repairs(tmp_path, monkeypatch):
     text = PROGRAM.replace("    return T\n", "    return T @ T.T @ link(0.1, 0.2, sum(q), 0.4)\n")
     answer = diagnose_function(written(tmp_path, text.replace("ct, -st", "ca, -st")), KIND)
     assert not answer.lines and answer.repaired is None
+
+
+TYPED = """\
+from math import cos, sin
+
+import numpy as np
+
+
+def forward_kinematics(q):
+    q1, q2, q3 = q
+    c1, s1 = cos(q1), sin(q1)
+    c2, s2 = cos(q2 - np.pi / 2), sin(q2 - np.pi / 2)
+    c3, s3 = cos(q3), sin(q3)
+    A1 = np.array([[c1, 0, -s1, 0],
+                   [s1, 0, c1, 0],
+                   [0, -1, 0, 0.29],
+                   [0, 0, 0, 1]])
+    A2 = np.array([[c2, -s2, 0, 0.27 * c2],
+                   [s2, c2, 0, 0.27 * s2],
+                   [0, 0, 1, 0],
+                   [0, 0, 0, 1]])
+    A3 = np.array([[c3, 0, s3, 0.07 * c3],
+                   [s3, 0, -c3, 0.07 * s3],
+                   [0, 1, 0, 0.3],
+                   [0, 0, 0, 1]])
+    return A1 @ A2 @ A3
+"""
+TYPED_ROWS = [[0, 0.29, 0, -90], [-90, 0, 0.27, 0], [0, 0.3, 0.07, 90]]
+
+
+@pytest.mark.parametrize(
+    "lines, wrong",
+    [
+        ({11, 20}, {"c1, 0, -s1": "c1, 0, s1", "-c3, 0.07": "c3, 0.07"}),
+        ({9, 10}, {"(q2 - np.pi / 2)": "(q2)", "cos(q3), sin(q3)": "cos(q2), sin(q2)"}),
+    ],
+)
+def test_two_lines_are_told_of_an_arm_whose_matrices_are_typed(lines, wrong, tmp_path):
+    text = TYPED
+    for right, slip in wrong.items():
+        assert right in text
+        text = text.replace(right, slip)
+    arm = dh.Arm(dh.DHTable.standard(TYPED_ROWS, angle="deg"))
+    assert diagnose_function(written(tmp_path, TYPED), KIND, arm=arm)
+    answer = diagnose_function(written(tmp_path, text), KIND, arm=arm)
+    assert {line.number for line in answer.lines} == lines, answer
+    space = {}
+    exec(answer.repaired, space)
+    q = [0.7, -1.9, 2.4]
+    pose = reference([np.array(r) * [np.pi / 180, 1, 1, np.pi / 180] for r in TYPED_ROWS], q)
+    assert np.allclose(space[KIND](q), pose)

@@ -18,7 +18,7 @@ __all__ = ["search", "wrong_entries"]
 MOST_ENTRIES = 3  # mistyped entries in one matrix; with more it is another formula
 
 
-def search(answers, cases, kind, tolerance=1e-9):
+def search(answers, cases, kind, tolerance=1e-9, pairs=True):
     """The slips that explain the answers.
 
     Parameters
@@ -29,6 +29,8 @@ def search(answers, cases, kind, tolerance=1e-9):
     kind : "dh_transform" or "forward_kinematics"
     tolerance : float
         Largest deviation, absolute and relative.
+    pairs : bool
+        Whether two slips are tried where one does not explain the answers.
 
     Returns
     -------
@@ -48,7 +50,7 @@ def search(answers, cases, kind, tolerance=1e-9):
             several = wrong_entries(answers, cases, tolerance)
             if several:
                 return several, ()
-        return next(trial.fitting(two_slips(trial)), ()), ()
+        return next(trial.fitting(two_slips(trial)), ()) if pairs else (), ()
 
 
 def _first_cases(cases, kind):

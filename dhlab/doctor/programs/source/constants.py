@@ -11,7 +11,7 @@ import numpy as np
 
 from .text import Edit
 
-__all__ = ["fitted_numbers"]
+__all__ = ["fitted_numbers", "numbers_of"]
 
 NEAR = 1e-9
 QUARTERS = (np.pi / 2, 90.0)  # in radians and in degrees
@@ -29,7 +29,7 @@ def fitted_numbers(text, deviation):
         Edits to an array, the answer minus the right one; None where there is no answer.
     """
     seen = set()
-    for node, value in _numbers(text):
+    for node, value in numbers_of(text):
         span = text.span(node)
         if span not in seen:
             seen.add(span)
@@ -38,7 +38,10 @@ def fitted_numbers(text, deviation):
                 yield edit
 
 
-def _numbers(text):
+def numbers_of(text):
+    """Yields (node, value) of the numbers that are written into a text: decimal ones, and whatever
+    stands in a list.
+    """
     for block in text.blocks:
         for parent in ast.walk(block):
             for node in ast.iter_child_nodes(parent):

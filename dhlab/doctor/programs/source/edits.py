@@ -8,7 +8,7 @@ from .expressions import in_place_of
 from .formulas import formula_changes
 from .missing import missing_changes
 from .statements import statement_edits
-from .tables import table_changes
+from .tables import known_numbers, table_changes
 from .text import Edit
 
 __all__ = ["changes_of"]
@@ -31,13 +31,15 @@ class Scope:
     counters: tuple = ()
 
 
-def changes_of(text):
+def changes_of(text, arm=None):
     """What may be changed in a Text: one edit, or several that belong together; sorted by rank,
     none twice.
 
     Parameters
     ----------
     text : Text
+    arm : Arm, optional
+        The one that the program is for, whose numbers it may have.
 
     Returns
     -------
@@ -51,6 +53,7 @@ def changes_of(text):
             *_out_of_loops(text),
             *formula_changes(text),
             *table_changes(text),
+            *(known_numbers(text, arm) if arm is not None else ()),
             *missing_changes(text),
             *_of_three(text),
         ],

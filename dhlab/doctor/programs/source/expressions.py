@@ -7,7 +7,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from .operators import in_other_orders, is_product, of_two, whole
+from .operators import in_other_orders, is_product, of_two, one_moved, whole
 
 __all__ = ["in_place_of"]
 
@@ -18,6 +18,9 @@ WRAPPERS = {
     "sign",
 }  # fmt: skip
 EXACT = [np.pi * k for k in (0.25, 0.5, 1, 1.5, 2)] + [180 / np.pi, np.pi / 180]
+MOST_MOVED = 7  # arguments of which one is moved elsewhere
+UNITS = {"deg2rad", "rad2deg", "radians", "degrees"}
+DEGREES = (30, 45, 60, 90, 120, 135, 150, 180, 270)
 DEG = "(3.141592653589793 / 180)"
 SIGNS = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 
@@ -125,6 +128,8 @@ def _of_number(node, parent, scope, text):
         if value >= 2:
             yield from ((0, f"len({name})") for name in scope.parameters)
         yield from ((1, str(value + step)) for step in (-1, 1))
+    if value in DEGREES:
+        yield 1, f"({value!r} * {DEG})"
     if value not in (0, 1):
         yield 2, "1"
         yield 2, repr(value / 2)
@@ -146,6 +151,9 @@ def _of_call(node, parent, scope, text):
 
     if name in ("dot", "matmul") and not is_product(parent):
         yield from in_other_orders(node, text)
+    if name in ("arctan", "atan") and isinstance(getattr(node.args[0], "op", None), ast.Div):
+        quotient = [text.of(node.args[0].left), text.of(node.args[0].right)]
+        yield 0, call(quotient, called=f"{called}2")
     if name == "exp":
         yield from ((0, call([f"1j * ({one})"])) for one in arguments)
     if name in SISTERS:
@@ -155,6 +163,11 @@ def _of_call(node, parent, scope, text):
             arguments[:1] or [text.of(function.value)] if _is_method(function) else arguments[:1]
         )
         yield from ((0, f"({one})") for one in inner)
+    if name in UNITS and isinstance(getattr(node.args[0], "op", None), (ast.Add, ast.Sub)):
+        left, right = text.of(node.args[0].left), text.of(node.args[0].right)
+        sign = "+" if isinstance(node.args[0].op, ast.Add) else "-"
+        yield 0, f"({call([left])} {sign} {right})"
+        yield 0, f"({left} {sign} {call([right])})"
     if _is_method(function) and name in WRAPPERS | {"copy", "tolist"}:
         yield 0, text.of(function.value)
     for k, keyword in enumerate(node.keywords):
@@ -170,6 +183,8 @@ def _of_call(node, parent, scope, text):
     yield from ((1, call(other)) for other in _moved_addends(node.args, text))
     if own and len(arguments) == 3:
         yield from ((1, call(other)) for other in permutations(arguments))
+    if 3 < len(arguments) <= MOST_MOVED:
+        yield from ((1, call(other)) for other in one_moved(arguments))
     for k in range(len(arguments)):
         if len(arguments) > 1:
             yield 0 if name == "range" else 2, call(arguments[:k] + arguments[k + 1 :])

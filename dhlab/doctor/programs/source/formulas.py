@@ -1,15 +1,19 @@
 """Changes of a formula as a whole: two of its signs, an elementary rotation about another axis, an
-angle wherever it stands in a cosine or sine, a conjugate, what a matrix is multiplied with.
+angle wherever it stands in a cosine or sine, a name wherever it stands in a statement, a conjugate,
+what a matrix is multiplied with.
 """
 
 import ast
 from itertools import combinations, permutations
 
+from .operators import one_moved
 from .text import Edit
 
 __all__ = ["formula_changes"]
 
 MOST_SIGNS = 12  # in one formula, of which two are tried at a time
+MOST_NAMES = 6  # in a row, of which two are exchanged
+SAME = 2  # places of a name in a statement that are changed together
 TURNS = {  # rows of rotations about x, y and z; C, S and N stand for cos, sin and -sin
     "x": ("100", "0CN", "0SC"),
     "y": ("C0S", "010", "N0C"),
@@ -31,6 +35,8 @@ def formula_changes(text):
         for node in ast.walk(block):
             if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
                 yield from _two_signs(node.value, text)
+            if isinstance(node, (ast.List, ast.Tuple, ast.Assign)):
+                yield from _names_exchanged(node, text)
             if isinstance(node, ast.List):
                 yield from _turned(node, text)
                 yield from _conjugate(node, text)
@@ -38,8 +44,10 @@ def formula_changes(text):
                 yield from _out_of_brackets(node, text)
             if isinstance(node, ast.Call):
                 yield from _unclamped(node, text)
+                yield from _in_a_chain(node, text)
             if isinstance(node, ast.FunctionDef):
                 yield from _angles(node, text)
+                yield from _renamed(node, text)
                 yield from _entries_set(node, text)
 
 
@@ -167,6 +175,61 @@ def _angles(function, text):
                 yield tuple(_edit(place, new, text) for place in places)
 
 
+def _renamed(function, text):
+    """A name that stands twice in a statement, and once on each side or in two cosines and sines,
+    another one at each of its places.
+    """
+    known = dict.fromkeys(
+        node.id
+        for node in ast.walk(function)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    )
+    known |= dict.fromkeys(argument.arg for argument in function.args.args)
+    for statement in ast.walk(function):
+        if not isinstance(statement, (ast.Assign, ast.AugAssign)):
+            continue
+        places = {}
+        for node in ast.walk(statement):
+            if isinstance(node, ast.Name):
+                places.setdefault(node.id, []).append(node)
+        for name, nodes in places.items():
+            if len(nodes) == SAME and name in known:
+                for other in known:
+                    if other not in places:
+                        yield tuple(_edit(node, other, text) for node in nodes)
+        yield from _indexed_anew(statement, text)
+
+
+def _indexed_anew(statement, text):
+    """A part of a row that is taken twice in a statement, another part at both places."""
+    places = {}
+    for node in ast.walk(statement):
+        if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
+            places.setdefault(text.of(node), []).append(node)
+    for nodes in places.values():
+        if len(nodes) == SAME:
+            for index in range(4):
+                yield tuple(_edit(node.slice, str(index), text) for node in nodes)
+
+
+def _names_exchanged(node, text):
+    """Two names exchanged, each wherever it stands in a row or a statement of one line."""
+    value = node.value if isinstance(node, ast.Assign) else node
+    parts = value.elts if isinstance(value, (ast.List, ast.Tuple)) else [value]
+    if any(isinstance(part, (ast.List, ast.Tuple)) for part in parts) or not parts:
+        return
+    places = {}
+    for part in ast.walk(value):
+        if isinstance(part, ast.Name) and part.id not in text.space | text.defined:
+            places.setdefault(part.id, []).append(part)
+    for one, other in combinations(places, 2) if len(places) <= MOST_NAMES else ():
+        yield tuple(
+            _edit(part, new, text)
+            for name, new in ((one, other), (other, one))
+            for part in places[name]
+        )
+
+
 # ---- products and calls
 
 
@@ -196,6 +259,18 @@ def _is_sum(node):
 
 def _sign(product):
     return "*" if isinstance(product.op, ast.Mult) else "@"
+
+
+def _in_a_chain(node, text):
+    """Calls of methods one behind the other, ``a.f(x).g(y)``, in another order."""
+    links, inner = [], node
+    while isinstance(inner, ast.Call) and isinstance(inner.func, ast.Attribute):
+        start, end = text.span(inner.func.value)[1], text.span(inner)[1]
+        links.insert(0, text.data[start:end].decode())
+        inner = inner.func.value
+    if 2 <= len(links) <= MOST_NAMES:
+        for other in one_moved(links):
+            yield (_edit(node, text.of(inner) + "".join(other), text),)
 
 
 def _unclamped(node, text):

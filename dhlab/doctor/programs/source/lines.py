@@ -13,7 +13,7 @@ from .tried import Tried
 __all__ = ["lines_to_change"]
 
 
-def lines_to_change(f, calls, tolerance, seconds):
+def lines_to_change(f, calls, tolerance, seconds, arm=None):
     """The lines of a function's text that must change so that it is right in every call.
 
     Parameters
@@ -24,6 +24,9 @@ def lines_to_change(f, calls, tolerance, seconds):
     tolerance : float
     seconds : float
         Of the processor.
+    arm : Arm, optional
+        The one arm that the program is for; then the first calls are at q = 0, and with each joint
+        moved alone.
 
     Returns
     -------
@@ -35,9 +38,10 @@ def lines_to_change(f, calls, tolerance, seconds):
     text = text_of(f)
     if text is None or (sys.platform == "emscripten" and _may_go_on(text)):
         return (), 0, None, []
+    joints = 0 if arm is None else len(arm)
     with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        changes, better = repaired(text, Tried(calls, tolerance), seconds)
+        changes, better = repaired(text, Tried(calls, tolerance, joints), seconds, arm)
     whole = text.edited([edit for change in changes for edit in change]) if changes else None
     halves = [(lines_of(text, [change]), g) for change, g in better]
     return lines_of(text, changes), sum(len(c) or 1 for c in changes), whole, halves

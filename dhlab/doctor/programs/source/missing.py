@@ -1,5 +1,6 @@
 """Changes that bring in what is missing or take out what is too much: a rotation before a vector,
-every rounding, the call of another function with its own arguments, neighbours of a long list.
+a factor of a product, a term of a sum, every rounding, the call of another function with its own
+arguments, neighbours of a long list.
 """
 
 import ast
@@ -26,6 +27,8 @@ def missing_changes(text):
         for node in ast.walk(block):
             if isinstance(node, ast.FunctionDef):
                 yield from _turned_vectors(node, text)
+                yield from _factors_and_terms(node, text)
+                yield from _by_kind(node, text)
                 yield from _other_calls(node, text)
             if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) > LONG:
                 yield from _neighbours(node, text)
@@ -77,6 +80,43 @@ def _turned_vectors(function, text):
             if isinstance(part, (ast.Name, ast.Call, ast.Subscript)):
                 others = (name for name in matrices if name != text.of(part))
                 yield from ((_edit(part, f"{m} @ {whole(part, text)}", text, 1),) for m in others)
+
+
+def _factors_and_terms(function, text):
+    """A name that was made in the function and is not in a statement, as one more factor of its
+    product, or as one more term of its sum.
+    """
+    made = dict.fromkeys(
+        node.id
+        for node in ast.walk(function)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    )
+    for statement in ast.walk(function):
+        value = getattr(statement, "value", None)
+        if not isinstance(statement, (ast.Assign, ast.AugAssign, ast.Return)) or value is None:
+            continue
+        there = {node.id for node in ast.walk(statement) if isinstance(node, ast.Name)}
+        others = [name for name in made if name not in there]
+        for node in ast.walk(value):
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+                left, right = whole(node.left, text), whole(node.right, text)
+                for name in others:
+                    yield (_edit(node, f"({left} @ {name} @ {right})", text, 1),)
+                    yield (_edit(node, f"({left} @ {right} @ {name})", text, 1),)
+        if isinstance(value, ast.BinOp) and isinstance(value.op, (ast.Add, ast.Sub)):
+            yield from ((_edit(value, f"{name} + {text.of(value)}", text, 2),) for name in others)
+
+
+def _by_kind(function, text):
+    """What is added in one place depending on the kind of joint, dependent on it elsewhere too."""
+    choices = [node for node in ast.walk(function) if isinstance(node, (ast.IfExp, ast.If))]
+    asked = dict.fromkeys(text.of(node.test) for node in choices)
+    for node in ast.walk(function) if len(asked) < LONG else ():
+        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
+            added = text.of(node.right)
+            for test in asked if isinstance(node.right, (ast.Name, ast.Subscript)) else ():
+                yield (_edit(node.right, f"(0.0 if {test} else {added})", text, 1),)
+                yield (_edit(node.right, f"({added} if {test} else 0.0)", text, 1),)
 
 
 def _added(node):

@@ -3,7 +3,7 @@
 import ast
 from itertools import permutations
 
-__all__ = ["in_other_orders", "is_product", "of_two", "whole"]
+__all__ = ["in_other_orders", "is_product", "of_two", "one_moved", "whole"]
 
 WHOLE = (ast.Name, ast.Constant, ast.Call, ast.Subscript, ast.Attribute, ast.List, ast.Tuple)
 
@@ -40,6 +40,21 @@ def in_other_orders(node, text):
     for order in permutations(shown):
         if list(order) != shown:
             yield 0 if list(order) == shown[::-1] else 1, _joined(node, order, text)
+
+
+def one_moved(parts):
+    """Yields lists in which one of the parts stands somewhere else.
+
+    Examples
+    --------
+    >>> ["".join(other) for other in one_moved("abc")]
+    ['bac', 'bca', 'acb', 'cab']
+    """
+    for i in range(len(parts)):
+        rest = [*parts[:i], *parts[i + 1 :]]
+        for k in range(len(parts)):
+            if k != i and k != i - 1:  # that one is the same as its neighbour moved on
+                yield [*rest[:k], parts[i], *rest[k:]]
 
 
 def _joined(node, order, text):

@@ -12,14 +12,16 @@ from ...diagnosis import Line
 from ..running.deadline import OutOfTime, limited
 from .constants import fitted_numbers
 from .edits import changes_of
+from .foretold import foretold_pairs
 from .text import Edit
-from .tried import FIRST
 
 __all__ = ["lines_of", "repaired"]
 
+SINGLES = 0.65  # of the time, for single changes
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
 GENERAL = (7, 9, 11)  # calls with numbers of either sign
-ALL = 16 * FIRST
+ALL = 10**6  # in place of a score, where all that is scored is right
+LAST = np.array([0, 0, 0, 1.0])  # row of a pose
 UNFELT, BENT = -1, -2  # in place of a score
 STRAIGHT = 16  # what an answer counts that becomes a pose, in entries
 LIKELIEST = 3  # of them, which are tried with every other change first
@@ -27,7 +29,7 @@ LIKELY = 12  # of them, which are tried with each other before
 BEST = 40  # changes that make more right than was right before, tried in pairs
 
 
-def repaired(text, tried, seconds):
+def repaired(text, tried, seconds, arm=None):
     """The change of a program's text, or the two changes, that make it right in every call.
 
     Parameters
@@ -36,6 +38,8 @@ def repaired(text, tried, seconds):
     tried : Tried
     seconds : float
         Of the processor, for the whole search.
+    arm : Arm, optional
+        The one arm that the program is for.
 
     Returns
     -------
@@ -44,20 +48,27 @@ def repaired(text, tried, seconds):
         both; and then single ones that make more of the
         answers right, with the functions that they make, the best first.
     """
-    search = _Search(text, tried, time.process_time() + seconds)
+    search = _Search(text, tried, time.process_time() + seconds, arm)
     try:
         with np.errstate(all="ignore"):
-            found = search.single() or search.number() or search.pair()
+            found = (
+                search.single()
+                or search.number()
+                or search.foretold()
+                or search.with_a_number()
+                or search.pair()
+            )
     except OutOfTime:
         found = ()
     return found, [(change, text.function(change)) for change in search.better]
 
 
 class _Search:
-    def __init__(self, text, tried, end):
+    def __init__(self, text, tried, end, arm=None):
         self.text, self.tried, self.end = text, tried, end
-        self.changes, self.better = changes_of(text), []
+        self.changes, self.better = changes_of(text, arm), []
         self.felt, self.far, self.others, self.bent = [], [], [], []
+        self.answers = {}
 
     def single(self):
         """The first change that makes everything right; on the way those that make more right are
@@ -65,21 +76,64 @@ class _Search:
         """
         self.tried.look_at(self.pivot)
         before = self._made((), self.tried.score) or 0
+        now = time.process_time()
+        halfway = now + SINGLES * (self.end - now)
         scored = []
         for change in self.changes:
-            if time.process_time() > self.end:
+            if time.process_time() > halfway:
                 break
-            near, score = self._made(change, self._score, (False, UNFELT))
+            near, score, few = self._made(change, self._looked_at, (False, UNFELT, None))
             if score is None and self._made(change, self.tried.all_right, False):
                 return (change,)
+            if few is not None:  # of those that make the same of these, the likeliest are kept
+                self.answers.setdefault(few.round(9).tobytes(), []).append((change, few))
             kind = self.felt if near else self.bent if score == BENT else self.others
             kind.append(change)
             if not near and score not in (UNFELT, BENT):
                 self.far.append(change)
-            if score is None or score > before:
+            if (score is None or score > before) and not self._is_known(few):
                 scored.append((score or ALL, change))
         scored.sort(key=lambda entry: -entry[0])
         self.better = [change for _, change in scored[:BEST]]
+        return ()
+
+    def _is_known(self, few):
+        """Whether another change, a likelier one, makes the same of a few answers."""
+        return few is not None and len(self.answers[few.round(9).tobytes()]) > 1
+
+    def _looked_at(self, f):
+        """What :meth:`_score` gives, and :meth:`_few` where the change is felt."""
+        near, score = self._score(f)
+        return near, score, None if score == UNFELT else self._few(f)
+
+    def _few(self, f):
+        """The answers to the first wrong call and to general ones; None where there are none."""
+        offs = [self.tried.deviation(f, k) for k in self.few]
+        if any(off is None or not np.isfinite(off).all() for off in offs):
+            return None
+        return np.array(offs) + self.few_right
+
+    @cached_property
+    def few(self):
+        return sorted({self.pivot, *(k for k in GENERAL[:2] if k < len(self.tried.calls))})
+
+    @cached_property
+    def few_right(self):
+        return np.array([self.tried.calls[k][1] for k in self.few])
+
+    def foretold(self):
+        """The first two changes whose answers tell that together they make everything right."""
+        before = self._made((), self._few)
+        if before is None or not self.answers:
+            return ()
+        kept = list(self.answers.values())
+        answers = np.array([group[0][1] for group in kept])
+        pairs = foretold_pairs(before, answers, self.few_right)
+        self.foretold_count = len(pairs)
+        for i, j in pairs:
+            for (first, _), (second, _) in product(kept[i][:2], kept[j][:2]):
+                if changes := self._are_right(first, second):
+                    return changes
         return ()
 
     def _score(self, f):
@@ -123,7 +177,7 @@ class _Search:
         T = off + self.tried.calls[self.pivot][1]
         R = T[:3, :3]
         return bool(
-            np.allclose(T[3], [0, 0, 0, 1])
+            np.abs(T[3] - LAST).max() < 1e-6
             and np.abs(R @ R.T - np.eye(3)).max() < 1e-6
             and np.linalg.det(R) > 0
         )
@@ -153,17 +207,27 @@ class _Search:
 
         return self._made((), first_wrong, 0)
 
-    def number(self):
-        """A number that is written in, and with another value makes everything right."""
+    def number(self, beside=()):
+        """A number that is written in, and with another value makes everything right, beside
+        another change.
+        """
 
         def deviation(edits):
             if time.process_time() > self.end:
                 raise OutOfTime
-            return self._made(edits, lambda f: self.tried.deviation(f, self.pivot))
+            if not _are_apart(edits, beside):
+                return None
+            return self._made((*beside, *edits), lambda f: self.tried.deviation(f, self.pivot))
 
-        edits = fitted_numbers(self.text, deviation)
-        right = (edit for edit in edits if self._made((edit,), self.tried.all_right, False))
-        return next((((edit,),) for edit in right), ())
+        for edit in fitted_numbers(self.text, deviation):
+            if self._made((*beside, edit), self.tried.all_right, False):
+                return tuple(change for change in (beside, (edit,)) if change)
+        return ()
+
+    def with_a_number(self):
+        """One of the best changes, and a number."""
+        found = (self.number(change) for change in self.better[:LIKELIEST])
+        return next(filter(None, found), ())
 
     def pair(self):
         """The first two changes that together make everything right."""
@@ -209,12 +273,17 @@ class _Search:
         return changes if right else ()
 
 
+def _are_apart(first, second):
+    """Whether no edit of the one overlaps one of the other."""
+    return all(a.end <= b.start or b.end <= a.start for a in first for b in second)
+
+
 def _together(first, second, text):
     """Two changes of a text that can be made together; where the one stands in the other, as a
     sign in a product whose factors are exchanged, the first holds both; none where they exclude
     each other.
     """
-    if all(a.end <= b.start or b.end <= a.start for a in first for b in second):
+    if _are_apart(first, second):
         return first, second
     if len(first) > 1 or len(second) > 1:
         return ()

@@ -1,16 +1,21 @@
 """Tables that are written into a program: two of their numbers exchanged, between neighbouring rows
-or within one.
+or within one; a number that the arm has in place of one that it has not.
 """
 
 import ast
 from itertools import combinations, pairwise
 
+import numpy as np
+
+from .constants import numbers_of
 from .text import Edit
 
-__all__ = ["table_changes"]
+__all__ = ["known_numbers", "table_changes"]
 
 COLUMN = 4  # numbers at most in a row; a longer list is a column
 ROWS = 2  # at least, for a list to be a table
+SCALES = (1, 1000), (1, 180 / np.pi)  # of lengths and of angles, as they may be written
+PLAIN = (0, 1, 2, 180, 360, 1000, np.pi)  # numbers that no table need have
 
 
 def table_changes(text):
@@ -22,9 +27,10 @@ def table_changes(text):
     """
     for block in text.blocks:
         for node in ast.walk(block):
-            if isinstance(node, (ast.List, ast.Tuple)):
-                yield from _moved(node, text)
-                rows = [cells for cells in map(_cells, node.elts) if cells]
+            if isinstance(node, (ast.List, ast.Tuple, ast.Dict)):
+                parts = node.values if isinstance(node, ast.Dict) else node.elts
+                yield from () if isinstance(node, ast.Dict) else _moved(node, text)
+                rows = [cells for cells in map(_cells, parts) if cells]
                 if len(rows) >= ROWS and len({tuple(row) for row in rows}) == 1:
                     yield from _exchanged(rows, text)
 
@@ -69,3 +75,88 @@ def _swap(first, second, text):
     a, b = text.of(first), text.of(second)
     if a != b:
         yield (Edit(*text.span(first), b.encode(), 1), Edit(*text.span(second), a.encode(), 1))
+
+
+def known_numbers(text, arm):
+    """Yields tuples of one Edit: a number of the arm in place of one that the arm has not, and one
+    that stands nowhere in the text in place of a zero in a table, or as one more term of a sum; a
+    zero offset added to a joint value.
+
+    Parameters
+    ----------
+    text : Text
+    arm : Arm
+    """
+    numbers = list(numbers_of(text))
+    written = np.abs([value for _, value in numbers])
+    ends = np.concatenate([arm.base[:3, 3], arm.tool[:3, 3]])
+    theta, d, a, alpha = arm.table.rows.T
+    own = [
+        scale * x
+        for kind, scales in zip(
+            (np.concatenate([d, a, ends]), np.concatenate([theta, alpha])), SCALES
+        )
+        for scale, x in _as_written(np.unique(np.abs(kind[kind != 0])), scales, written)
+    ]
+    missing = [x for x in own if not np.isclose(written, x, rtol=1e-4).any()]
+    for node, value in numbers:
+        if value and np.isclose(np.abs(value), [*own, *PLAIN], rtol=1e-4).any():
+            continue
+        for x in own if value else missing:
+            new = repr(float(f"{np.copysign(x, value):.12g}"))
+            yield (Edit(*text.span(node), new.encode(), 1),)
+    if isinstance(text.defined[text.name], ast.FunctionDef):
+        yield from _added(text, missing, np.unique(theta[theta != 0]))
+
+
+def _added(text, missing, offsets):
+    """What is missing added to the sums of the text, and zero offsets to its joint values."""
+    for block in text.blocks:
+        for node in ast.walk(block):
+            if isinstance(node, ast.Assign) and _is_sum(node.value):
+                for x in missing:
+                    new = f"{float(x)!r} + {text.of(node.value)}"
+                    yield (Edit(*text.span(node.value), new.encode(), 2),)
+            if isinstance(node, (ast.Assign, ast.Return)) and node.value is not None:
+                for places in _joint_values(node.value, text):
+                    for x in offsets:
+                        size = f"{'-' if x < 0 else '+'} {abs(float(x))!r}"
+                        new = f"({text.of(places[0])} {size})".encode()
+                        yield tuple(Edit(*text.span(place), new, 1) for place in places)
+
+
+def _joint_values(value, text):
+    """The places of each joint value in an expression: ``q[1]``, or a name unpacked from q."""
+    entry = text.defined[text.name]
+    given = {argument.arg for argument in entry.args.args}
+    alone = {
+        part.id
+        for node in ast.walk(entry)
+        if isinstance(node, ast.Assign) and getattr(node.value, "id", "") in given
+        for target in node.targets
+        for part in getattr(target, "elts", ())
+        if isinstance(part, ast.Name)
+    }
+    if len(given) > 1:
+        alone |= given
+    places = {}
+    for node in ast.walk(value):
+        indexed = isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant)
+        if (indexed and getattr(node.value, "id", "") in given) or (
+            isinstance(node, ast.Name) and node.id in alone
+        ):
+            places.setdefault(text.of(node), []).append(node)
+    return places.values()
+
+
+def _is_sum(node):
+    return isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub))
+
+
+def _as_written(values, scales, written):
+    """Each of the values with the scale in which most of them are written; none if none is."""
+    hits = [
+        np.isclose(written[:, None], scale * values, rtol=1e-4).any(axis=0).sum()
+        for scale in scales
+    ]
+    return [(scales[int(np.argmax(hits))], x) for x in values if max(hits)]

@@ -18,7 +18,10 @@ RISKY = {
 }  # fmt: skip
 DEFINITIONS = (ast.FunctionDef, ast.ClassDef)
 ASSIGNMENTS = (ast.Assign, ast.AnnAssign, ast.AugAssign)
-PLAIN = ("numpy", "math", "builtins", "functools", "itertools", "operator", "cmath")
+PLAIN = {
+    "numpy", "math", "builtins", "functools", "itertools", "operator", "cmath", "types", "copy",
+    "collections", "dataclasses", "enum", "fractions", "decimal", "typing",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -69,8 +72,11 @@ class Text:
         )
 
     def lines_of(self, statement):
-        """The first and the last byte of the lines that a statement stands in."""
-        return self._lines[statement.lineno - 1], self._lines[statement.end_lineno]
+        """The first and the last byte of the lines that a statement stands in, with what decorates
+        it.
+        """
+        first = min([statement, *getattr(statement, "decorator_list", ())], key=lambda s: s.lineno)
+        return self._lines[first.lineno - 1], self._lines[statement.end_lineno]
 
     def of(self, node):
         """What a node's text is."""

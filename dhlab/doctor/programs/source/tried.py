@@ -5,10 +5,14 @@ from functools import cached_property
 
 import numpy as np
 
-__all__ = ["FIRST", "Tried", "turns_between"]
+from ....transform import inverse
+
+__all__ = ["FIRST", "Tried", "joints_apart", "turns_between"]
 
 FIRST = 6  # calls that tell which changes make more right
 WEIGHT = 8  # of a right turn between two calls, in entries
+FLAT = 1e-3  # a determinant; what makes everything nothing keeps nothing as it is
+APART = 16  # of a joint that a wrong place stands before or behind, in entries
 
 
 def turns_between(poses):
@@ -24,14 +28,47 @@ def turns_between(poses):
     return np.einsum("kij,ij->k", poses[1:, :3, :3], poses[0, :3, :3])
 
 
+def joints_apart(poses, right, tolerance=1e-6):
+    """How many joints of an arm move nothing that is wrong: each stands as a whole behind all that
+    is wrong, or before it.
+
+    What is wrong in one place, L W R where L A R is right, leaves ``poses @ inverse(right)`` as it
+    is when joints of R move, and ``inverse(right) @ poses`` when joints of L do; whatever stands
+    at that place, a pose or not.
+
+    Parameters
+    ----------
+    poses, right : arrays (n + 1, 4, 4)
+        At a first configuration, then with each joint moved alone.
+
+    Examples
+    --------
+    >>> from dhlab.transform import rot_z, trans_x
+    >>> def arm(q, a):
+    ...     return rot_z(q[0]) @ trans_x(0.4) @ rot_z(q[1]) @ trans_x(a)
+    >>> q = [(0.1, 0.2), (0.9, 0.2), (0.1, 0.7)]
+    >>> joints_apart(np.array([arm(one, 0.3) for one in q]), np.array([arm(one, 0.5) for one in q]))
+    2
+    """
+    whole = np.allclose(poses[:, 3], [0, 0, 0, 1], atol=tolerance)
+    if not whole or np.abs(np.linalg.det(poses)).min() < FLAT:
+        return 0
+    back = inverse(right)
+    off = [
+        np.abs(change[1:] - change[0]).max(axis=(1, 2)) <= tolerance
+        for change in (poses @ back, back @ poses)
+    ]
+    return int((off[0] | off[1]).sum())
+
+
 class Tried:
     """The calls by which a program is judged: ``calls`` of (arguments, right answer), the simplest
-    first.
+    first; of an arm, ``joints`` of them move one joint alone, after the first.
     """
 
-    def __init__(self, calls, tolerance):
-        self.calls, self.tolerance = calls, tolerance
-        self.looked_at = range(min(FIRST, len(calls)))  # the calls that are scored
+    def __init__(self, calls, tolerance, joints=0):
+        self.calls, self.tolerance, self.joints = calls, tolerance, joints
+        self.looked_at = range(min(joints + 1 if joints else FIRST, len(calls)))  # for the score
 
     def entries(self, f, k):
         """Which entries of the answer to call k are right; None where there is no answer, or the
@@ -47,7 +84,7 @@ class Tried:
     def deviation(self, f, k):
         """The answer to call k minus the right one; None as for :meth:`entries`."""
         given, right = self.calls[k]
-        mine = copy.deepcopy(given)
+        mine = tuple(g.copy() if isinstance(g, np.ndarray) else copy.deepcopy(g) for g in given)
         try:
             answer = np.asarray(f(*mine), dtype=float)
         except (Exception, SystemExit):
@@ -67,19 +104,23 @@ class Tried:
             return None
         with np.errstate(all="ignore"):
             answers = np.array([off + self.calls[k][1] for off, k in offs])
-            kept = np.abs(turns_between(answers) - self.turns) <= self.tolerance
+            if self.joints:
+                return right + APART * joints_apart(answers, self.right, self.tolerance)
+            kept = np.abs(turns_between(answers) - turns_between(self.right)) <= self.tolerance
         return right + WEIGHT * int(kept.sum())
 
     @cached_property
-    def turns(self):
-        """:func:`turns_between` the right answers."""
-        return turns_between(np.array([self.calls[k][1] for k in self.looked_at]))
+    def right(self):
+        """The right answers to the calls that are scored."""
+        return np.array([self.calls[k][1] for k in self.looked_at])
 
     def look_at(self, pivot):
         """Judge by the first calls; by those from the pivot on where all before it are right."""
-        first = 0 if pivot < FIRST - 1 else min(pivot, len(self.calls) - FIRST)
-        self.looked_at = range(first, first + FIRST)
-        self.__dict__.pop("turns", None)
+        many = len(self.looked_at)
+        if pivot >= many - 1:
+            first, self.joints = min(pivot, len(self.calls) - many), 0
+            self.looked_at = range(first, first + many)
+            self.__dict__.pop("right", None)
 
     def is_right(self, f, k):
         """Whether the answer to a call is right."""

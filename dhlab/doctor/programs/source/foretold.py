@@ -1,0 +1,71 @@
+"""What a program answers with two changes, foretold from what it answers with each of them; so that
+of all pairs only those need be tried that are foretold to be right.
+"""
+
+import numpy as np
+
+__all__ = ["foretold_pairs"]
+
+CLOSE = 1e-11  # of squares, to what is compared
+BLOCKS = (np.s_[:3, :3], np.s_[:3, 3], np.s_[3, :])  # of a pose: each may follow a law of its own
+
+
+def foretold_pairs(before, answers, right):
+    """The pairs of changes that are foretold to make the answers right.
+
+    Two changes of factors of a product, L A M B R, give P_1 T⁻¹ P_2 with the answers P_1 and P_2 to
+    each and T to none; two of terms of a sum P_1 + P_2 - T; two of factors of a number P_1 P_2 / T.
+
+    Parameters
+    ----------
+    before : array (m, 4, 4)
+        The answers to m calls as the program stands.
+    answers : array (N, m, 4, 4)
+        With each of N changes.
+    right : array (m, 4, 4)
+
+    Returns
+    -------
+    array (k, 2) of int
+        i < j, sorted.
+
+    Examples
+    --------
+    >>> from dhlab.transform import rot_z, trans_x
+    >>> A, B, C, D = rot_z(0.3), trans_x(0.4), rot_z(-0.3), trans_x(0.5)
+    >>> answers = np.array([[C @ B], [B @ A], [A @ D]])
+    >>> foretold_pairs((A @ B)[None], answers, (C @ D)[None])
+    array([[0, 2]])
+    """
+    N = len(answers)
+    fits = np.ones((N, N), dtype=bool)
+    needed = list(_needed(before, answers, right))
+    for block in BLOCKS:
+        there = answers[(..., *block)].reshape(N, -1)
+        close = np.zeros((N, N), dtype=bool)
+        for wanted in needed:
+            close |= _close(wanted[(..., *block)].reshape(N, -1), there)
+        fits &= close | close.T
+    return np.argwhere(np.triu(fits, 1))
+
+
+def _needed(before, answers, right):
+    """By each law, what the other change must give for both to be right, (N, m, 4, 4)."""
+    yield right + before - answers
+    with np.errstate(all="ignore"):
+        touched = ~np.isclose(answers, before, rtol=1e-9, atol=1e-12)
+        scaled = right * before / answers
+        usable = touched & (np.abs(answers) > 1e-9) & (np.abs(before) > 1e-9)
+        yield np.where(usable, scaled, right + before - answers)
+    sound = np.abs(np.linalg.det(answers)).min(axis=1) > 1e-9
+    inverses = np.linalg.inv(np.where(sound[:, None, None, None], answers, np.eye(4)))
+    product = before @ inverses @ right
+    yield np.where(sound[:, None, None, None], product, np.inf)
+
+
+def _close(a, b):
+    """Whether rows of a are rows of b, (N, N)."""
+    sizes = (a * a).sum(axis=1)
+    with np.errstate(all="ignore"):
+        apart = sizes[:, None] + (b * b).sum(axis=1) - 2 * a @ b.T
+        return apart <= CLOSE * (1 + sizes[:, None])
