@@ -7,7 +7,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from .operators import in_other_orders, is_product, of_two, one_moved, whole
+from .operators import in_other_orders, is_product, moved_addends, of_two, one_moved, whole
 
 __all__ = ["in_place_of"]
 
@@ -180,7 +180,7 @@ def _of_call(node, parent, scope, text):
         other = list(arguments)
         other[i], other[k] = other[k], other[i]
         yield 0 if own or len(arguments) == 2 else 1, call(other)
-    yield from ((1, call(other)) for other in _moved_addends(node.args, text))
+    yield from ((1, call(other)) for other in moved_addends(node.args, text))
     if own and len(arguments) == 3:
         yield from ((1, call(other)) for other in permutations(arguments))
     if 3 < len(arguments) <= MOST_MOVED:
@@ -289,21 +289,7 @@ def _of_list(node, parent, scope, text):
         other = list(parts)
         other[i], other[k] = other[k], other[i]
         yield 0 if stored else 1, ", ".join(other).join(around)
-    yield from ((1, ", ".join(other).join(around)) for other in _moved_addends(node.elts, text))
+    yield from ((1, ", ".join(other).join(around)) for other in moved_addends(node.elts, text))
     if len(parts) > 2:
         yield 0 if stored else 1, ", ".join(parts[1:] + parts[:1]).join(around)
         yield 0 if stored else 1, ", ".join(parts[-1:] + parts[:-1]).join(around)
-
-
-def _moved_addends(nodes, text):
-    """Lists of texts in which what is added to one of them is added to another one."""
-    parts = [text.of(node) for node in nodes]
-    for i, node in enumerate(nodes):
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            for kept, moved in ((node.left, node.right), (node.right, node.left)):
-                for k in range(len(parts)):
-                    if k != i:
-                        other = list(parts)
-                        other[i] = text.of(kept)
-                        other[k] = f"{parts[k]} + {text.of(moved)}"
-                        yield other

@@ -55,9 +55,6 @@ def _edit(node, new, text, rank=1):
     return Edit(*text.span(node), new.encode(), rank)
 
 
-# ---- signs
-
-
 def _two_signs(formula, text):
     """Two of the plus and minus signs of a formula turned; single ones are tried elsewhere."""
     for entry in formula.elts if isinstance(formula, (ast.List, ast.Tuple)) else (formula,):

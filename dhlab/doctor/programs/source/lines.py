@@ -6,7 +6,8 @@ import io
 import sys
 import warnings
 
-from .repair import lines_of, repaired
+from ...diagnosis import Line
+from .repair import repaired
 from .text import text_of
 from .tried import Tried
 
@@ -43,8 +44,29 @@ def lines_to_change(f, calls, tolerance, seconds, arm=None):
         warnings.simplefilter("ignore")
         changes, better = repaired(text, Tried(calls, tolerance, joints), seconds, arm)
     whole = text.edited([edit for change in changes for edit in change]) if changes else None
-    halves = [(lines_of(text, [change]), g) for change, g in better]
-    return lines_of(text, changes), sum(len(c) or 1 for c in changes), whole, halves
+    halves = [(_lines_of(text, [change]), g) for change, g in better]
+    return _lines_of(text, changes), sum(len(c) or 1 for c in changes), whole, halves
+
+
+def _lines_of(text, changes):
+    """The lines that changes of a text change, as Lines."""
+    edits = [edit for change in changes for edit in change]
+    edited = text.edited(edits).splitlines()
+    found = []
+    for edit in sorted(edits, key=lambda edit: edit.start):
+        number = text.line_at(edit.start)
+        before = text.data[: edit.start].count(b"\n")
+        moved = sum(
+            e.new.count(b"\n") - text.data[e.start : e.end].count(b"\n")
+            for e in edits
+            if e.start < edit.start
+        )
+        instead = edited[before + moved].strip() if before + moved < len(edited) else ""
+        if edit.start == edit.end and b"\n" in edit.new:
+            where = "behind" if edit.new.startswith(b"\n") else "before"
+            instead = f"{edit.new.decode().strip()}  (a new line {where} this one)"
+        found.append(Line(number, text.line(number), instead))
+    return tuple(dict.fromkeys(found))
 
 
 def _may_go_on(text):

@@ -3,7 +3,7 @@
 import ast
 from itertools import permutations
 
-__all__ = ["in_other_orders", "is_product", "of_two", "one_moved", "whole"]
+__all__ = ["in_other_orders", "is_product", "moved_addends", "of_two", "one_moved", "whole"]
 
 WHOLE = (ast.Name, ast.Constant, ast.Call, ast.Subscript, ast.Attribute, ast.List, ast.Tuple)
 
@@ -106,3 +106,17 @@ def _of_product(node, left, right, text):
     yield 1, f"{left} + {right}"
     yield 2, f"{left} / {right}"
     yield 2, f"{left} - {right}"
+
+
+def moved_addends(nodes, text):
+    """Lists of texts in which what is added to one of them is added to another one."""
+    parts = [text.of(node) for node in nodes]
+    for i, node in enumerate(nodes):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            for kept, moved in ((node.left, node.right), (node.right, node.left)):
+                for k in range(len(parts)):
+                    if k != i:
+                        other = list(parts)
+                        other[i] = text.of(kept)
+                        other[k] = f"{parts[k]} + {text.of(moved)}"
+                        yield other

@@ -8,14 +8,13 @@ from itertools import chain, combinations, product
 
 import numpy as np
 
-from ...diagnosis import Line
 from ..running.deadline import OutOfTime, limited
 from .constants import fitted_numbers
 from .edits import changes_of
 from .foretold import foretold_pairs
 from .text import Edit
 
-__all__ = ["lines_of", "repaired"]
+__all__ = ["repaired"]
 
 SINGLES = 0.65  # of the time, for single changes
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
@@ -293,24 +292,3 @@ def _together(first, second, text):
         return ()
     both = Edit(outer.start, outer.end, outer.new.replace(old, inner.new), outer.rank)
     return (both,), ()
-
-
-def lines_of(text, changes):
-    """The lines that changes of a text change, as Lines."""
-    edits = [edit for change in changes for edit in change]
-    edited = text.edited(edits).splitlines()
-    found = []
-    for edit in sorted(edits, key=lambda edit: edit.start):
-        number = text.line_at(edit.start)
-        before = text.data[: edit.start].count(b"\n")
-        moved = sum(
-            e.new.count(b"\n") - text.data[e.start : e.end].count(b"\n")
-            for e in edits
-            if e.start < edit.start
-        )
-        instead = edited[before + moved].strip() if before + moved < len(edited) else ""
-        if edit.start == edit.end and b"\n" in edit.new:
-            where = "behind" if edit.new.startswith(b"\n") else "before"
-            instead = f"{edit.new.decode().strip()}  (a new line {where} this one)"
-        found.append(Line(number, text.line(number), instead))
-    return tuple(dict.fromkeys(found))
