@@ -52,9 +52,8 @@ def judge_z(
     >>> from dhlab.geometry.procedure.normals import Axis
     >>> z, y = np.array([0, 0, 1.0]), np.array([0, 1.0, 0])
     >>> axes = [Axis(0 * z, z, "R"), Axis(z, y, "R"), Axis(z, z, "tool")]
-    >>> print(judge_z(1, axes, "standard", 1.0, [0, 0, 1])[0])
-    ✗ z1: This is the axis of joint 1; in the standard convention z1 is the axis of joint 2.
-          Look at the axis of joint 2.
+    >>> print(judge_z(1, axes, "standard", 1.0, [0, 0, 1])[0].message[:40])
+    This points along the axis of joint 1; i
     >>> judgement, (exact, _) = judge_z(1, axes, "standard", 1.0, [0, -2, 0])
     >>> print(judgement.right, exact + 0)
     True [ 0. -1.  0.]
@@ -105,7 +104,7 @@ def _z_fault(axes, k, near, v, p, rule, usual):
         if 1 <= j <= len(axes) and _on(axes[j - 1], v, p, near):
             return (
                 "z-on-wrong-joint",
-                f"This is the axis of joint {j}; {rule}. Look at the axis of joint {k}.",
+                f"This points along the axis of joint {j}; {rule}. Look at the axis of joint {k}.",
             )
     away = tilt(v, axis.z)
     if away <= ANGLE:

@@ -194,7 +194,7 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.get_by_role("button", name="Place it").click()
     expect(
         page.get_by_text(
-            "This is the axis of joint 1; in the standard convention z1 is the axis of joint 2."
+            "This points along the axis of joint 1; in the standard convention z1 is the axis of joint 2."
         )
     ).to_be_visible()
     expect(run(page, 4)).to_contain_text("placed [0] None")

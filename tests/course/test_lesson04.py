@@ -102,7 +102,8 @@ def test_right_placements_pass_in_many_dresses(key, variant):
     assert [v.status for v in verdicts] == ["right"] * 6 and all(
         v.points == v.of for v in verdicts
     ), verdicts
-    assert any("another right one" in v.headline for v in verdicts)
+    handed_out = "frames" in E[key].given(variant)
+    assert any("another right one" in v.headline for v in verdicts) != handed_out
 
 
 def slips(rows, axes):

@@ -131,6 +131,14 @@ def misread(T_01: NDArray) -> Mistakes:
     yield "alpha-sign", FALSE_TURN, [theta, d, a, -alpha]
     if a < 0:
         yield (
+            "measured-in-other-frame",
+            Said(
+                "θ and a follow the way to the origin, not x1",
+                next="θ goes from x0 to x1, wherever the origin is. What is x1 in T_01?",
+            ),
+            [theta - 180, d, -a, alpha],
+        )
+        yield (
             "lengths-made-positive",
             Said("a has lost its minus sign", next=X1),
             [theta, d, -a, alpha],
@@ -205,6 +213,11 @@ def wrong_tubes(q2: float) -> Mistakes:
         "the step of 53.5 mm does not run along the joint's axis",
         [q2 + offset, FORWARD, UP, 0],
     )
+    yield (
+        "a-d-exchanged",
+        "the piece of 284.5 mm does not run along the joint's axis",
+        [q2, UP, FORWARD, 0],
+    )
     yield "a-d-exchanged", "", [q2 + offset, a, 0, 0]
     yield (
         "offset-missing",
@@ -261,8 +274,9 @@ LEFT_OVER = {"about-new-z": "θ", "along-old-x": "a"}  # with the number that ea
 
 def explain_axes(order: list[str]) -> Known | None:
     given = dict(zip(ENTRIES, order))
-    imitated = [name for way, name in LEFT_OVER.items() if given[name] == way]
-    if imitated:
+    wrong = [name for name, way, wanted in zip(ENTRIES, order, MEASURED) if way != wanted]
+    imitated = [name for name in wrong if LEFT_OVER.get(given[name]) == name]
+    if imitated == wrong:
         return "measured-in-other-frame", Said(
             "the right kind of number, on the wrong plate",
             place=", ".join(imitated),
@@ -288,9 +302,8 @@ def explain_axes(order: list[str]) -> Known | None:
         return "a-d-exchanged", Said(
             "d and a have changed places", next="Which of the two goes along old z?"
         )
-    places = ", ".join(name for name, way, wanted in zip(ENTRIES, order, MEASURED) if way != wanted)
     return "columns-misread", Said(
         "the right kinds of numbers, along or about the wrong arrows",
-        place=places,
+        place=", ".join(wrong),
         next="Read the four lines below the picture once more.",
     )

@@ -157,33 +157,23 @@ def to_standard(rows: list[list[float]]) -> Arm:
 
 
 def half_to_standard(rows: list[list[float]]) -> Mistakes:
+    """What half a conversion looks like, twice: with a last row of its own, and with one that is
+    right or left as it was.
+    """
     given, right = np.array(rows), np.array(numbers(to_standard(rows).table))
-    yield "conversion-incomplete", _half("the rows are those of Craig's table"), given
-    yield (
-        "conversion-incomplete",
-        _half("α moved, a did not"),
-        np.column_stack([given[:, :3], right[:, 3]]),
-    )
-    yield (
-        "conversion-incomplete",
-        _half("a moved, α did not"),
-        np.column_stack([right[:, :3], given[:, 3]]),
-    )
-    yield (
-        "conversion-incomplete",
-        _half("the pairs moved down; from Craig to standard they move up"),
-        _shifted(given, 1),
-    )
-    yield (
-        "conversion-incomplete",
-        _half("the pairs moved up by two rows, and not by one"),
-        _shifted(_shifted(given, -1), -1),
-    )
-    yield (
-        "conversion-incomplete",
-        _half("θ and d moved as well; they stay in their rows"),
-        np.vstack([given[1:], np.zeros(4)]),
-    )
+    for headline, wrong in (
+        ("the rows are those of Craig's table", given),
+        ("α moved, a did not", np.column_stack([given[:, :3], right[:, 3]])),
+        ("a moved, α did not", np.column_stack([right[:, :3], given[:, 3]])),
+        ("the pairs moved down; from Craig to standard they move up", _shifted(given, 1)),
+        ("the pairs moved up by two rows, and not by one", _shifted(_shifted(given, -1), -1)),
+        ("θ and d moved as well; they stay in their rows", np.vstack([given[1:], np.zeros(4)])),
+    ):
+        yield "conversion-incomplete", _half(headline), wrong
+        for last in (right[-1:], given[-1:]):
+            if not np.allclose(wrong[:-1], right[:-1]):
+                above = np.vstack([wrong[:-1], last])
+                yield "conversion-incomplete", _half(f"above the last row: {headline}"), above
     yield (
         "conversion-incomplete",
         _half("the last row keeps a pair; nothing comes after it"),
@@ -216,7 +206,7 @@ def badly_repaired(standard: list[list[float]], converted: list[list[float]]) ->
                 "conversion-incomplete",
                 Said(
                     "some of column a is right by now, and not all of it",
-                    place=f"right so far: a of row {', '.join(str(i + 1) for i in mended)}",
+                    place=f"right so far, a of row {', '.join(str(i + 1) for i in mended)}",
                     next=(
                         "Where does the a of each link stand in the first table, and where must it"
                         " stand in Craig's?"
@@ -224,6 +214,13 @@ def badly_repaired(standard: list[list[float]], converted: list[list[float]]) ->
                 ),
                 partly,
             )
+    a = rows[:, 2]
+    for up in (np.append(a[1:], 0), np.roll(a, -1)):
+        yield (
+            "conversion-incomplete",
+            _half("a moved up; from standard to Craig it moves down"),
+            np.column_stack([right[:, :2], up, right[:, 3]]),
+        )
     yield from half_to_craig(standard)
     yield (
         "conversion-incomplete",

@@ -165,9 +165,12 @@ def explain_lines(lines: list[str]) -> Known | None:
             next="The first row turns about z0, and that is the motion of joint 1. Count on.",
         )
     metal = ", ".join(f"z{i}" for i, line in enumerate(lines) if line not in OF_Z)
+    others = ", ".join(name for name in wrong.split(", ") if name not in metal)
     if metal:
         return "z-across-joint-axis", Said(
-            f"{metal}: this line is no joint's axis",
+            f"{metal}: this line is no joint's axis; {others}: the axis of another joint"
+            if others
+            else f"{metal}: this line is no joint's axis",
             next="Move a joint alone. Which line stands still? That line is z.",
         )
     return "frame-at-other-end", Said(

@@ -146,12 +146,13 @@ def wrong_slides(q3: float) -> Mistakes:
         Said("q3 is left out", next="Put q3 in place of d; θ stays −90°."),
         standard(-half, 0, 0.05, half),
     )
-    for theta in (-half + q3, q3):
+    for headline, theta in (
+        ("q3 was added to θ; this joint slides", -half + q3),
+        ("q3 stands in place of θ; this joint slides", q3),
+    ):
         yield (
             "prismatic-variable-in-theta",
-            Said(
-                "q3 was added to θ; this joint slides", next="Put q3 in place of d; θ stays −90°."
-            ),
+            Said(headline, next="Put q3 in place of d; θ stays −90°."),
             standard(theta, 0, 0.05, half),
         )
     for theta, alpha in product((half, 1.57, 1.571, 1.5708), repeat=2):

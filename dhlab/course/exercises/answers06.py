@@ -49,6 +49,7 @@ UPRIGHT: list[list[float]] = [
 
 IN_DEGREES = np.array([180 / np.pi, 1, 1, 180 / np.pi])
 THETA, ALPHA = np.eye(4)[[0, 3]]
+LENGTHS = 1 - THETA - ALPHA
 
 
 def _article_rows():
@@ -116,6 +117,15 @@ def wrong_unseen(q: list[float]) -> Mistakes:
                 next="Run the cell that makes irb120 once more, then convert once.",
             ),
             rows / IN_DEGREES,
+            q_rad,
+        ),
+        (
+            "length-unit",
+            Said(
+                "the lengths went through np.deg2rad too",
+                next="Only θ and α are angles: convert these two columns.",
+            ),
+            rows / IN_DEGREES[0] ** LENGTHS,
             q_rad,
         ),
         ("degrees-in-sin-cos", "the rows were left in degrees", rows * IN_DEGREES, q_rad),

@@ -184,6 +184,11 @@ class Reaches(Value):
                 "degrees-for-radians",
                 place=Said("these are degrees, and q is in radians", next="np.deg2rad(q)."),
             )
+        if np.allclose(load("article-6r").forward(array), T_goal, atol=1e-3):
+            return self.wrong(
+                headline="this q brings the article's arm to the pose, and the UR5e is asked",
+                next="Your loop goes by the rows that it is given: hand it ur5e.table.rows.",
+            )
         words = f"the hand is {_short(1000 * metres)} mm and {_short(degrees)}° away from the pose"
         if metres <= 1e-3:
             return self.wrong(

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ...doctor.programs.search.slipsearch import wrong_entries
 from ...doctor.programs.wrong.links import standard
 from ..kinds import Function, Known, Said
+from .orders03 import ARGUMENTS
 
 __all__ = ["ClosedForm", "OF_THE_MATRIX", "from_a_blog"]
 
@@ -112,6 +113,7 @@ SIN_COS = Said(
 )
 
 OF_THE_MATRIX = {
+    "columns-misread": ARGUMENTS,
     "alpha-sign": TURNED_BACK,
     "standard-rows-in-craig-matrix": X_FIRST,
     "mirror": LEFT_HANDED,

@@ -21,6 +21,7 @@ from .answers03 import (
     wrong_points,
 )
 from .orders03 import (
+    ARGUMENTS,
     BOTH_TURNS,
     CRAIG_ORDERS,
     CRAIGS_ALPHA,

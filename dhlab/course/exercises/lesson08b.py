@@ -99,6 +99,10 @@ EXERCISES = [
         more=UNDAMPED,
         words={
             "orientation-error-frame": FRAME,
+            "jacobian-not-renewed": Said(
+                "what belongs to q is not made anew in every step",
+                next="After q = q + dq, the frames, the Jacobian and the error are others.",
+            ),
             "error-sign": Said(
                 "the steps, or a part of them, lead away from the goal",
                 next="Take one small step by hand: did the error shrink?",

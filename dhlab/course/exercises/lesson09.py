@@ -156,7 +156,7 @@ EXERCISES = [
         family="forward_kinematics",
         handed_out=reversed_product,
         sparing=True,
-        praise="Two letters changed places.",
+        praise="The base's matrix stands on the left, the last joint's on the right.",
         hints=(
             "For an arm of one joint this program is right. What happens at the second?",
             "Where must a matrix stand that is written in the frame reached so far?",

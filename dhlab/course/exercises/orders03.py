@@ -14,6 +14,7 @@ from ...table import COLUMNS
 from ..kinds import Function, Known, Said
 
 __all__ = [
+    "ARGUMENTS",
     "BOTH_TURNS",
     "CRAIGS_ALPHA",
     "CRAIGS_THETA",
@@ -102,6 +103,11 @@ ENTRIES = Said(
         "Call it with one argument at a time, the other three 0: does each of the four make its own"
         " move, and the right way?"
     ),
+)
+
+ARGUMENTS = Said(
+    "the arguments are used in each other's places",
+    next="Give one argument at a time, the other three 0: which move does it make?",
 )
 
 CRAIGS_ALPHA = Said(

@@ -175,7 +175,8 @@ class Order(Lettered):
         if None in ids:
             letters = ", ".join(self.letters(variant).values())
             return self.wrong(
-                headline=f"expected letters from {letters}, found {words[ids.index(None)]!r}"
+                headline=f"expected letters from {letters}, found {words[ids.index(None)]!r}",
+                next="Give the letter that stands before each text, in quotes.",
             )
         if len(ids) != self.size:
             return self.wrong(

@@ -150,7 +150,7 @@ class Frames(Exercise):
             return self.say(
                 NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}."
             )
-        return self.say(RIGHT, f"{self.praise}{_other_choices(task)}")
+        return self.say(RIGHT, self.praise + ("" if "frames" in given else _other_choices(task)))
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
         given = self.given(variant)
@@ -228,4 +228,5 @@ def _other_choices(task):
     if not found:
         return ""
     more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
-    return f" Your table is another right one than ours: {'; '.join(found[:TOLD])}{more}."
+    found = "; ".join(found[:TOLD])
+    return f" The table of your frames is another right one than ours: {found}{more}."

@@ -15,6 +15,7 @@ from .arms import SAME, apart, in_table_units, size
 
 __all__ = ["Repair", "Impostor"]
 
+NOISY = 0.1  # of what was to be mended: what is left is not seen in measured points
 COLUMNS = ("theta", "d", "a", "alpha")
 VALUES = ("offset-value", "length-value", "length-value", "alpha-value")
 
@@ -43,7 +44,7 @@ class Repair(Table):
         if len(changed) > 1:
             return self.wrong(
                 headline=f"{len(changed)} entries are changed, and one change is enough",
-                place=f"right before: {'; '.join(was_right)}",
+                place=f"{'; '.join(was_right)} right before",
                 next="Put these back. Which entry does the evidence point at?",
             )
         if was_right:
@@ -53,12 +54,17 @@ class Repair(Table):
                 next="Put it back. Which entry does the evidence point at?",
             )
         ((i, k),) = changed
+        missing = np.abs(right.table.rows[i, k] - [table.rows[i, k], broken.rows[i, k]])
         return self.told(
             VALUES[k],
             Said(
                 "the right entry, but not yet the right number",
                 place=f"row {i + 1}, {COLUMNS[k]}",
-                next="How much does the evidence say is missing, and with which sign?",
+                next=(
+                    "You are nearly there, and what is left is noise. Round as the question says."
+                    if missing[0] < NOISY * missing[1]
+                    else "How much does the evidence say is missing, and with which sign?"
+                ),
             ),
         )
 

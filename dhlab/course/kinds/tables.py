@@ -34,6 +34,13 @@ OF_TABLES = {  # where the title is about more than a row
         next="Take row 1 alone: which link have its a and its α been taken from?",
     ),
 }
+OF_CRAIG = {  # where the catalogue's reason is that of a standard row
+    "alpha-sign": Said(
+        "alpha has the wrong sign",
+        why="Row i of Craig's table holds α_{i-1}: about x_{i-1}, from z_{i-1} to z_i.",
+        next="Thumb along x_{i-1}: do the fingers turn z_{i-1} into z_i?",
+    )
+}
 ON_ITS_SIDE = Said(
     "rows and columns have changed places",
     next="One row per joint, with four numbers in each: np.transpose turns a table round.",
@@ -141,7 +148,7 @@ class Table(Exercise):
                 return self.told(mistake, said)
         finding = explain_rows(arm, right, q)
         if finding:
-            return self.found(finding)
+            return self.found(finding, right.table.convention)
         return self.wrong(
             headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
             place=where(arm, right, q),
@@ -161,7 +168,7 @@ class Table(Exercise):
 
         return of
 
-    def found(self, finding: Finding) -> Verdict:
+    def found(self, finding: Finding, convention: str = "standard") -> Verdict:
         """The Verdict on a mistake that the doctor found in a table, in the words of this exercise
         or by its title. What the catalogue sees elsewhere (turned by twice that angle, a pose that
         fits another matrix) need not be true of this arm.
@@ -169,10 +176,15 @@ class Table(Exercise):
         if {finding.mistake, (finding.mistake, finding.place)} & self.words.keys():
             return self.wrong(finding.mistake, place=finding.place)
         mistake = catalogue()[finding.mistake]
-        said = OF_TABLES.get(finding.mistake) or Said(
-            mistake.title, next=mistake.next, why=mistake.why
+        of_craig = OF_CRAIG.get(finding.mistake) if convention == "craig" else None
+        said = (
+            of_craig
+            or OF_TABLES.get(finding.mistake)
+            or Said(mistake.title, next=mistake.next, why=mistake.why)
         )
-        return self.told(finding.mistake, replace(said, place=finding.place))
+        all_that_have = finding.place == "all rows" and finding.mistake.startswith("offset")
+        place = "every row that has one" if all_that_have else finding.place
+        return self.told(finding.mistake, replace(said, place=place))
 
     def _unchanged(self, answer, variant):
         """Whether an answer, in whatever dress, is the table that was handed out."""

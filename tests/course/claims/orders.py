@@ -189,6 +189,8 @@ CLAIMS = {
             r"(?P<names>[z\d, ]+): this line is no joint's axis",
             lambda a, f: (
                 f["names"].split(", ") == [f"z{k}" for k, line in enumerate(a) if line not in LINE]
+                and (f["others"] or "").split(", ")
+                == ([f"z{k}" for k, x in enumerate(a) if LINE.get(x, k + 1) != k + 1] or [""])
             ),
         ),
         says(

@@ -492,6 +492,9 @@ def _pairs(rows, step, wrap=False):
     return moved
 
 
+ABOVE = r"(?P<above>above the last row: )?"  # of what is said of all rows but the last
+
+
 def _conversion(source, down):
     """Claims of a conversion: rows of ``source`` in the given numbers, a and α one row down (or
     up).
@@ -509,6 +512,11 @@ def _conversion(source, down):
             wrong = np.array(made(rows, right, f), dtype=float)
             if f.get("below"):
                 wrong[0] = right[0]
+            if f.get("above"):  # the last row is right, or as it was
+                return any(
+                    is_arm(lambda g, f, last=last: np.vstack([wrong[:-1], last]))(answer, g, f)
+                    for last in (right[-1:], rows[-1:])
+                )
             return is_arm(lambda g, f: wrong)(answer, g, f)
 
         return holds
@@ -518,17 +526,20 @@ def _conversion(source, down):
             r"(?P<below>row 1 is right, and the others are those of the standard table)",
             below(lambda rows, right, f: rows),
         ),
-        (r"the rows are those of (the standard|Craig's) table", below(lambda rows, right, f: rows)),
         (
-            r"α moved(, |(?P<below>; from row 2 on ))a did not",
+            rf"{ABOVE}the rows are those of (the standard|Craig's) table",
+            below(lambda rows, right, f: rows),
+        ),
+        (
+            rf"{ABOVE}α moved(, |(?P<below>; from row 2 on ))a did not",
             below(lambda rows, right, f: np.column_stack([rows[:, :3], right[:, 3]])),
         ),
         (
-            r"a moved(, |(?P<below>; from row 2 on ))α did not",
+            rf"{ABOVE}a moved(, |(?P<below>; from row 2 on ))α did not",
             below(lambda rows, right, f: np.column_stack([right[:, :3], rows[:, 3]])),
         ),
         (
-            r"(?P<below>from row 2 on )?θ and d moved as well; they stay in their rows",
+            rf"{ABOVE}(?P<below>from row 2 on )?θ and d moved as well; they stay in their rows",
             below(
                 lambda rows, right, f: (
                     np.vstack([np.zeros(4), rows[:-1]])
@@ -575,7 +586,7 @@ def _conversion(source, down):
             ),
         ),
         (
-            r"the pairs moved up by two rows, and not by one",
+            rf"{ABOVE}the pairs moved up by two rows, and not by one",
             below(
                 lambda rows, right, f: np.column_stack(
                     [rows[:, :2], np.vstack([rows[2:, 2:], np.zeros((2, 2))])]
@@ -583,7 +594,7 @@ def _conversion(source, down):
             ),
         ),
         (
-            r"the pairs moved down; from Craig to standard they move up",
+            rf"{ABOVE}the pairs moved down; from Craig to standard they move up",
             below(lambda rows, right, f: np.column_stack([rows[:, :2], _pairs(rows, 1)])),
         ),
         (
@@ -620,7 +631,7 @@ def _of_row(k):
 
 HALF_MENDED = [
     (
-        r"some of column a is right by now, and not all of it @ right so far: a of row"
+        r"some of column a is right by now, and not all of it @ right so far, a of row"
         r" (?P<rows>[\d, ]+)",
         is_arm(
             lambda g, f: np.column_stack(
@@ -635,6 +646,21 @@ HALF_MENDED = [
                     np.array(g["converted"])[:, 3],
                 ]
             )
+        ),
+    ),
+    (
+        r"a moved up; from standard to Craig it moves down",
+        lambda answer, g, f: any(
+            is_arm(
+                lambda g, f, a=a: np.column_stack(
+                    [
+                        np.array(g["converted"])[:, :2],
+                        [*np.array(g["standard"])[1:, 2], a],
+                        np.array(g["converted"])[:, 3],
+                    ]
+                )
+            )(answer, g, f)
+            for a in (0, g["standard"][0][2])
         ),
     ),
     (
@@ -750,8 +776,8 @@ def _right_entry(answer, g, f):
 
 REPAIR = [
     (
-        r"(?P<count>\d+) entries are changed, and one change is enough @ right before:"
-        r" (?P<places>.+)",
+        r"(?P<count>\d+) entries are changed, and one change is enough @"
+        r" (?P<places>.+) right before",
         _was_right,
     ),
     (r"this entry was right before you changed it @ (?P<places>.+)", _was_right),

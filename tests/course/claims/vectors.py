@@ -259,6 +259,13 @@ LINK = [
         r"α: the two arguments of arctan2 have changed places",
         _row_but(lambda r, g, f: {3: 90 - r[3]}),
     ),
+    (
+        r"θ and a follow the way to the origin, not x1",
+        lambda a, g, f: (
+            _row_but(lambda r, *_: {0: r[0] + 180, 2: -r[2]})(a, g, f)
+            and near(_arc(g["T_01"][1][3], g["T_01"][0][3]), a[0])
+        ),
+    ),
     (r"θ is off by half a turn", _row_but(lambda r, g, f: {0: r[0] + 180})),
     (r"α has the wrong sign", _row_but(lambda r, g, f: {3: -r[3]})),
     (
@@ -301,6 +308,10 @@ TUBE = [
     (
         r"the step of 53.5 mm does not run along the joint's axis",
         lambda a, g, f: near(a[1], 0.0535) and near(a[2], 0.2845),
+    ),
+    (
+        r"the piece of 284.5 mm does not run along the joint's axis",
+        lambda a, g, f: near(a[1], 0.2845) and right_of(g)[1] == 0,
     ),
     (r"a and d have changed places", _row_but(lambda r, g, f: {1: r[2], 2: r[1]})),
     (r"θ is q2 alone, .+", _row_but(lambda r, g, f: {0: g["q2"]})),
@@ -498,9 +509,11 @@ SLIDE = [
     (r"q3 is left out", _slide(lambda q: one_row(-90, 0, 0.05, 90))),
     (
         r"q3 was added to θ; this joint slides",
-        lambda a, g, f: any(
-            near(a, one_row(start + np.degrees(g["q3"]), 0, 0.05, 90)) for start in (-90, 0)
-        ),
+        _slide(lambda q: one_row(np.degrees(q) - 90, 0, 0.05, 90)),
+    ),
+    (
+        r"q3 stands in place of θ; this joint slides",
+        _slide(lambda q: one_row(np.degrees(q), 0, 0.05, 90)),
     ),
     (
         r"rounded on the way",
@@ -569,6 +582,10 @@ def _of_a_chain(of):
             (r"α was left in degrees", lambda r, q, f: walk(r * [1, 1, 1, turns[0]], q)),
             (r"θ was left in degrees", lambda r, q, f: walk(r * [turns[0], 1, 1, 1], q)),
             (r"the rows were converted twice", lambda r, q, f: walk(r / turns, q)),
+            (
+                r"the lengths went through np.deg2rad too",
+                lambda r, q, f: walk(np.radians(r) * [turns[0], 1, 1, turns[0]], q),
+            ),
             (r"the rows were left in degrees", lambda r, q, f: walk(r * turns, q)),
             (r"rows and q were left in degrees", lambda r, q, f: walk(r * turns, np.degrees(q))),
             (r"q was left in degrees", lambda r, q, f: walk(r, np.degrees(q))),
