@@ -100,7 +100,7 @@ def far_away(task: Placement) -> Said | None:
     """What is said of an origin that the rules allow, many times as far away as the arm is long."""
     for i, origin in task.o.items():
         away = np.linalg.norm(origin)
-        if away > FAR * max(task.reach, np.linalg.norm(task.end[:3, 3])):
+        if away > FAR * max(task.reach, float(np.linalg.norm(task.end[:3, 3]))):
             return Said(
                 f"o{i} lies {number(away, 0)} m from the base",
                 next="Metres are asked. Is a number of it in millimetres or centimetres?",

@@ -13,6 +13,7 @@ from ...doctor.programs.explain import NUMBERS
 from ...doctor.programs.running.answers import answers_in_time, single_precision
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
+from ...table import COLUMNS
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .exercise import Exercise, Said
 from .kept import kept_apart
@@ -177,8 +178,12 @@ class Function(Exercise):
         """
         mistake = finding.mistake
         place = "; ".join(filter(None, (finding.place, finding.detail)))
-        if self.family not in NUMBERS or {mistake, (mistake, place)} & self.words.keys():
+        if {mistake, (mistake, place)} & self.words.keys():
             return self.wrong(mistake, place=place)
+        if self.family not in NUMBERS:
+            of_link = OF_LINKS.get(mistake) if len(self.names) == len(COLUMNS) else None
+            said = of_link or OF_PROGRAMS.get(mistake)
+            return self.wrong(mistake, place=replace(said, place=place) if said else place)
         if mistake in OF_POSES and place:
             return self.told(mistake, Said(place))
         return self.told(mistake, Said(catalogue()[mistake].title, place=place))

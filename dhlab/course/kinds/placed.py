@@ -228,5 +228,5 @@ def _other_choices(task):
     if not found:
         return ""
     more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
-    found = "; ".join(found[:TOLD])
-    return f" The table of your frames is another right one than ours: {found}{more}."
+    told = "; ".join(found[:TOLD])
+    return f" The table of your frames is another right one than ours: {told}{more}."
