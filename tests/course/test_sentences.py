@@ -4,6 +4,7 @@ its own in ``claims``; a sentence without one fails.
 
 import pytest
 from claims import judged, sentence
+from claims.advice import unfounded
 from draws import few, variants
 from wrong_answers import unforeseen, wrong_answers
 
@@ -35,6 +36,7 @@ def test_every_sentence_has_a_predicate_and_is_true(key):
                 f"no predicate: {sentence(verdict)}"
             )
             assert judged(exercise, verdict, answer, variant), f"not true: {verdict} of {answer}"
+            assert not [*unfounded(exercise, verdict, answer, variant)], f"{verdict} of {answer}"
 
 
 @pytest.mark.parametrize("key", KEYS)
@@ -46,3 +48,4 @@ def test_a_mistake_that_no_list_foresees_is_told_where_it_is(key):
     assert len(seen) >= min(5, len(answers)), "five answers and more are refused"
     for answer, verdict in seen:
         assert judged(exercise, verdict, answer, 1), f"not true: {verdict} of {answer}"
+        assert not [*unfounded(exercise, verdict, answer, 1)], f"{verdict} of {answer}"

@@ -39,7 +39,13 @@ OF_CRAIG = {  # where the catalogue's reason is that of a standard row
         "alpha has the wrong sign",
         why="Row i of Craig's table holds α_{i-1}: about x_{i-1}, from z_{i-1} to z_i.",
         next="Thumb along x_{i-1}: do the fingers turn z_{i-1} into z_i?",
-    )
+    ),
+    "z-flip-incomplete": Said(
+        "A z axis was turned round, but not everything that hangs on it",
+        why="z_i turned round changes α_{i-1} and α_i, which stand in rows i and i + 1, d_i, θ_i"
+        " and the way joint i counts.",
+        next="Go through the entries of rows i and i + 1 that are about or along this z axis.",
+    ),
 }
 ON_ITS_SIDE = Said(
     "rows and columns have changed places",

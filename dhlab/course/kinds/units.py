@@ -15,7 +15,7 @@ from .exercise import Said
 
 __all__ = ["LOOSELY", "Group", "in_other_units", "of_places"]
 
-LOOSELY = 5e-3  # rad, and a part of the value: 1.57 is a rounded 90°, and still in radians
+LOOSELY = 5e-3  # of the value; of poses rad and m: 1.57 is a rounded 90°, and still in radians
 DEGREES = 180 / np.pi
 ASKED = {"deg": "degrees", "rad": "radians", "m": "metres", "m/s": "metres per second"}
 ASKED |= {"rad/s": "radians per second"}

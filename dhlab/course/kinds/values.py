@@ -153,12 +153,13 @@ class Value(Exercise):
 
     def differs(self, array: NDArray, value: NDArray, tolerance: float = 0) -> NDArray[np.bool_]:
         """Which entries of an array differ from those of a value, or of a stack of values; whole
-        turns apart where they are angles. ``tolerance`` where it is to be larger than usual.
+        turns apart where they are angles. ``tolerance``, a part of the value, where it is to be
+        larger than usual.
         """
         difference = np.asarray(array - value)
         angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
         difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
-        allowed = max(tolerance, self.tolerance) * (1 + np.abs(value))
+        allowed = np.maximum(tolerance * np.abs(value), self.tolerance * (1 + np.abs(value)))
         return ~(np.abs(difference) <= allowed)
 
     def _place(self, off):

@@ -60,7 +60,8 @@ def in_units(answer, given, found):
             (scaled - right + 180) % 360 - 180,
             scaled - right,
         )
-    return near(scaled, right) and off_by(answer, given).any()
+    allowed = 6e-3 * np.abs(right) + 2 * exercise.tolerance
+    return (np.abs(scaled - right) <= allowed).all() and off_by(answer, given).any()
 
 
 def these_entries(answer, given, found):

@@ -382,7 +382,7 @@ def _given_a_length(answer, given, found):
 
 
 ROW = (
-    r"( @ (?:(?:row|joint) (?P<row>\d)|all rows|every row that has one|all joints|all lengths|all angles)"
+    r"( @ (?:(?:row|joint) (?P<row>\d)|all (?:rows|joints|lengths|angles)|every row that has one)"
     r"(?:, (?:theta|d|a|alpha))?)?"
 )
 DOCTOR = [
