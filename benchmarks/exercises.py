@@ -11,9 +11,10 @@ Wrong values are the exercise's own mistakes and slips of the hand, and mistakes
 foresees; wrong programs are the doctor's wrong versions of the family; wrong tables its wrong
 tables that move the arm; of an order up to 120 others. Whether a sentence is true is decided by the
 predicates of tests/course/claims, of what is told, why, and what is to be done next: of numbers,
-tables and orders, and of programs for a link or a chain. Other programs are measured by benchmarks/doctor_programs.py. The last line says how long a
-check takes: the median is to be 0.3 s at most and the longest 1 s, SymPy apart. numba, which a
-learner seldom has and which is loaded once in a process, is left out.
+tables and orders, and of programs for a link or a chain. Other programs are measured by
+benchmarks/doctor_programs.py. The last line says how long a check takes: the median is to be 0.3 s
+at most and the longest 1 s, SymPy apart. numba, which a learner seldom has and which is loaded once
+in a process, is left out.
 """
 
 import os

@@ -127,7 +127,8 @@ def _off_line(found: Geometry, line: Line, p: NDArray[np.float64]) -> tuple[str,
                 " wherever the housing of the joint may be."
             ),
         )
-    if found.feet is not None and np.linalg.norm(p - found.feet[0]) <= found.near:
+    skew = found.case == "skew" and found.feet is not None
+    if skew and np.linalg.norm(p - found.feet[0]) <= found.near:
         return (
             "origin-on-other-axis",
             (

@@ -9,6 +9,7 @@ import pytest
 from draws import variants
 from geometry_cases import exponentials, pose_error
 from oracles import elementary_pose
+from wrong_answers import wrong_frames
 
 import dhlab as dh
 from dhlab.course.exercises import exercises
@@ -106,35 +107,6 @@ def test_right_placements_pass_in_many_dresses(key, variant):
     assert any("another right one" in v.headline for v in verdicts) != handed_out
 
 
-def slips(rows, axes):
-    """One step changed: other axes' directions and lines, points beside and along, arrows across
-    and along.
-    """
-    n = len(rows) - 1
-    for i, (z, o, x) in enumerate(rows):
-        z, o, x = np.asarray(z, dtype=float), np.asarray(o, dtype=float), np.asarray(x, dtype=float)
-        directions = [np.cross(z, x), x, z + 0.4 * x, *(np.asarray(d) for _, d, *_ in axes)]
-        points = [
-            o + 0.1 * z,
-            o + 0.1 * x,
-            o + 0.1 * np.cross(z, x),
-            np.asarray(rows[i - 1][1]),
-            np.asarray(rows[min(i + 1, n)][1]),
-            np.zeros(3),
-        ]
-        for part, changes in (
-            (0, directions),
-            (1, points),
-            (2, [z, np.cross(z, x), x + 0.5 * z, np.asarray(rows[i - 1][0]), x + z]),
-        ):
-            for change in changes:
-                yield [
-                    *rows[:i],
-                    [change if k == part else v for k, v in enumerate((z, o, x))],
-                    *rows[i + 1 :],
-                ]
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("key", FRAMES)
 @pytest.mark.parametrize("variant", [0, 3])
@@ -146,7 +118,7 @@ def test_wrong_placements_fail_and_are_named(key, variant):
     axes = [(p, d, *(letter or ["R"])) for p, d, *letter in given["axes"]]
     q = np.random.default_rng(4).uniform(-2, 2, (5, len(axes)))
     refused, seen = [], set()
-    for answer in slips(solved(key, given), given["axes"]):
+    for answer in wrong_frames(solved(key, given), given["axes"]):
         verdict = E[key].judge(answer, variant)
         if verdict.status == "right":
             board = Placement(given["axes"], given["end"])

@@ -2,14 +2,17 @@
 its own in ``claims``; a sentence without one fails.
 """
 
+import numpy as np
 import pytest
-from claims import judged, sentence
+from claims import boards, judged, sentence
 from claims.advice import unfounded
 from draws import few, variants
-from wrong_answers import unforeseen, wrong_answers
+from wrong_answers import unforeseen, wrong_answers, wrong_frames
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Order, Table, Value
+from dhlab.course.kinds.placed import Frames
+from dhlab.geometry.procedure.frames import assign_frames
 
 ASKED = {key: e for key, e in exercises().items() if isinstance(e, (Value, Table, Order))}
 KEYS = [  # a table is compared with some hundred others for each verdict; 07.7 calibrates an arm
@@ -49,3 +52,31 @@ def test_a_mistake_that_no_list_foresees_is_told_where_it_is(key):
     for answer, verdict in seen:
         assert judged(exercise, verdict, answer, 1), f"not true: {verdict} of {answer}"
         assert not [*unfounded(exercise, verdict, answer, 1)], f"{verdict} of {answer}"
+
+
+def placed(given):
+    """Right frames of a task, as rows of z, origin and x."""
+    arm = assign_frames(given["axes"], end=given["end"])
+    return [[T[:3, 2], T[:3, 3], T[:3, 0]] for T in arm.frames(np.zeros(len(arm)))]
+
+
+def in_millimetres(rows):
+    """All origins, one origin, and one number of an origin in millimetres."""
+    yield [[z, 1000 * o, x] for z, o, x in rows]
+    for i, (z, o, x) in enumerate(rows):
+        for times in ([1000] * 3, [1000, 1, 1], [1, 1, 1000]):
+            yield [*rows[:i], [z, o * times, x], *rows[i + 1 :]]
+
+
+@pytest.mark.parametrize("key", [key for key, e in exercises().items() if isinstance(e, Frames)])
+def test_what_is_said_of_placed_frames_is_true(key):
+    exercise = exercises()[key]
+    given = exercise.given(1)
+    rows = placed(given)
+    for answer in few([*in_millimetres(rows), *wrong_frames(rows, given["axes"])], 40):
+        verdict = exercise.judge(answer, 1)
+        if verdict.status == "wrong":
+            true = boards.true_of(verdict, answer, given)
+            assert true is not None, f"no predicate: {verdict}"
+            assert true, f"not true: {verdict} of {answer}"
+            assert not [*unfounded(exercise, verdict, answer, 1)], f"{verdict} of {answer}"

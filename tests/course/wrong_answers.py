@@ -9,7 +9,7 @@ import numpy as np
 from dhlab.course.kinds import Order, Table, Value
 from dhlab.doctor.tables.rows import wrong_tables
 
-__all__ = ["wrong_answers", "unforeseen"]
+__all__ = ["unforeseen", "wrong_answers", "wrong_frames"]
 
 TURNS = np.array([180 / np.pi, 1, 1, 180 / np.pi])
 
@@ -114,3 +114,32 @@ def _orders(exercise, variant, most):
     rest = [ids for ids in given if not exercise.accepts(ids)]
     picked = np.random.default_rng(variant).permutation(len(rest))
     return [rest[k] for k in islice(picked, most)]
+
+
+def wrong_frames(rows, axes):
+    """One step changed: other axes' directions and lines, points beside and along, arrows across
+    and along.
+    """
+    n = len(rows) - 1
+    for i, (z, o, x) in enumerate(rows):
+        z, o, x = np.asarray(z, dtype=float), np.asarray(o, dtype=float), np.asarray(x, dtype=float)
+        directions = [np.cross(z, x), x, z + 0.4 * x, *(np.asarray(d) for _, d, *_ in axes)]
+        points = [
+            o + 0.1 * z,
+            o + 0.1 * x,
+            o + 0.1 * np.cross(z, x),
+            np.asarray(rows[i - 1][1]),
+            np.asarray(rows[min(i + 1, n)][1]),
+            np.zeros(3),
+        ]
+        for part, changes in (
+            (0, directions),
+            (1, points),
+            (2, [z, np.cross(z, x), x + 0.5 * z, np.asarray(rows[i - 1][0]), x + z]),
+        ):
+            for change in changes:
+                yield [
+                    *rows[:i],
+                    [change if k == part else v for k, v in enumerate((z, o, x))],
+                    *rows[i + 1 :],
+                ]

@@ -9,6 +9,8 @@ import re
 
 import numpy as np
 
+from dhlab.course.kinds.placed import Frames
+
 from .facts import (
     arrows_are_columns,
     last_row_carries,
@@ -26,7 +28,7 @@ from .facts import (
     z_hangs_on_five,
     z_of_craig,
 )
-from .tasks import TASKS
+from .tasks import OF_FRAMES, TASKS
 
 CHAINS = ("forward_kinematics", "jacobian", "inverse_kinematics", "branches")
 ASKS = re.compile(
@@ -64,6 +66,10 @@ def program(e, answer, variant):
 
 def table(e, answer, variant):
     return hasattr(e, "right_arm")
+
+
+def frames(e, answer, variant):
+    return isinstance(e, Frames)
 
 
 def of_chain(e, answer, variant):
@@ -164,8 +170,9 @@ ASSERTED = [
      lambda *case: large(*case, 1e-3)),
     (r"(d goes along z, a along x|θ turns about z, α about x|Then ask along which axis the length"
      r" runs|The turn about z does)\.", lambda *case: table(*case) or program(*case)),
-    (r"That line is z\.", lambda *case: table(*case) or of("04.1")(*case)),
+    (r"That line is z\.", lambda *case: table(*case) or frames(*case) or of("04.1")(*case)),
     (r"Walk over rows and q together with zip\(rows, q\)\.", of_chain),
+    *((said, frames) for said in OF_FRAMES),
     (r"The position is right\.", lambda e, answer, variant: reaches(answer, e.given(variant)["T"])),
     (r"Tables print millimetres; here lengths are metres, unless a unit is named\.",
      lambda *case: table(*case) or program(*case)),
@@ -174,7 +181,7 @@ ASSERTED = [
     (r"(Every tool has its own order: MATLAB a α d θ, this course θ d a α|The order of the columns"
      r" differs between books: θ, d, a, α here)\.", lambda *case: table(*case) or program(*case)),
     (r"(z is easily drawn along the link or the motor's body|It belongs on the line the joint turns"
-     r" about)\.", table),
+     r" about)\.", lambda *case: table(*case) or frames(*case)),
     (r"(The height of joint 1 can stand in d1 or in the base transform|It belongs in one of"
      r" them)\.",
      table),

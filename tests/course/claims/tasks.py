@@ -31,6 +31,7 @@ TASKS = [
     (r"A conversion changes no number, only its row\.", ("03.7", "03.8", "03.9")),
     (r"The first row turns about z0, and that is the motion of joint 1\.", ("04.1",)),
     (r"They belong to the axis that stays\.|x stays\.", ("05.1",)),
+    (r"That is asked, and not the reverse\.", ("03.3",)),
     (r"a is walked along the new x arrow, d along the old z\.", ("05.5",)),
     (r"Asked is the new origin, seen from the old frame\.", ("05.5",)),
     (r"θ is a constant of this row: −90° at every q3\.|θ = −90° comes first, .+", ("05.9",)),
@@ -52,3 +53,19 @@ TASKS = [
     (r"4096 counts are a whole turn\.", ("09.10",)),
     (r"In Craig's table row 2 leads from axis 1 to axis 2\.", ("09.7",)),
 ]  # fmt: skip
+OF_FRAMES = [  # rules of placing, which tests/placing tries on boards
+    r"Metres are asked\.",
+    r"The first turn of a row is about the z before it: z0 belongs to joint 1, .+",
+    r"A housing may sit anywhere along its axis; the four numbers know only the line\.",
+    r"A row turns about the z before it, and then about x(\d): only an x\1 at right angles to .+",
+    r"Form the (scalar product of x\d with each|cross product) of the two z axes(: .+)?\.",
+    r"Between skew axes only one line is at right angles to both and meets both\.",
+    r"A row ends where x(\d) arrives on z\1, and that is where its frame stands\.",
+    r"Follow the row: along the z before it, then along x\d\.",
+    r"A row walks along the z before it by d, then along x\d by a\.|It reaches no point beside\.",
+    r"A row walks along x\d from one axis to the other\.",
+    r"Then point from the one axis straight across to the other\.",
+    r"Where the two axes meet there is no way to walk: a is 0\.|Find the point that lies on both.+",
+    r"Of axes that meet, only the normal of their plane is at right angles to both\.",
+    r"z lies along the direction of the slide, either way: a row's d is counted along z\.",
+]
