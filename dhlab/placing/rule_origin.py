@@ -127,8 +127,8 @@ def _off_line(found: Geometry, line: Line, p: NDArray[np.float64]) -> tuple[str,
                 " wherever the housing of the joint may be."
             ),
         )
-    skew = found.case == "skew" and found.feet is not None
-    if skew and np.linalg.norm(p - found.feet[0]) <= found.near:
+    feet = found.feet if found.case == "skew" else None  # of parallel lines, any point is one
+    if feet is not None and np.linalg.norm(p - feet[0]) <= found.near:
         return (
             "origin-on-other-axis",
             (
