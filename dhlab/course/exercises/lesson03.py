@@ -224,6 +224,7 @@ EXERCISES = [
             "craig-rows-in-standard-matrix": STANDARD_ORDER,
             "order-taken-for-free": OTHER_ORDER,
             "matrix-entry-mistyped": ENTRIES,
+            "columns-misread": ARGUMENTS,
             "alpha-sign": CRAIGS_ALPHA,
             ("row-vector-convention", "the turn about z"): CRAIGS_THETA,
             ("row-vector-convention", ""): BOTH_TURNS,

@@ -216,10 +216,11 @@ ASSERTED = [
     (r"(Every step begins where the last one ended|Near a singularity the plain inverse asks for"
      r" enormous joint steps|Everything else needs the frames of this q|The step must go from here"
      r" to the goal)\.", of("08.5")),
-    (r"They are not parallel: their directions differ\.", not_so("parallel")),
-    (r"They are not skew: their directions do not differ\.", not_so("skew")),
-    (r"They are not on one line: each has points that the other has not\.", not_so("line")),
-    (r"They do not meet: no point lies on both\.", not_so("meet")),
+    (r"Parallel axes have the same direction or the opposite one: these two have not\.",
+     not_so("parallel")),
+    (r"Skew axes differ in direction: these two do not\.", not_so("skew")),
+    (r"Axes on one line have all points in common: these two have not\.", not_so("line")),
+    (r"Axes that meet have a point in common: these two have none\.", not_so("meet")),
     (r"The points given are somewhere on the axes, and lines go on beyond them\.", of("04.11")),
 ]  # fmt: skip
 

@@ -186,7 +186,8 @@ CLAIMS = {
             lambda a, f: a[:2] == ["axis-2", "axis-3"],
         ),
         says(
-            r"(?P<names>[z\d, ]+): this line is no joint's axis",
+            r"(?P<names>[z\d, ]+): this line is no joint's axis"
+            r"(; (?P<others>[z\d, ]+): the axis of another joint)?",
             lambda a, f: (
                 f["names"].split(", ") == [f"z{k}" for k, line in enumerate(a) if line not in LINE]
                 and (f["others"] or "").split(", ")
