@@ -214,8 +214,10 @@ def main():
     print("| in Firefox | s | MB | script errors, outside requests | |\n|---|---|---|---|---|")
     with served(given.html) as address:
         for number, (words, (name, done)) in enumerate(LINES.items()):
-            with tempfile.TemporaryDirectory() as profile:
-                firefox = Firefox(Path(profile), address)
+            with (
+                tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
+                contextlib.closing(Firefox(Path(profile), address)) as firefox,
+            ):
                 before = Quiet.sent
                 firefox.go(name)
                 began = time.perf_counter()
@@ -223,9 +225,8 @@ def main():
                 took, size = time.perf_counter() - began, (Quiet.sent - before) / 1e6
                 if given.shots:
                     firefox.picture(given.shots / f"firefox-{number}.png")
-                firefox.close()
             print(f"| {words} | {took:.1f} | {size:.1f} | {len(firefox.wrong)} | {found} |")
-            print(*[f"    {fault}" for fault in firefox.wrong], sep="\n", end="", flush=True)
+            print(*[f"    {fault}\n" for fault in firefox.wrong], sep="", end="", flush=True)
             faults += len(firefox.wrong)
     sys.exit(1 if faults else 0)
 
