@@ -160,6 +160,24 @@ def test_two_lines_are_told_where_neither_alone_mends_much(
     assert {line.number for line in answer.lines} == lines
 
 
+def test_the_callers_table_is_kept(tmp_path):
+    text = """\
+import numpy as np
+
+def forward_kinematics(table, q):
+    rows = np.asarray(table)
+    rows[:, 0] += q
+    T = np.eye(4)
+    for t, d, a, alpha in rows:
+        c, s, k, h = np.cos(t), np.sin(t), np.cos(alpha), np.sin(alpha)
+        T = T @ [[c, -s * k, s * h, a * c], [s, c * k, -c * h, a * s], [0, h, k, d], [0, 0, 0, 1]]
+    return T
+"""
+    answer = diagnose_function(written(tmp_path, text), KIND)
+    assert [finding.mistake for finding in answer.findings] == ["inputs-changed"]
+    assert [line.number for line in answer.lines] == [4] and "np.array(table)" in answer.repaired
+
+
 def test_two_mistakes_in_one_line_are_named_and_their_line_is_told_once(tmp_path):
     text = PROGRAM.replace(
         "T @ link(theta + q[i], d, a, alpha)", "link(theta - q[i], d, a, alpha) @ T"

@@ -11,7 +11,9 @@ from .operators import in_other_orders, is_product, moved_addends, of_two, one_m
 
 __all__ = ["in_place_of"]
 
-SISTERS = {"cos": "sin", "sin": "cos", "multiply": "matmul", "hstack": "vstack"}
+SISTERS = {
+    "cos": "sin", "sin": "cos", "multiply": "matmul", "hstack": "vstack", "asarray": "array",
+}  # fmt: skip
 WRAPPERS = {
     "deg2rad", "rad2deg", "radians", "degrees", "abs", "fabs", "round", "int", "rint", "floor",
     "trunc", "transpose", "inv", "reversed", "sorted", "sqrt", "flip", "cumsum", "astype", "around",
