@@ -205,8 +205,8 @@ def course_map(lesson: str = "") -> Map:
 
     Examples
     --------
-    >>> course_map("05").to_dict()["05"].done
-    0
+    >>> course_map("05").to_dict()["05"].of  # exercises of its core
+    7
     """
     if lesson and lesson not in SITTINGS:
         raise ValueError(
