@@ -14,6 +14,8 @@ from .measured import limit
 
 __all__ = ["Fit", "misfit", "within", "fit", "jacobian"]
 
+FLAT = 4  # poses; so few leave a base and a tool that are both free long valleys to walk along
+
 
 @dataclass(frozen=True)
 class Fit:
@@ -49,7 +51,8 @@ def misfit(arm, data):
     ends = data.base_free + data.tool_free
     if ends == 0 or (ends == 1 and (data.R is None or chi2 > _hopeless(data))):
         return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
-    return fit(placed, data, ())
+    flat = ends == 2 and len(data.q) <= FLAT
+    return fit(placed, data, (), steps=100 if flat else 15)
 
 
 def within(arm, data, chi2):

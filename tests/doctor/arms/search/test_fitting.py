@@ -19,6 +19,16 @@ def test_carried_points_against_align_vectors():
     np.testing.assert_allclose(carried(points, targets), wanted, rtol=1e-9)
 
 
+@pytest.mark.parametrize("full", [True, False])
+def test_few_poses_find_the_ends_of_a_right_table(full):
+    arm, rng = dh.load("ur5e"), np.random.default_rng(3)
+    for _ in range(12):
+        q, (B, E) = rng.uniform(-2, 2, (3, 6)), (pose(x) for x in rng.normal(0, 0.7, (2, 6)))
+        T = B @ arm.forward(q) @ E
+        data = Measured(q, T[:, :3, 3], T[:, :3, :3] if full else None, (1e-4, 1e-3), True, True)
+        assert misfit(arm, data).explains(data)
+
+
 @pytest.mark.parametrize("free", ["base", "tool", "both"])
 @pytest.mark.parametrize("full", [True, False])
 def test_free_ends_against_least_squares(free, full):
