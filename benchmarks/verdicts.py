@@ -180,6 +180,7 @@ def _faults(c, answer, word, tally):
             tally["easy good"] += word == "agrees"
             yield from ["does not agree"] * (word != "agrees")
         yield from ["a mistake named"] * (word == "named")
+        yield from ["said to be wrong"] * answer.headline.startswith("Something is wrong")
         return
     if c["effect"] > SEEN:
         tally["seen"] += 1
