@@ -4,7 +4,6 @@ import re
 
 from ..cells import cell_of
 from ..language.brackets import cells_in, groups
-from ..language.expressions import key
 from ..language.roles import role_of
 from ..pasted import Pasted
 
@@ -35,14 +34,8 @@ def arrays_in(source, twice=None):
         turned = outer is not None and outer.name.split(".")[-1].lower() in ("radians", "deg2rad")
         if not name and outer is not None and WRAPPERS.search(outer.name.lower()):
             name = outer.target or (outer.outer.target if outer.outer else "")
-        if (
-            not name
-            or group.mark == "("
-            or any(item.groups and group.mark in item.text for item in group.items)
-        ):
-            continue
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
-        values = [source.value(cell) for cell in cells]
+        cells = _upright(group) if name and group.mark != "(" else None
+        values = [source.value(cell) for cell in cells or ()]
         if len(values) >= 2 and all(value is not None for value in values):
             factor = "pi/180" if turned else _factor(code, group, source)
             if factor:
@@ -54,6 +47,20 @@ def arrays_in(source, twice=None):
             if found.setdefault(name, given) != given and twice is not None:
                 twice.add(name)
     return found
+
+
+def _upright(group):
+    """The cells of a flat array, or of a column ``[[0], [0.3]]``; None of other matrices."""
+    column = [item.groups[0].items for item in group.items if _is_row(item, group.mark)]
+    if len(column) > 1 and all(len(items) == 1 for items in column):
+        return [items[0].text for items in column] if len(column) == len(group.items) else None
+    if any(item.groups and group.mark in item.text for item in group.items):
+        return None
+    return [cell for item in group.items for cell in cells_in(item.text)]
+
+
+def _is_row(item, mark):
+    return bool(item.groups) and item.groups[0].text == item.text and item.text[0] == mark
 
 
 def _factor(code, group, source):
@@ -71,20 +78,8 @@ def read(source, nominal=None):
     """The Pasted table of arrays named after the parameters; None when d, a and alpha are not
     there.
     """
-    by_role: dict = {}
     twice: set = set()
-    for name, values in _unnumbered(arrays_in(source, twice)).items():
-        if re.search(r"delta_", name):
-            continue
-        role = source.role(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))
-        role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
-        role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
-        role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
-        role = None if "home" in name.lower() else role
-        if role and (role not in by_role or len(values) > len(by_role[role])):
-            by_role.setdefault(role, values)
-    if "a" not in by_role and "r" in by_role:
-        by_role["a"] = by_role.pop("r")
+    by_role = _by_role(source, twice)
     notes = ()
     if "alpha" not in by_role and {"d", "a"} <= set(by_role):
         name, by_role["alpha"] = _twists(source, len(by_role["a"]))
@@ -120,11 +115,55 @@ def read(source, nominal=None):
         tuple(roles),
         "as the names of the arrays say",
         labels=("",) * n,
-        kinds=_kinds(source, n),
+        kinds=_kinds(source, n, by_role.get("sigma", ())),
         signs=signs if len(signs) == n else (1,) * n,
         notes=notes,
         **_known_form(source),
     )
+
+
+def _by_role(source, twice):
+    """{role: numbers} of the arrays by their names; by the comments beside them where the names
+    would make a length of an angle.
+    """
+    found: dict = {}
+    arrays = _unnumbered(arrays_in(source, twice))
+    said = _said_beside(source, arrays)
+    for name, values in arrays.items():
+        if re.search(r"delta_", name):
+            continue
+        role = source.role(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))
+        role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
+        role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
+        role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
+        role = said.get(name, None if "home" in name.lower() else role)
+        stand = role == "theta" and _moves(values) and not _moves(found.get(role, ()))
+        if role and (role not in found or stand):  # q = [0, 0] is where the joints stand
+            found[role] = values
+    missing = [role for role in ("a", "d") if role not in found]
+    if len(missing) == 1 and "r" in found:
+        found[missing[0]] = found.pop("r")
+    return found
+
+
+def _moves(values):
+    return any(value.letters for value, _ in values)
+
+
+def _said_beside(source, arrays):
+    """{name: role} as the comments behind the arrays say, where an array named after a length holds
+    multiples of pi.
+    """
+    odd = [name for name in arrays if source.role(name) in ("a", "d")]
+    if not any(value.unit == "rad" for name in odd for value, _ in arrays[name]):
+        return {}
+    lines, said = source.text.split("\n"), {}
+    for number, comment in source.comments:
+        target = re.match(r"\s*(\w+)\s*=", lines[number - 1]) if number <= len(lines) else None
+        role = role_of(" ".join(comment.split()[:2]))[0]
+        if target and target[1] in arrays and role in ("alpha", "a", "d"):
+            said[target[1]] = role
+    return said
 
 
 def _twists(source, n):
@@ -154,13 +193,12 @@ def _unnumbered(arrays):
     return arrays
 
 
-def _kinds(source, n):
-    """ARTE's robot.kind."""
+def _kinds(source, n, sigma):
+    """ARTE's robot.kind, or sigma, which is 1 of a joint that slides."""
     found = re.search(r"kind\s*=\s*\[([^\]]*)\]", source.code)
     letters = re.findall(r"[RP]", found[1]) if found else []
-    if len(letters) == n and key("kind"):
-        return tuple(letters)
-    return ("",) * n
+    letters = letters or ["P" if value.number == 1 else "R" for value, _ in sigma]
+    return tuple(letters) if len(letters) == n else ("",) * n
 
 
 def _known_form(source):

@@ -63,12 +63,13 @@ def read(source, nominal=None):
         }
         if "alpha" not in cells and "d" not in cells and "a" not in cells:
             continue
-        rows.append((cells, _kind(cells, found)))
+        rows.append((cells, _kind(cells, found, k)))
     _require_read(unread, found)
     gaps = {
         role: [k for k, (cells, _) in enumerate(rows, first) if role not in cells]
         for role in ("d", "alpha", "a")
     }
+    gaps["d"] = [k for k in gaps["d"] if not _is_behind(k, found)]
     notes = tuple(
         f"{role} is not given for row {', '.join(map(str, missing))} and is taken for 0"
         for role, missing in gaps.items()
@@ -137,10 +138,26 @@ def _shift(found):
     return 0, None
 
 
-def _kind(cells, found):
-    """A row whose theta is a number while other rows have variables has no joint."""
+def _is_behind(k, found):
+    """Whether a row has neither d nor theta while every row before it has a d: the flange."""
+    angles = {at for role in ("theta", "offset") for at in found.get(role, ())}
+    rows = range(min(found["d"]), max(found["d"]) + 1)
+    return k > max({*angles, *found["d"]}) and len(rows) > 1 and set(rows) <= set(found["d"])
+
+
+def _kind(cells, found, k):
+    """A row whose theta is a number while other rows have variables has no joint, nor has one
+    behind the joints.
+    """
     theta = cells.get("theta")
+    angles = found.get("theta", {})
+    if _is_behind(k, found) or (set(angles) == {k} == {max(found["d"])} and _is_zero(theta)):
+        return "fixed"  # q7 is put to 0, and no other joint to anything
     variables = any(value.letters for value, _ in found.get("theta", {}).values())
-    if theta is not None and not theta.letters and variables:
+    if theta is not None and theta.is_constant and variables:
         return "fixed" if not any(value.letters for value, _ in [*found["d"].values()]) else ""
     return "R" if theta is None and variables else ""
+
+
+def _is_zero(cell):
+    return cell.is_constant and not cell.value

@@ -37,6 +37,14 @@ PROPERTY = re.compile(
     r"^[ \t]*<\S+\s+name\s*=\s*[\"'](\w+)[\"']\s+value\s*=\s*[\"']([^\"'\n]*)[\"']\s*/>",
     re.MULTILINE,
 )
+# dh["alpha"] = [0, 90], C#'s float[] a = new float[6] {0, …}, Markdown's `L1 = 0.2`
+UNDER_KEY = re.compile(
+    r"^[ \t]*\w+\[['\"]([A-Za-z]\w*)['\"]\]\s*=\s*(?=\[|[\w.]*array\()", re.MULTILINE
+)
+MADE_ROOM = re.compile(r"=\s*new\s+\w+\s*(?:\[\w*\])+\s*(?=\{)")
+CODE_SPAN = re.compile(r"(?<![`:])`([^`\n]+)`(?!`)")
+# a factor that says what it is and is defined elsewhere: 145.2 * mm2m
+TO_METRES = re.compile(r"(?<=[\d)])\s*\*\s*mm_?(?:2|to)_?m\b", re.IGNORECASE)
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
 
@@ -63,6 +71,9 @@ def restated(text):
     text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
     if len(re.findall(r"\\n\s*\|", text)) > 2:
         text = text.replace("\\n", "\n")  # a text within a program
+    text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
+    if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
+        text = TO_METRES.sub(" / 1000", text)
     text = IN_QUOTES.sub(r"([\1])", text)
     text = PROPERTY.sub(r"\1 = \2", text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)

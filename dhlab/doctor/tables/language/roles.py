@@ -9,7 +9,7 @@ __all__ = ["ROLES", "role_of", "unit_in"]
 
 ROLES = ("theta", "d", "a", "alpha")
 PREVIOUS = re.compile(
-    r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_im1\b"
+    r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_i?_?m_?1\b"
 )
 UNIT = re.compile(
     r"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in)\s*[\])]?\s*$"

@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from .brackets import cells_in
 from .comments import without_comments
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
@@ -25,7 +26,10 @@ ASSIGNED = re.compile(
     r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
 )
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
-LISTED = re.compile(r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?\[([-+.\deE,\s]+)\]")
+LISTED = re.compile(
+    r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
+    r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
+)
 # a1, a2 = 0.3, 0.25
 TOGETHER = re.compile(
     r"^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*([^=\n()\[\]{}#]+?)[ \t]*$", re.MULTILINE
@@ -177,7 +181,7 @@ def _convention(text):
 
 def _joint_value(name, said):
     """Whether this is where a joint stands, as ``theta1 = 0.3``, and nothing a table needs."""
-    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*", name.lower()):
+    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*|q\[\d+\]", name.lower()):
         return False
     return not re.search(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d", said)
 
@@ -256,7 +260,7 @@ def _assigned(text):
                 known.setdefault(key(name), said)
             break
     for name, items in LISTED.findall(text):
-        for k, item in enumerate(re.split(r"\s*,\s*|\s+", items.strip())):
+        for k, item in enumerate(cells_in(items)):
             known.setdefault(key(f"{name}[{k}]"), item.strip())
     return known
 
@@ -311,5 +315,6 @@ def _shorter(value):
     measure = re.match(r"-?\d+\.?\d*\s*(?:mm|cm|m)\b", value.strip())
     if measure:
         yield measure[0]
+    yield value.partition("≈")[0]
     yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
     yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]
