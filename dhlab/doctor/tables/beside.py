@@ -3,13 +3,25 @@ left out in silence.
 """
 
 import re
+from dataclasses import replace
 from itertools import pairwise
 
-from .cells import Cell, read_cell
+from .cells import Cell, cell_of, read_cell
+from .joints import FLANGE
+from .language.branches import added_in_branches
 
-__all__ = ["DASH", "explained", "require_no_fifth", "slid", "with_theta"]
+__all__ = [
+    "DASH",
+    "explained",
+    "labelled",
+    "require_no_fifth",
+    "slid",
+    "with_branches",
+    "with_theta",
+]
 
 DASH = Cell(0.0, text="-")
+JOINT = re.compile(r"joint|axis|gelenk|achse|articula|junta|\b[jq]_?\d")
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -113,6 +125,49 @@ def with_theta(table_rows, roles):
         return table_rows, roles, ()
     note = "no column theta: each row is taken for a joint that turns, with its zero at theta = 0"
     return tuple((*row, Cell(0.0)) for row in table_rows), (*roles, "theta"), (note,)
+
+
+def with_branches(table, source):
+    """The table with what the program adds to theta at single joints, in an ``if``.
+
+    Raises
+    ------
+    ValueError
+        It is not said which row that is.
+    """
+    notes, rows, roles = [], list(table.rows), table.roles
+    for k, text in added_in_branches(source.code).items():
+        value = source.value(text)
+        if k is None or not 0 <= k < len(rows) or value is None or roles is None:
+            raise ValueError(
+                f"recognise_table: the program adds {text} to theta in an if; in which row is it?"
+                " Write it into the row, as theta - 90"
+            )
+        if "offset" not in roles:
+            roles, rows = (*roles, "offset"), [(*row, Cell(0.0)) for row in rows]
+        at = roles.index("offset")
+        if rows[k][at].value:
+            raise ValueError(
+                f"recognise_table: row {k + 1} has an offset, and the program adds {text} to theta"
+                " in an if; do both count? Leave one of them out, or add them up"
+            )
+        rows[k] = (*rows[k][:at], cell_of(value, text), *rows[k][at + 1 :])
+        notes.append(f"{text} is added to theta of row {k + 1}, as the program does in its if")
+    return replace(table, rows=tuple(rows), roles=roles, notes=(*table.notes, *notes))
+
+
+def labelled(table, grid, source):
+    """The table with its last row fixed where the comments behind the rows call all but this one
+    joints, and this one the tool.
+    """
+    said = dict(source.comments)
+    words = [said.get(int(where.split()[1]), "").lower() for where, _ in grid if "line" in where]
+    still = all(cell.is_constant for row in table.rows for cell in row)
+    if len(words) < 2 or any(table.kinds) or not still or JOINT.search(words[-1]):
+        return table
+    if not all(JOINT.search(word) for word in words[:-1]) or not FLANGE.search(words[-1]):
+        return table
+    return replace(table, kinds=(*table.kinds[:-1], "fixed"))
 
 
 def require_no_fifth(names, cells, where):

@@ -4,7 +4,7 @@ stand for nothing are asked about.
 
 import re
 
-__all__ = ["fixed_rows", "joints_of"]
+__all__ = ["FLANGE", "fixed_rows", "joints_of"]
 
 FLANGE = re.compile(r"flange|tool|hand|\bee\b|end|tcp|gripper|->\s*(ee|g|n)\b")
 MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
@@ -29,9 +29,11 @@ def joints_of(table, columns, fixed):
         slides = said == "P" or (
             not said
             and theta.is_constant
-            and not d.is_constant
-            and d.variable in MOVES["d"]
-            and (turning or d.variable == "q" or "*" in d.text)
+            and (
+                _named_alone(columns, i)
+                if d.is_constant
+                else d.variable in MOVES["d"] and (turning or d.variable == "q" or "*" in d.text)
+            )
         )
         letter = "" if i in fixed else "P" if slides else "R"
         cell = d if letter == "P" else theta
@@ -45,6 +47,18 @@ def joints_of(table, columns, fixed):
     if unknown:
         raise ValueError(_ask(unknown))
     return letters, signs
+
+
+def _named_alone(columns, i):
+    """Whether the d of a row is the one length of the table that has a name and no number, beside
+    angles that are variables: it may be where a sliding joint stands, or a constant.
+    """
+    others = [
+        cell for role in ("d", "a") for k, cell in enumerate(columns[role]) if (role, k) != ("d", i)
+    ]
+    turning = any(not cell.is_constant for cell in columns["theta"])
+    named = re.fullmatch(r"d_?\d+", columns["d"][i].text.strip())
+    return bool(named and turning) and not any(re.search(r"[A-Za-z]", one.text) for one in others)
 
 
 def _by_number(columns, i):
@@ -102,7 +116,9 @@ def fixed_rows(table, columns, right):
         return [()]
     if any(moves):
         still = tuple(i for i in range(n) if not moves[i])
-        inner = [i for i in still if any(moves[:i]) and any(moves[i + 1 :])]
+        inner = [
+            i for i in still if (any(moves[:i]) and any(moves[i + 1 :])) or _named_alone(columns, i)
+        ]
         return [still, tuple(i for i in still if i not in inner)] if inner else [still]
     if labels[0] in ("base", "0 (base)"):
         return [(0,)]

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .beside import with_branches
 from .dialects import (
     arrays,
     calls,
@@ -95,7 +96,9 @@ def _read(source, nominal, length):
         elif read in (keyed.read, numbered.read) and found is not None:
             found = _drawn(source, len(found.rows)) or found
         if found is not None:
-            return _with_words(found, source) if isinstance(found, Pasted) else found
+            if not isinstance(found, Pasted):
+                return found
+            return with_branches(_with_words(found, source), source)
     raise AssertionError  # the last reader answers or raises
 
 

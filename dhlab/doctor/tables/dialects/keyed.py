@@ -43,6 +43,8 @@ def read(source, nominal=None):
     indices = [one.pop("index", "") for one in rows]
     if len(set(indices)) < len(indices) and any(indices):
         return None
+    if all(indices) and "d" not in rows[0] and "alpha" not in rows[-1]:
+        return None  # the lines are no rows: alpha0, a0 belong to d1 on the next
     if all("r" in one and "a" not in one for one in rows):
         rows = [
             {("a" if role == "r" else role): cell for role, cell in one.items()} for one in rows

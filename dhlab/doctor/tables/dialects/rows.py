@@ -5,6 +5,7 @@ dictionaries, a stream of numbers.
 import re
 from dataclasses import replace
 
+from ..beside import labelled
 from ..cells import cell_of
 from ..columns import IMPLIED
 from ..language.brackets import cells_in, groups
@@ -79,7 +80,7 @@ def _numbers(source):
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
     table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
-    table = _with_types(table, source)
+    table = labelled(_with_types(table, source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
