@@ -56,7 +56,7 @@ def read(source, nominal=None):
         named[group.target] = row
         forms.append(known[1])
         conventions.add(said or known[2])
-    if not rows or (len(rows) == 1 and not rows[0].cells):
+    if not rows or (len(rows) == 1 and (not rows[0].cells or _is_of_a_loop(rows[0]))):
         return None
     _changed_later(named, rows, source, conventions)
     conventions.discard("")
@@ -80,6 +80,12 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _is_of_a_loop(row):
+    """Whether one call makes all links, of the numbers of each row: ``Link(d=row[0], a=row[1])``."""
+    letters = [letter for cell in row.cells.values() for letter, _ in cell.letters]
+    return len(letters) > 2 and len({letter.partition("[")[0] for letter in letters}) == 1
 
 
 def _contradicted(rows):

@@ -34,9 +34,12 @@ MAKERS = {
     "dq_kinematics": ("theta d a alpha", None, "DQ Robotics"),
     "dq_serialmanipulatordh": ("theta d a alpha", "standard", "DQ Robotics"),
     "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
+    "revolutemdh": ("", "craig", "the Robotics Toolbox"),
+    "revolutedh": ("", "standard", "the Robotics Toolbox"),
     "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
 }
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
+WIDE, WIDEST = 8, 24  # columns; beyond WIDE only where the text names the first four
 LAST_ROW = ["0", "0", "0", "1"]
 NAMED = (
     (r"[\"']mdh[\"']|modified", "craig"),
@@ -52,7 +55,9 @@ def read(source, nominal=None):
 def _numbers(source):
     found = groups(source.code)
     matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
-    matrices = [(group, rows) for group, rows in matrices if len(rows[0][1]) > 3] or matrices
+    most = WIDEST if order_in(source) else WIDE
+    matrices = [one for one in matrices if len(one[1][0][1]) <= most]
+    matrices = [one for one in matrices if len(one[1][0][1]) > 3] or matrices
     _require_one(matrices)
     upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
     if matrices and len(matrices[0][1][0][1]) == 3 and not upright:
@@ -74,12 +79,15 @@ def _numbers(source):
             for k, column in enumerate(zip(*(row for _, row in grid[:4])), 1)
         ]
         width = 4
-    fits = order if order and width in (4,) else None
+    fits, left = order if order and width in (4,) else None, ()
     if order and width > 6:  # limits and the like stand behind
-        grid, fits = [(where, row[:4]) for where, row in grid], order
+        fits = _with_sigma(order, source)
+        grid = [(where, row[: len(fits)]) for where, row in grid]
+        left = (f"the columns behind {fits[-1]} were left out",)
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
-    table = _with_beside(from_grid(grid, source, fits, why, units, form), source)
+    table = from_grid(grid, source, fits, why, units, form)
+    table = _with_beside(replace(table, notes=(*table.notes, *left)), source)
     table = labelled(_with_types(table, source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
@@ -157,7 +165,7 @@ def _with_more(order, rows, source):
     words = {str(row[4]).strip("'\" ").upper() for row in rows}
     if words <= {"R", "P", "REVOLUTE", "PRISMATIC"}:
         more = ("type", "offset")
-    elif any(_value(row[4], source) not in (Value(0.0), Value(1.0)) for row in rows):
+    elif any(source.value(row[4]) not in (Value(0.0), Value(1.0)) for row in rows):
         more = ("offset", "sigma")
     if any(re.search(r"al(?:ph|f)a\W+(?:theta_?)?offset", text) for _, text in source.comments):
         more = ("offset", "sigma")
@@ -170,6 +178,13 @@ def _with_more(order, rows, source):
     return (*order, *more[: width - 4])
 
 
+def _with_sigma(order, source):
+    """The order with sigma behind it, where a comment names it there: the old toolbox's dynamics."""
+    after = r"\s+".join(rf"{role[:2]}\w*" for role in order) + r"\s+sigma\b"
+    found = any(re.search(after, text, re.IGNORECASE) for _, text in source.comments)
+    return (*order, "sigma") if found else order
+
+
 def _made_by(source):
     """(order, convention, form) of a maker whose name stands in the text."""
     low = source.text.lower()
@@ -177,7 +192,7 @@ def _made_by(source):
         if re.search(rf"(?<![a-z_]){name}(?![a-z])", low):
             said = [kind for words, kind in NAMED if re.search(words, low)]
             said += ["standard"] if name == "seriallink" else []  # its default
-            return tuple(order.split()), convention or (said[0] if said else None), form
+            return tuple(order.split()) or None, convention or (said[0] if said else None), form
     return None, None, ""
 
 
@@ -208,7 +223,7 @@ def _matrix(group):
             )
             for row in [*rows, *([line] if line else [])]
         ]
-    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= 8:
+    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= WIDEST:
         return []
     if len(rows) == 1 and (
         (group.outer is not None and group.outer.mark != "(" and len(group.outer.items) > 1)
@@ -271,7 +286,9 @@ def _with_types(table, source):
 
 
 def _is_read(rows, source):
-    return all(_value(cell, source) is not None for _, row in rows for cell in _inner(row))
+    """Whether all cells are numbers, but for names in quotation marks."""
+    cells = (cell for _, row in rows for cell in row if str(cell)[:1] not in "'\"")
+    return all(source.value(cell) is not None for cell in cells)
 
 
 def _is_table(rows, source):
@@ -285,13 +302,3 @@ def _is_table(rows, source):
 
 def _size(grid):
     return sum(len(cells) for _, cells in grid or ())
-
-
-def _inner(row):
-    """The cells of a row that must be numbers: not its name, first or last."""
-    quoted = [cell for cell in row if str(cell)[:1] not in "'\""]
-    return quoted
-
-
-def _value(cell, source):
-    return source.value(cell)

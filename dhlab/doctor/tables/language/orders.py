@@ -51,8 +51,10 @@ def order_in(source):
     picked = {}
     for name, index in UNPACKED.findall(source.code):
         role = role_of(name)[0]
-        if role in (*ROLES, "r"):
+        if role in (*ROLES, "r", "offset"):
             picked.setdefault(int(index), role)
+    if "theta" not in picked.values():
+        picked = {k: "theta" if role == "offset" else role for k, role in picked.items()}
     if len(picked) >= 4 and len(set(list(picked.values())[:4])) == 4:
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
