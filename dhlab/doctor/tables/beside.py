@@ -8,17 +8,9 @@ from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
 from .joints import FLANGE
-from .language.branches import added_in_branches
+from .language.branches import added_at_joints
 
-__all__ = [
-    "DASH",
-    "explained",
-    "labelled",
-    "require_no_fifth",
-    "slid",
-    "with_branches",
-    "with_theta",
-]
+__all__ = ["DASH", "explained", "labelled", "require_no_fifth", "slid", "with_added", "with_theta"]
 
 DASH = Cell(0.0, text="-")
 JOINT = re.compile(r"joint|axis|gelenk|achse|articula|junta|\b[jq]_?\d")
@@ -127,8 +119,8 @@ def with_theta(table_rows, roles):
     return tuple((*row, Cell(0.0)) for row in table_rows), (*roles, "theta"), (note,)
 
 
-def with_branches(table, source):
-    """The table with what the program adds to theta at single joints, in an ``if``.
+def with_added(table, source):
+    """The table with what the program adds to theta at single joints.
 
     Raises
     ------
@@ -136,23 +128,24 @@ def with_branches(table, source):
         It is not said which row that is.
     """
     notes, rows, roles = [], list(table.rows), table.roles
-    for k, text in added_in_branches(source.code).items():
+    by_name = table.why == "as the names of the arrays say"
+    for k, text in added_at_joints(source.code, by_name).items():
         value = source.value(text)
         if k is None or not 0 <= k < len(rows) or value is None or roles is None:
             raise ValueError(
-                f"recognise_table: the program adds {text} to theta in an if; in which row is it?"
-                " Write it into the row, as theta - 90"
+                f"recognise_table: the program adds {text} to theta at one joint; in which row is"
+                " it? Write it into the row, as theta - 90"
             )
         if "offset" not in roles:
             roles, rows = (*roles, "offset"), [(*row, Cell(0.0)) for row in rows]
         at = roles.index("offset")
         if rows[k][at].value:
             raise ValueError(
-                f"recognise_table: row {k + 1} has an offset, and the program adds {text} to theta"
-                " in an if; do both count? Leave one of them out, or add them up"
+                f"recognise_table: row {k + 1} has an offset, and the program adds {text} to"
+                " theta; do both count? Leave one of them out, or add them up"
             )
         rows[k] = (*rows[k][:at], cell_of(value, text), *rows[k][at + 1 :])
-        notes.append(f"{text} is added to theta of row {k + 1}, as the program does in its if")
+        notes.append(f"{text} is added to theta of row {k + 1}, as the program does")
     return replace(table, rows=tuple(rows), roles=roles, notes=(*table.notes, *notes))
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .beside import with_branches
+from .beside import with_added
 from .dialects import (
     arrays,
     calls,
@@ -98,7 +98,7 @@ def _read(source, nominal, length):
         if found is not None:
             if not isinstance(found, Pasted):
                 return found
-            return with_branches(_with_words(found, source), source)
+            return with_added(_with_words(found, source), source)
     raise AssertionError  # the last reader answers or raises
 
 

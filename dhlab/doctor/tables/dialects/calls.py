@@ -83,7 +83,7 @@ def read(source, nominal=None):
 
 
 def _is_of_a_loop(row):
-    """Whether one call makes all links, of the numbers of each row: ``Link(d=row[0], a=row[1])``."""
+    """Whether one call makes all links, of each row's numbers: ``Link(d=row[0], a=row[1])``."""
     letters = [letter for cell in row.cells.values() for letter, _ in cell.letters]
     return len(letters) > 2 and len({letter.partition("[")[0] for letter in letters}) == 1
 

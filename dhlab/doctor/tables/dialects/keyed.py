@@ -43,6 +43,8 @@ def read(source, nominal=None):
     indices = [one.pop("index", "") for one in rows]
     if len(set(indices)) < len(indices) and any(indices):
         return None
+    if all(indices) and any(len({match[2] for match in _roles(line)}) > 1 for line, _ in lines):
+        return None  # d1 beside a0
     if all(indices) and "d" not in rows[0] and "alpha" not in rows[-1]:
         return None  # the lines are no rows: alpha0, a0 belong to d1 on the next
     if all("r" in one and "a" not in one for one in rows):
@@ -55,6 +57,12 @@ def read(source, nominal=None):
     return from_rows(
         [Row(one, kind) for one, kind in zip(rows, kinds)], why="as the names beside them say"
     )
+
+
+def _roles(line):
+    """The named numbers of a line whose names are parameters'."""
+    found = [match for match in PAIR.finditer(line) if role_of(match[1])[0] in NAMES]
+    return found if len({role_of(match[1])[0] for match in found}) > 1 else []
 
 
 def _pairs(line, source):

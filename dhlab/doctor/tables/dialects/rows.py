@@ -2,6 +2,7 @@
 dictionaries, a stream of numbers.
 """
 
+import itertools
 import re
 from dataclasses import replace
 
@@ -10,6 +11,7 @@ from ..cells import cell_of
 from ..columns import IMPLIED
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
+from ..language.makers import made_by
 from ..language.orders import order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
@@ -19,32 +21,9 @@ from .keyed import in_groups
 
 __all__ = ["read"]
 
-# function or class: (order, convention, what its own words are for the convention, form)
-MAKERS = {
-    "setfixedtransform": (
-        "a alpha d theta",
-        None,
-        "setFixedTransform of the Robotics System Toolbox",
-    ),
-    "pybotics": ("alpha a theta d", "craig", "pybotics"),
-    "mdhkinematicchain": ("alpha a theta d", "craig", "pybotics"),
-    "robotserial": ("d a alpha theta", None, "visual_kinematics"),
-    "nlinkarm": ("theta alpha a d", "standard", "PythonRobotics"),
-    "robotdef": ("alpha a d theta", None, "SymPyBotics"),
-    "dq_kinematics": ("theta d a alpha", None, "DQ Robotics"),
-    "dq_serialmanipulatordh": ("theta d a alpha", "standard", "DQ Robotics"),
-    "dq_serialmanipulatormdh": ("theta d a alpha", "craig", "DQ Robotics"),
-    "revolutemdh": ("", "craig", "the Robotics Toolbox"),
-    "revolutedh": ("", "standard", "the Robotics Toolbox"),
-    "seriallink": ("theta d a alpha", None, "SerialLink of the Robotics Toolbox"),
-}
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 WIDE, WIDEST = 8, 24  # columns; beyond WIDE only where the text names the first four
 LAST_ROW = ["0", "0", "0", "1"]
-NAMED = (
-    (r"[\"']mdh[\"']|modified", "craig"),
-    (r"[\"']dh[\"']|[\"'](normal|standard)[\"']", "standard"),
-)
 
 
 def read(source, nominal=None):
@@ -66,7 +45,7 @@ def _numbers(source):
     grid = max((grid for grid in grids if _is_read(grid, source)), key=_size, default=None)
     if not grid or _size(grid) < 4:
         return None
-    order, convention, form = _made_by(source)
+    order, convention, form = made_by(source)
     why, units = f"as {form} has them" if form else "", {}
     if order is None:
         found = order_in(source)
@@ -81,7 +60,7 @@ def _numbers(source):
         width = 4
     fits, left = order if order and width in (4,) else None, ()
     if order and width > 6:  # limits and the like stand behind
-        fits = _with_sigma(order, source)
+        fits = _with_named(order, source)
         grid = [(where, row[: len(fits)]) for where, row in grid]
         left = (f"the columns behind {fits[-1]} were left out",)
     elif order and width > 4:
@@ -178,22 +157,15 @@ def _with_more(order, rows, source):
     return (*order, *more[: width - 4])
 
 
-def _with_sigma(order, source):
-    """The order with sigma behind it, where a comment names it there: the old toolbox's dynamics."""
-    after = r"\s+".join(rf"{role[:2]}\w*" for role in order) + r"\s+sigma\b"
-    found = any(re.search(after, text, re.IGNORECASE) for _, text in source.comments)
-    return (*order, "sigma") if found else order
-
-
-def _made_by(source):
-    """(order, convention, form) of a maker whose name stands in the text."""
-    low = source.text.lower()
-    for name, (order, convention, form) in MAKERS.items():
-        if re.search(rf"(?<![a-z_]){name}(?![a-z])", low):
-            said = [kind for words, kind in NAMED if re.search(words, low)]
-            said += ["standard"] if name == "seriallink" else []  # its default
-            return tuple(order.split()) or None, convention or (said[0] if said else None), form
-    return None, None, ""
+def _with_named(order, source):
+    """The order with sigma and offset behind it, where a comment names them there."""
+    for _, text in source.comments:
+        roles = [role_of(word)[0] for word in re.findall(r"[A-Za-z]\w*", text)]
+        for at in range(len(roles) - 4):
+            if tuple(roles[at : at + 4]) == tuple(order):
+                more = itertools.takewhile(("sigma", "offset").__contains__, roles[at + 4 :])
+                return (*order, *more)
+    return order
 
 
 def _matrix(group):

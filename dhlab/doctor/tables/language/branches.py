@@ -1,29 +1,42 @@
-"""What a program adds to theta at one joint only: ``if joint == 1: theta = theta - pi/2``."""
+"""What a program adds to theta at single joints: ``if joint == 1: theta = theta - pi/2``, or
+``dh(q[1] - pi/2, d[1], a[1], alpha[1])`` beside the arrays.
+"""
 
 import re
 
-__all__ = ["added_in_branches"]
+__all__ = ["added_at_joints"]
 
+CONDITION = r"\bif\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
-    r"^[ \t]*(?:el(?:se )?)?if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?[ \t]*[:{]?[ \t]*\n?([^\n]*)",
-    re.MULTILINE,
+    rf"^[ \t]*(?:el(?:se )?)?{CONDITION}[ \t]*[:{{]?[ \t]*\n?([^\n]*)", re.MULTILINE
 )
 ANGLE = r"\b(?:theta|th|q)\w*(?:\[\w+\]|\(\w+\))?"
+CONSTANT = r"([-+])\s*([\w./*]+)"
 ADDED = (
-    re.compile(rf"[(,]\s*{ANGLE}\s*([-+])\s*([\w./*]+)\s*[,)]"),  # dh(theta - pi/2, d, a, alpha)
-    re.compile(rf"^\s*{ANGLE}\s*([-+])=\s*([\w./*]+)\s*;?\s*$"),
-    re.compile(rf"^\s*{ANGLE}\s*=\s*{ANGLE}\s*([-+])\s*([\w./*]+)\s*;?\s*$"),
+    re.compile(rf"[(,]\s*{ANGLE}\s*{CONSTANT}\s*[,)]"),  # dh(theta - pi/2, d, a, alpha)
+    re.compile(rf"^\s*{ANGLE}\s*([-+])=\s*([\w./*]+)\s*;?\s*}}?\s*$"),
+    re.compile(rf"^\s*{ANGLE}\s*=\s*{ANGLE}\s*{CONSTANT}\s*;?\s*}}?\s*$"),
 )
+# q[i] - pi/2 if i == 1 else q[i]
+CHOSEN = re.compile(rf"{ANGLE}\s*{CONSTANT}\s+{CONDITION}\s+else\b")
+# dh(a[1], alpha[1], d[1], q[1] - pi/2)
+INDEXED = re.compile(r"[(,]\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]\s*([-+])\s*([\w./*]+)\s*(?=[,)])")
 FROM_ZERO = r"\bfor\s+{0}\b(?:\s*,\s*\w+)?\s+in\s+(?:range|enumerate)\s*\([^,\n]*:"
 STARTS = r"\b{0}\s*=\s*(\d+)(?![\d.])"
 
 
-def added_in_branches(code):
+def added_at_joints(code, indexed=False):
     r"""{row, counted from 0, or None where its count is not told: what is added}.
+
+    Parameters
+    ----------
+    code : str
+    indexed : bool
+        Whether calls with indices say it, too: the rows were not read from them.
 
     Examples
     --------
-    >>> added_in_branches("for i in range(6):\n  if i == 1:\n    theta -= pi/2\n")
+    >>> added_at_joints("for i in range(6):\n  if i == 1:\n    theta -= pi/2\n")
     {1: '-pi/2'}
     """
     found: dict = {}
@@ -31,14 +44,18 @@ def added_in_branches(code):
         body = match[3]
         added = next((one for pattern in ADDED if (one := pattern.search(body))), None)
         if added and (added.re is not ADDED[0] or body.count(",") >= 3):
-            first = _first(match[1], code)
-            found[None if first is None else int(match[2]) - first] = added[1] + added[2]
+            found[_row(match[1], match[2], code)] = added[1] + added[2]
+    for match in CHOSEN.finditer(code):
+        found[_row(match[3], match[4], code)] = match[1] + match[2]
+    for line in code.split("\n") if indexed else ():
+        for match in INDEXED.finditer(line) if line.count(",") >= 3 else ():
+            found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
     return found
 
 
-def _first(name, code):
-    """From which number a name counts; None where the text does not say."""
+def _row(name, number, code):
+    """The row that ``name == number`` means; None where the text does not say how it counts."""
     if re.search(FROM_ZERO.format(name), code):
-        return 0
+        return int(number)
     start = re.search(STARTS.format(name), code)
-    return int(start[1]) if start else None
+    return int(number) - int(start[1]) if start else None
