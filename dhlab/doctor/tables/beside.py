@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
 from .joints import FLANGE
-from .language.branches import added_at_joints
+from .language.branches import added_at_joints, turned_at_joints
 
 __all__ = ["DASH", "explained", "labelled", "require_no_fifth", "slid", "with_added", "with_theta"]
 
@@ -146,7 +146,13 @@ def with_added(table, source):
             )
         rows[k] = (*rows[k][:at], cell_of(value, text), *rows[k][at + 1 :])
         notes.append(f"{text} is added to theta of row {k + 1}, as the program does")
-    return replace(table, rows=tuple(rows), roles=roles, notes=(*table.notes, *notes))
+    signs = list(table.signs) or [1] * len(rows)
+    for k in turned_at_joints(source.code) if by_name else ():
+        if k < len(signs):
+            signs[k] = -1
+            notes.append(f"joint {k + 1} counts against its axis, as the program has it")
+    table = replace(table, signs=tuple(signs), notes=(*table.notes, *notes))
+    return replace(table, rows=tuple(rows), roles=roles)
 
 
 def labelled(table, grid, source):

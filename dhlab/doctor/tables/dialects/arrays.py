@@ -13,13 +13,14 @@ WRAPPERS = re.compile(
     r"(?:array|matrix|asarray|list|tuple|vector|radians|deg2rad|rad|tensor|svector|deg)$"
 )
 STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
+ADDED = re.compile(r"\b(?:theta|th|q)\w*[\[(]\w+[\])]\s*([-+])\s*THIS\[")  # q[i] + zeros[i]
 AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$)")
 BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
 
-def arrays_in(source, twice=None):
+def arrays_in(source, twice=None, unread=None):
     """{name: list of Values} of every flat array whose items are expressions; ``twice`` gets the
-    names that are given again with other numbers.
+    names that are given again with other numbers, ``unread`` those with a cell that is no number.
     """
     code = re.sub(
         r"([\w'\"]+)\s*:\s*((?:\n\s*-\s*[^\n:\[]+)+)",
@@ -36,6 +37,8 @@ def arrays_in(source, twice=None):
             name = outer.target or (outer.outer.target if outer.outer else "")
         cells = _upright(group) if name and group.mark != "(" else None
         values = [source.value(cell) for cell in cells or ()]
+        if unread is not None and None in values:
+            unread[name] = cells[values.index(None)]
         if len(values) >= 2 and all(value is not None for value in values):
             factor = "pi/180" if turned else _factor(code, group, source)
             if factor:
@@ -54,7 +57,8 @@ def _upright(group):
     column = [item.groups[0].items for item in group.items if _is_row(item, group.mark)]
     if len(column) > 1 and all(len(items) == 1 for items in column):
         return [items[0].text for items in column] if len(column) == len(group.items) else None
-    if any(item.groups and group.mark in item.text for item in group.items):
+    inner = re.compile(rf"(?<![\w\])]){re.escape(group.mark)}")  # no index, as in q[1]
+    if any(item.groups and inner.search(item.text) for item in group.items):
         return None
     return [cell for item in group.items for cell in cells_in(item.text)]
 
@@ -127,7 +131,8 @@ def _by_role(source, twice):
     would make a length of an angle.
     """
     found: dict = {}
-    arrays = _unnumbered(arrays_in(source, twice))
+    unread: dict = {}
+    arrays = _unnumbered(arrays_in(source, twice, unread))
     said = _said_beside(source, arrays)
     for name, values in arrays.items():
         if re.search(r"delta_", name):
@@ -136,14 +141,29 @@ def _by_role(source, twice):
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
+        added = ADDED.search(re.sub(rf"\b{re.escape(name)}[\[(]", "THIS[", source.code))
+        role = "offset" if role is None and added else role
+        if role == "offset" and added and added[1] == "-":
+            values = [(value.times(-1.0), f"-({text})") for value, text in values]
         role = said.get(name, None if "home" in name.lower() else role)
         stand = role == "theta" and _moves(values) and not _moves(found.get(role, ()))
         if role and (role not in found or stand):  # q = [0, 0] is where the joints stand
             found[role] = values
+    _require_zeros(unread, found)
     missing = [role for role in ("a", "d") if role not in found]
     if len(missing) == 1 and "r" in found:
         found[missing[0]] = found.pop("r")
     return found
+
+
+def _require_zeros(unread, found):
+    """Zeros that are given and cannot be read must not be taken for none."""
+    for name, cell in unread.items():
+        if role_of(name)[0] == "offset" and "offset" not in found:
+            raise ValueError(
+                f"recognise_table: {name}: expected numbers, found {cell[:40]!r}; write the number,"
+                " or what its letters are"
+            )
 
 
 def _moves(values):

@@ -28,6 +28,8 @@ CLASSES = (
 OLD_LINK = "alpha a theta d sigma offset"
 FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
+# DH(i,:), DH(i,2), dh[i][2]: one call makes all links
+OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
 LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\s*([^;\n=]+)")
 
 
@@ -43,7 +45,7 @@ def read(source, nominal=None):
     for group in groups(source.code):
         name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
-        if known is None or group.mark != "(" or _is_inner(group):
+        if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
         if own.get(name):  # a class of the text's own: its order is the one that it defines
             known = (*known[:3], " ".join(str(role) for role in own[name]))

@@ -4,7 +4,7 @@
 
 import re
 
-__all__ = ["added_at_joints"]
+__all__ = ["added_at_joints", "turned_at_joints"]
 
 CONDITION = r"\bif\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
@@ -21,6 +21,12 @@ ADDED = (
 CHOSEN = re.compile(rf"{ANGLE}\s*{CONSTANT}\s+{CONDITION}\s+else\b")
 # dh(a[1], alpha[1], d[1], q[1] - pi/2)
 INDEXED = re.compile(r"[(,]\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]\s*([-+])\s*([\w./*]+)\s*(?=[,)])")
+# if elbow == 1 names no joint
+NO_ROW = re.compile(
+    r"\bif\s*\(?\s*(?!(?:[ijkn]|\w*(?:joint|link|idx|index|count)\w*)\b)\w+\s*==\s*\d+"
+)
+# dh(a[1], alpha[1], d[1], -q[1])
+TURNED = re.compile(r"[(,]\s*-\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]")
 FROM_ZERO = r"\bfor\s+{0}\b(?:\s*,\s*\w+)?\s+in\s+(?:range|enumerate)\s*\([^,\n]*:"
 STARTS = r"\b{0}\s*=\s*(\d+)(?![\d.])"
 
@@ -40,6 +46,7 @@ def added_at_joints(code, indexed=False):
     {1: '-pi/2'}
     """
     found: dict = {}
+    code = NO_ROW.sub("", code)
     for match in BRANCH.finditer(code):
         body = match[3]
         added = next((one for pattern in ADDED if (one := pattern.search(body))), None)
@@ -51,6 +58,19 @@ def added_at_joints(code, indexed=False):
         for match in INDEXED.finditer(line) if line.count(",") >= 3 else ():
             found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
     return found
+
+
+def turned_at_joints(code):
+    """The rows, counted from 0, whose joint a call takes with a minus.
+
+    Examples
+    --------
+    >>> turned_at_joints("T = dh(a[1], alpha[1], d[1], -q[1])")
+    [1]
+    """
+    lines = [line for line in code.split("\n") if line.count(",") >= 3]
+    found = (match for line in lines for match in TURNED.finditer(line))
+    return [int(match[2]) - (match[1] == "(") for match in found]
 
 
 def _row(name, number, code):

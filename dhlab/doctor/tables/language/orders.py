@@ -20,7 +20,9 @@ PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
-UNPACKED = re.compile(r"(\w+)\s*=\s*[\w.]+[\[(](?:[\w:]+\s*,\s*)?(\d)[\])]")
+UNPACKED = re.compile(
+    r"(\w+)(?:\s*=|['\"]\s*,)\s*[\w.]+[\[(](?:[\w:]+\s*(?:,|\]\s*\[)\s*)?(\d)[\])]"
+)
 NAMED_MOVE = r"\b(?:rot|rotation|trans|transl|translation|r|t)_?[xz]\b"
 BARE = re.compile(  # Rz * Tz * Tx * Rx
     rf"{NAMED_MOVE}(?:\s*(?:[*@.]|\bdot\b|[()])+\s*{NAMED_MOVE}){{3}}", re.IGNORECASE
