@@ -5,7 +5,7 @@
 import re
 
 from ..cells import cell_of
-from ..language.source import DEFINED
+from ..language.assigned import DEFINED
 from ..pasted import Row, from_rows
 
 __all__ = ["read"]

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from .brackets import cells_in
+from .assigned import assigned_in, from_zero, is_joint_value
 from .comments import without_comments
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
@@ -15,25 +15,11 @@ from .matrices import link_matrix_in
 from .restated import restated
 from .roles import role_of
 
-__all__ = ["DEFINED", "Source", "source_of"]
+__all__ = ["Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
 RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
 DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
-DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
-ASSIGNED = re.compile(
-    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
-    r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
-)
-# numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
-LISTED = re.compile(
-    r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
-    r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
-)
-# a1, a2 = 0.3, 0.25
-TOGETHER = re.compile(
-    r"^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*([^=\n()\[\]{}#]+?)[ \t]*$", re.MULTILINE
-)
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
@@ -147,11 +133,11 @@ def source_of(text, values=None):
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     code = re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)
-    code = _from_zero(_two_families(code))
-    known = _assigned(code)
+    code = from_zero(_two_families(code))
+    known = assigned_in(code)
     _require_apart(code)
     for _, comment in comments:
-        for name, value in _assigned(comment).items():
+        for name, value in assigned_in(comment).items():
             known.setdefault(name, value)
     given = {key(str(name)): float(value) for name, value in (values or {}).items()}
     return Source(
@@ -159,7 +145,7 @@ def source_of(text, values=None):
         code,
         known,
         comments,
-        {**{name: said for name, said in known.items() if not _joint_value(name, said)}, **given},
+        {**{name: said for name, said in known.items() if not is_joint_value(name, said)}, **given},
         _convention(text),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),
@@ -177,13 +163,6 @@ def _convention(text):
     """What a line ``convention: …`` says, else what words in the text do."""
     said = [_only(value, WORDS_FOR) for value in CONVENTION.findall(text)]
     return said[0] if len(said) == 1 and said[0] else _only(text, WORDS_FOR)
-
-
-def _joint_value(name, said):
-    """Whether this is where a joint stands, as ``theta1 = 0.3``, and nothing a table needs."""
-    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*|q\[\d+\]", name.lower()):
-        return False
-    return not re.search(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d", said)
 
 
 def _only(text, words):
@@ -238,33 +217,6 @@ def _joined_heading(text):
     return text[: drawn.start(1)] + f"| {' | '.join(cells)} |\n" + text[drawn.end(1) :]
 
 
-def _assigned(text):
-    """What each name of a text is said to be."""
-    known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
-    for names, values in TOGETHER.findall(text):
-        parts = [part.strip() for part in values.split(",")]
-        for name, said in zip(names.split(","), parts):
-            if len(parts) == names.count(",") + 1:
-                known.setdefault(key(name.strip()), said)
-    for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
-        value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
-        for said in (value, *_shorter(value)):
-            said = said.strip().rstrip(".)")
-            if said.count("(") > said.count(")"):
-                said += ")"
-            try:
-                evaluate(said, dict(known))
-            except NoExpression:
-                continue
-            if not re.search(rf"\b{re.escape(name)}\b", said):
-                known.setdefault(key(name), said)
-            break
-    for name, items in LISTED.findall(text):
-        for k, item in enumerate(cells_in(items)):
-            known.setdefault(key(f"{name}[{k}]"), item.strip())
-    return known
-
-
 def _require_apart(code):
     """``a1`` and ``a_1`` are one name here; a text that gives them two values would be misread."""
     values: dict = {}
@@ -299,22 +251,3 @@ def _two_families(code):
         if len(both) > 1:
             code = re.sub(rf"\b{family}_(?=\d\b)", f"{family}under", code)
     return code
-
-
-def _from_zero(code):
-    """MATLAB counts the items of a list from 1: ``l(1)`` of a list l is ``l[0]``."""
-    for name, _ in LISTED.findall(code):
-        code = re.sub(
-            rf"\b{name}\((\d{{1,2}})\)", lambda m, name=name: f"{name}[{int(m[1]) - 1}]", code
-        )
-    return code
-
-
-def _shorter(value):
-    """A value before the words that follow it."""
-    measure = re.match(r"-?\d+\.?\d*\s*(?:mm|cm|m)\b", value.strip())
-    if measure:
-        yield measure[0]
-    yield value.partition("≈")[0]
-    yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
-    yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]

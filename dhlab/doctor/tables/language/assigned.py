@@ -1,0 +1,76 @@
+"""What the names of a text are said to be: assigned, defined, listed under an index."""
+
+import re
+
+from .brackets import cells_in
+from .expressions import NoExpression, evaluate, key
+
+__all__ = ["DEFINED", "assigned_in", "from_zero", "is_joint_value"]
+
+DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
+ASSIGNED = re.compile(
+    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
+    r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
+)
+# numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
+LISTED = re.compile(
+    r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
+    r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
+)
+# a1, a2 = 0.3, 0.25
+TOGETHER = re.compile(
+    r"^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*([^=\n()\[\]{}#]+?)[ \t]*$", re.MULTILINE
+)
+
+
+def assigned_in(text):
+    """What each name of a text is said to be."""
+    known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
+    for names, values in TOGETHER.findall(text):
+        parts = [part.strip() for part in values.split(",")]
+        for name, said in zip(names.split(","), parts):
+            if len(parts) == names.count(",") + 1:
+                known.setdefault(key(name.strip()), said)
+    for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
+        value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
+        for said in (value, *_shorter(value)):
+            said = said.strip().rstrip(".)")
+            if said.count("(") > said.count(")"):
+                said += ")"
+            try:
+                evaluate(said, dict(known))
+            except NoExpression:
+                continue
+            if not re.search(rf"\b{re.escape(name)}\b", said):
+                known.setdefault(key(name), said)
+            break
+    for name, items in LISTED.findall(text):
+        for k, item in enumerate(cells_in(items)):
+            known.setdefault(key(f"{name}[{k}]"), item.strip())
+    return known
+
+
+def _shorter(value):
+    """A value before the words that follow it."""
+    measure = re.match(r"-?\d+\.?\d*\s*(?:mm|cm|m)\b", value.strip())
+    if measure:
+        yield measure[0]
+    yield value.partition("≈")[0]
+    yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
+    yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]
+
+
+def from_zero(code):
+    """MATLAB counts the items of a list from 1: ``l(1)`` of a list l is ``l[0]``."""
+    for name, _ in LISTED.findall(code):
+        code = re.sub(
+            rf"\b{name}\((\d{{1,2}})\)", lambda m, name=name: f"{name}[{int(m[1]) - 1}]", code
+        )
+    return code
+
+
+def is_joint_value(name, said):
+    """Whether this is where a joint stands, as ``theta1 = 0.3``, and nothing a table needs."""
+    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*|q\[\d+\]", name.lower()):
+        return False
+    return not re.search(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d", said)
