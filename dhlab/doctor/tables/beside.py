@@ -139,10 +139,10 @@ def with_added(table, source):
         if "offset" not in roles:
             roles, rows = (*roles, "offset"), [(*row, Cell(0.0)) for row in rows]
         at = roles.index("offset")
-        if rows[k][at].value:
+        if any(cell.value for cell, role in zip(rows[k], roles) if role in ("theta", "offset")):
             raise ValueError(
-                f"recognise_table: row {k + 1} has an offset, and the program adds {text} to"
-                " theta; do both count? Leave one of them out, or add them up"
+                f"recognise_table: row {k + 1} has a zero of its own, and the program adds {text}"
+                " to theta; do both count? Leave one of them out, or add them up"
             )
         rows[k] = (*rows[k][:at], cell_of(value, text), *rows[k][at + 1 :])
         notes.append(f"{text} is added to theta of row {k + 1}, as the program does")

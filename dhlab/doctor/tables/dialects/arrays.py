@@ -14,6 +14,7 @@ WRAPPERS = re.compile(
 )
 STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
 ADDED = re.compile(r"\b(?:theta|th|q)\w*[\[(]\w+[\])]\s*([-+])\s*THIS\[")  # q[i] + zeros[i]
+MOVED_ON = re.compile(r"\s*(\w+[\[(]\w+[\])])\s*=\s*\1")
 AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$)")
 BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
@@ -46,6 +47,8 @@ def arrays_in(source, twice=None, unread=None):
                     source.value(f"({cell})*({factor})") if not value.unit else value
                     for cell, value in zip(cells, values)
                 ]
+            if None in values:  # too long with its factor
+                continue
             given = [(value, cell) for value, cell in zip(values, cells)]
             if found.setdefault(name, given) != given and twice is not None:
                 twice.add(name)
@@ -83,11 +86,11 @@ def read(source, nominal=None):
     there.
     """
     twice: set = set()
-    by_role = _by_role(source, twice)
-    notes = ()
+    notes: list = []
+    by_role = _by_role(source, twice, notes)
     if "alpha" not in by_role and {"d", "a"} <= set(by_role):
         name, by_role["alpha"] = _twists(source, len(by_role["a"]))
-        notes = (f"{name} is taken for alpha: it holds the angles",)
+        notes.append(f"{name} is taken for alpha: it holds the angles")
     if not all(by_role.get(role) for role in ("d", "a", "alpha")):
         return None
     again = [name for name in sorted(twice) if role_of(name)[0] in ("d", "a", "alpha", "r")]
@@ -121,12 +124,12 @@ def read(source, nominal=None):
         labels=("",) * n,
         kinds=_kinds(source, n, by_role.get("sigma", ())),
         signs=signs if len(signs) == n else (1,) * n,
-        notes=notes,
+        notes=tuple(notes),
         **_known_form(source),
     )
 
 
-def _by_role(source, twice):
+def _by_role(source, twice, notes):
     """{role: numbers} of the arrays by their names; by the comments beside them where the names
     would make a length of an angle.
     """
@@ -141,9 +144,11 @@ def _by_role(source, twice):
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
-        added = ADDED.search(re.sub(rf"\b{re.escape(name)}[\[(]", "THIS[", source.code))
-        role = "offset" if role is None and added else role
-        if role == "offset" and added and added[1] == "-":
+        added = _added(name, source) if role is None else ""
+        if added:
+            role = "offset"
+            notes.append(f"{name} is added to theta")
+        if added == "-":
             values = [(value.times(-1.0), f"-({text})") for value, text in values]
         role = said.get(name, None if "home" in name.lower() else role)
         stand = role == "theta" and _moves(values) and not _moves(found.get(role, ()))
@@ -154,6 +159,15 @@ def _by_role(source, twice):
     if len(missing) == 1 and "r" in found:
         found[missing[0]] = found.pop("r")
     return found
+
+
+def _added(name, source):
+    """How a program adds an array to the joint angles, "+" or "-"; "" where it does not, or only
+    moves the joints on, as in ``q[i] = q[i] + step[i]``.
+    """
+    code = re.sub(rf"\b{re.escape(name)}[\[(]", "THIS[", source.code)
+    lines = (line for line in code.split("\n") if not MOVED_ON.match(line))
+    return next((found[1] for line in lines if (found := ADDED.search(line))), "")
 
 
 def _require_zeros(unread, found):

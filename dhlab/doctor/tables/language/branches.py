@@ -6,11 +6,11 @@ import re
 
 __all__ = ["added_at_joints", "turned_at_joints"]
 
-CONDITION = r"\bif\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
+CONDITION = r"if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
     rf"^[ \t]*(?:el(?:se )?)?{CONDITION}[ \t]*[:{{]?[ \t]*\n?([^\n]*)", re.MULTILINE
 )
-ANGLE = r"\b(?:theta|th|q)\w*(?:\[\w+\]|\(\w+\))?"
+ANGLE = r"\b(?:theta|th|q)[A-Za-z_]*(?:\[\w+\]|\(\w+\))?(?![\w\[(])"  # of any joint: no theta2
 CONSTANT = r"([-+])\s*([\w./*]+)"
 ADDED = (
     re.compile(rf"[(,]\s*{ANGLE}\s*{CONSTANT}\s*[,)]"),  # dh(theta - pi/2, d, a, alpha)
@@ -18,12 +18,18 @@ ADDED = (
     re.compile(rf"^\s*{ANGLE}\s*=\s*{ANGLE}\s*{CONSTANT}\s*;?\s*}}?\s*$"),
 )
 # q[i] - pi/2 if i == 1 else q[i]
-CHOSEN = re.compile(rf"{ANGLE}\s*{CONSTANT}\s+{CONDITION}\s+else\b")
+CHOSEN = re.compile(rf"{ANGLE}\s*{CONSTANT}\s+\b{CONDITION}\s+else\b")
 # dh(a[1], alpha[1], d[1], q[1] - pi/2)
 INDEXED = re.compile(r"[(,]\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]\s*([-+])\s*([\w./*]+)\s*(?=[,)])")
 # if elbow == 1 names no joint
 NO_ROW = re.compile(
     r"\bif\s*\(?\s*(?!(?:[ijkn]|\w*(?:joint|link|idx|index|count)\w*)\b)\w+\s*==\s*\d+"
+)
+# theta2 = q[1] - pi/2, q[1] -= pi/2: quarter turns, for others may only move the joint on
+QUARTER = r"([-+])=?\s*((?:[\w.*/]*pi\b[\w./*]*|1\.57\d*|3\.14\d*|90|180)(?:\.0*)?)"
+ASSIGNED = re.compile(
+    rf"^\s*(?:(?:theta|th|q)\w*(?:[\[(]\d+[\])])?\s*=\s*)?(?:theta|th|q)\w*([\[(])(\d+)[\])]"
+    rf"\s*{QUARTER}\s*;?\s*$"
 )
 # dh(a[1], alpha[1], d[1], -q[1])
 TURNED = re.compile(r"[(,]\s*-\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]")
@@ -56,6 +62,8 @@ def added_at_joints(code, indexed=False):
         found[_row(match[3], match[4], code)] = match[1] + match[2]
     for line in code.split("\n") if indexed else ():
         for match in INDEXED.finditer(line) if line.count(",") >= 3 else ():
+            found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
+        if match := ASSIGNED.match(line):
             found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
     return found
 

@@ -43,6 +43,12 @@ UNDER_KEY = re.compile(
 )
 MADE_ROOM = re.compile(r"=\s*new\s+\w+\s*(?:\[\w*\])+\s*(?=\{)")
 CODE_SPAN = re.compile(r"(?<![`:])`([^`\n]+)`(?!`)")
+# theta = q + np.array([0, -pi/2])
+ONTO_Q = re.compile(
+    r"^([ \t]*)(?:theta|th|q)\w*\s*=\s*(?:theta|th|q|joint)\w*\s*\+\s*"
+    r"(?=(?:(?:np|numpy)\.)?(?:array\(\s*)?\[)",
+    re.MULTILINE,
+)
 # a factor that says what it is and is defined elsewhere: 145.2 * mm2m
 TO_METRES = re.compile(r"(?<=[\d)])\s*\*\s*mm_?(?:2|to)_?m\b", re.IGNORECASE)
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
@@ -71,6 +77,7 @@ def restated(text):
     text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
     if len(re.findall(r"\\n\s*\|", text)) > 2:
         text = text.replace("\\n", "\n")  # a text within a program
+    text = ONTO_Q.sub(r"\1theta_offset = ", text)
     text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
     if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
         text = TO_METRES.sub(" / 1000", text)
