@@ -21,6 +21,7 @@ from .facts import (
     reaches,
     right_factor_in_new_frame,
     star_is_by_entries,
+    straight_line_of_a_bend,
     sum_of_d_counts,
     turn_back_from_goal,
     whole_numbers_cut,
@@ -143,6 +144,8 @@ ASSERTED = [
     (r"An array of whole numbers cuts off what is written into it.+", fact(whole_numbers_cut)),
     (r"(R_goalᵀ R is the turn from the goal to here|Rᵀ R_goal is the turn as the tool sees it).+",
      fact(turn_back_from_goal)),
+    (r"Where a link has an elbow of some millimetres, a is the straight line .+",
+     fact(straight_line_of_a_bend)),
     (r"numpy.+ take(s)? (angles in )?radians\.", fact(lambda: np.isclose(np.sin(np.pi / 2), 1))),
     (r"(np\.deg2rad was applied to numbers that are radians already|This course's functions take"
      r" radians)\.", lambda e, answer, variant: program(e, answer, variant)),

@@ -133,3 +133,11 @@ def reaches(q, T):
     alpha = np.pi / 2 * np.array([1, 0, 0, 1, -1, 0])
     end = _pose(np.column_stack([q, d, a, alpha]), STANDARD)
     return np.linalg.norm(end[:3, 3] - np.asarray(T)[:3, 3]) < 1.1e-3
+
+
+def straight_line_of_a_bend():
+    """A link of 282 mm with a step of 24 mm: the straight line between its ends, and its turn."""
+    seen, step = 0.282, 0.024
+    turn = np.arctan(step / seen)
+    straight = np.hypot(seen, step) * np.array([np.cos(turn), np.sin(turn)])
+    return turn > 0.01 and np.allclose(straight, [seen, step])

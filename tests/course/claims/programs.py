@@ -295,7 +295,9 @@ CLAIMS = {
     ),
     "alpha-sign": lambda p, place: p.has(["alpha"], lambda x: -x),
     "length-sign": lambda p, place: p.has(lengths(place), lambda x: -x),
-    "lengths-made-positive": lambda p, place: p.has(lengths(place), abs),
+    # of a chain no number is named: "a negative length"
+    "lengths-made-positive": lambda p, place: (
+        p.has(lengths(place), abs) or ("a negative" in place and p.has(["d", "a"], abs))),
     "length-unit": lambda p, place: (
         p.rotation_right and any(p.has(lengths(place), lambda x, f=f: x * f) for f in (1e3, 1e-3))
     ),
