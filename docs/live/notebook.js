@@ -56,13 +56,14 @@ export class Lesson {
     else if (message.type === "replace") cell?.replace(message.source);
     else if (message.type === "loading") this.loading(message.file);
     else if (message.type === "loaded") this.say("Running …");
-    else if (message.type === "ready") this.say("Python is ready. Shift and Enter run a cell and go to the next.");
+    else if (message.type === "ready") this.say(this.anew || "Python is ready. Shift and Enter run a cell and go to the next.");
     else if (message.type === "lost") this.lost("Stopped. Python begins anew and knows no names: go to your cell and press Run to here.");
     else if (message.type === "broken") this.say(`Python stopped: ${message.text}. Press Restart; your work is kept.`);
     else if (message.type === "done") this.log.add(message.log);
   }
 
   loading(file) {
+    if (this.anew) return;
     const name = file.split("-")[0];
     this.say(`Fetching ${name}${SIZES[name] ? ` (${SIZES[name]}, once)` : ""} …`);
   }
@@ -70,10 +71,12 @@ export class Lesson {
   lost(words) {
     for (const cell of this.cells) cell.state("");
     this.stopButton.disabled = true;
+    this.anew = words; // stands until a cell runs: what Python fetches meanwhile says nothing over it
     this.say(words);
   }
 
   async run(cell) {
+    this.anew = "";
     cell.outputs.clear();
     cell.state("running");
     this.stopButton.disabled = false;
