@@ -142,8 +142,9 @@ class Map:
     def _repr_html_(self):
         items = "".join(self._item(name) for name in self._done)
         words = f"<p>{_linked(self._words)}</p>" if self._words else ""
+        label = "Where to begin" if words else "The course"  # lesson 00 shows both maps
         return (
-            '<nav aria-label="The course"><ol style="list-style:none;padding:0;margin:.3em 0;'
+            f'<nav aria-label="{label}"><ol style="list-style:none;padding:0;margin:.3em 0;'
             f'display:flex;flex-wrap:wrap;gap:.35em">{items}</ol>{words}</nav>'
         )
 
