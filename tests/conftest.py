@@ -114,8 +114,8 @@ COSTLY = tuple(NEEDS.values())
 
 @pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
 def pytest_collection_modifyitems(items):
-    """Mark tests by what they open, keep those together that share a set-up, and put the costly
-    first, so that no long one is left for the end.
+    """Mark tests by what they open, keep those together that share a set-up, and put the longest
+    first: what shares one, then the other costly ones, so that no core is left without work.
     """
     for item in items:
         for name in set(NEEDS) & set(getattr(item, "fixturenames", ())):
@@ -125,7 +125,14 @@ def pytest_collection_modifyitems(items):
         group = _group(item)
         if group:
             item.add_marker(pytest.mark.xdist_group(group))
-    items.sort(key=lambda item: not any(map(item.get_closest_marker, COSTLY)))
+    items.sort(key=_when)
+
+
+def _when(item):
+    costly = any(map(item.get_closest_marker, COSTLY))
+    group = item.get_closest_marker("xdist_group")
+    shared = costly and group is not None and group.args[0] in SHARED
+    return 0 if shared else 1 if costly else 2
 
 
 def _group(item):
