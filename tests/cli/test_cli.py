@@ -51,6 +51,7 @@ def test_a_table_file(tmp_path):
     assert np.allclose(np.array(answer["pose"])[:3, 3], [0.5, 1, 0])
 
 
+@pytest.mark.slow
 def test_robots():
     rows = json.loads(dhlab("robots", "--json").stdout)
     assert len(rows) >= 60 and {"name", "title", "tables"} <= rows[0].keys()

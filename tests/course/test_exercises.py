@@ -72,6 +72,7 @@ def test_nonsense_is_wrong_and_never_an_error(key):
     assert taken == {}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", [key for key, e in SCORED.items() if isinstance(e, Table)])
 def test_a_number_that_overflows_in_another_unit_is_wrong_and_no_error(key):
     for column in range(4):

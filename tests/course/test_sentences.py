@@ -68,6 +68,7 @@ def in_millimetres(rows):
             yield [*rows[:i], [z, o * times, x], *rows[i + 1 :]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", [key for key, e in exercises().items() if isinstance(e, Frames)])
 def test_what_is_said_of_placed_frames_is_true(key):
     exercise = exercises()[key]

@@ -85,6 +85,7 @@ def test_injected_mistakes(name, noise):
     assert diagnose_motion(right, q, p).verdict == "agrees"
 
 
+@pytest.mark.slow
 # what changes in the table -> what joint 2's circle shows; measured minus the table's is the other
 # way round than in dh_facts (but for the height after theta1: that is the cosine of 10°, the same
 # both ways)

@@ -37,6 +37,7 @@ def test_the_poses_are_drivable(name):
     assert np.allclose(slides, np.round(slides, 2)) and (slides != 0).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5e", "irb120"])
 def test_what_the_poses_show(name):
     """Every mistake that moves the point by 5 cm somewhere moves it by what is promised at one of

@@ -41,6 +41,7 @@ def told(rows, joints, changes, sense=1.0):
     return arm, diagnose_function(program(wrong, joints, sense), "forward_kinematics", arm=arm)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "joints, changes, names",
     [

@@ -133,6 +133,7 @@ def forward_kinematics(rows, q):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "program, lines, wrong",
     [  # of each two, none alone makes anything right
@@ -271,6 +272,7 @@ def forward_kinematics(q):
 TYPED_ROWS = [[0, 0.29, 0, -90], [-90, 0, 0.27, 0], [0, 0.3, 0.07, 90]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "lines, wrong",
     [

@@ -79,6 +79,7 @@ def mutated(text, rng):
     return "".join(letters)
 
 
+@pytest.mark.slow
 def test_a_mutated_text_gives_a_reading_or_one_plain_sentence():
     rng = np.random.default_rng(12)
     answers = 0
@@ -92,6 +93,7 @@ def test_a_mutated_text_gives_a_reading_or_one_plain_sentence():
     assert answers > 50
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("piece", ["(", "[[", "- ", "alpha ", "a = ", "Rz(q1) ", "a1: ", "\\frac{"])
 def test_a_text_of_one_piece_repeated_is_one_sentence(piece):
     lines = (piece * 1000)[:900]

@@ -29,6 +29,7 @@ def test_few_poses_find_the_ends_of_a_right_table(full):
         assert misfit(arm, data).explains(data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("free", ["base", "tool", "both"])
 @pytest.mark.parametrize("full", [True, False])
 def test_free_ends_against_least_squares(free, full):
