@@ -81,7 +81,7 @@ EXERCISES = [
     Choice(
         id="05.2",
         title="Moves that commute",
-        question="Which of the four moves may change places, and by which rule?",
+        question="Which of the four moves may change places with which?",
         correct="about-one-axis",
         hints=(
             "Try each pair with your hand: does the first move change the direction of the second?",
