@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .accounted import require_accounted
 from .beside import with_added
 from .dialects import (
     arrays,
@@ -98,8 +99,19 @@ def _read(source, nominal, length):
         if found is not None:
             if not isinstance(found, Pasted):
                 return found
-            return with_added(_with_words(found, source), source)
+            table = with_added(_with_words(found, source), source)
+            later = READERS[READERS.index(read) + 1 :]
+            require_accounted(table, source, _tables(later, source))
+            return table
     raise AssertionError  # the last reader answers or raises
+
+
+def _tables(readers, source):
+    """The Pasted tables that readers find in a text."""
+    for read in readers:
+        found = _read_or_none(read, source)
+        if isinstance(found, Pasted):
+            yield found
 
 
 def _larger(found, source):

@@ -9,9 +9,6 @@ from ..pasted import Pasted
 
 __all__ = ["arrays_in", "read"]
 
-WRAPPERS = re.compile(
-    r"(?:array|matrix|asarray|list|tuple|vector|radians|deg2rad|rad|tensor|svector|deg)$"
-)
 STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
 ADDED = re.compile(r"\b(?:theta|th|q)\w*[\[(]\w+[\])]\s*([-+])\s*THIS\[")  # q[i] + zeros[i]
 MOVED_ON = re.compile(r"\s*(\w+[\[(]\w+[\])])\s*=\s*\1")
@@ -31,16 +28,15 @@ def arrays_in(source, twice=None, unread=None):
     code = STREAM.sub(r"\1 = [\2];", code)
     found = {}
     for group in groups(code):
-        outer = group.outer
-        name = group.target
-        turned = outer is not None and outer.name.split(".")[-1].lower() in ("radians", "deg2rad")
-        if not name and outer is not None and WRAPPERS.search(outer.name.lower()):
-            name = outer.target or (outer.outer.target if outer.outer else "")
-        cells = _upright(group) if name and group.mark != "(" else None
+        name = _assigned_to(group)
+        turned = group.outer is not None and _last(group.outer) in ("radians", "deg2rad")
+        cells = _upright(group) if name else None
         values = [source.value(cell) for cell in cells or ()]
         if unread is not None and None in values:
             unread[name] = cells[values.index(None)]
-        if len(values) >= 2 and all(value is not None for value in values):
+        if group.mark == "(" and group.name and any(v is None or v.letters for v in values):
+            continue  # a call of numbers makes a list, one of letters is a function
+        if len(values) >= (3 if group.mark == "(" else 2) and None not in values:
             factor = "pi/180" if turned else _factor(code, group, source)
             if factor:
                 values = [
@@ -53,6 +49,21 @@ def arrays_in(source, twice=None, unread=None):
             if found.setdefault(name, given) != given and twice is not None:
                 twice.add(name)
     return found
+
+
+def _last(group):
+    return re.split(r"\.|::", group.name)[-1].lower()
+
+
+def _assigned_to(group):
+    """The name of an array: what it is assigned to, itself or in calls that make it, such as
+    ``np.deg2rad(np.array([…]))``; a call must be alone in what is around it.
+    """
+    while group is not None and not group.target:
+        if group.outer is None or group.outer.mark != "(" or len(group.outer.items) > 2:
+            return ""
+        group = group.outer
+    return group.target if group is not None else ""
 
 
 def _upright(group):

@@ -25,6 +25,7 @@ def filled(found, source):
     source : Source
     """
     yield _one_a_call(found)
+    yield _siblings(found, source)
     yield _one_a_name(found)
     yield _one_an_index(found, source)
     yield _by_fours(found, source)
@@ -33,14 +34,35 @@ def filled(found, source):
     yield from _listed(source.code)
 
 
+def _cells(group):
+    """What stands in a group: its items, or the cells of its only one at spaces."""
+    texts = [item.text for item in group.items]
+    return texts if len(texts) > 1 else [cell for text in texts for cell in cells_in(text)]
+
+
 def _one_a_call(found):
     """The rows that calls of one function take: ``setFixedTransform(j1, [0 …], 'dh')``."""
     rows: dict = {}
     for group in found:
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        cells = _cells(group)
         if group.outer is not None and group.outer.name and group.mark != "(" and len(cells) == 4:
             rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
     return max(rows.values(), key=len, default=[])
+
+
+def _siblings(found, source):
+    """Brackets of one kind, one behind the other with nothing around them: ``(1, 0, 90), (2, …)``."""
+    best, rows = [], []
+    for group in found:
+        cells = [item.text for item in group.items]
+        alone = (
+            group.outer is None and not group.name and not group.target and len(cells) in (4, 5, 6)
+        )
+        if alone and all(source.value(cell) is not None for cell in cells):
+            rows = rows if rows and len(rows[0][1]) == len(cells) else []
+            rows.append((f"line {group.line}", cells))
+            best = max(best, rows, key=len)
+    return best if len(best) > 1 else []
 
 
 def _one_a_name(found):
@@ -48,7 +70,7 @@ def _one_a_name(found):
     rows = {}
     for group in found:
         name = re.fullmatch(r"(?:dh_?)?(link|joint|row|dh|param|l|j)_?(\d+)", group.target.lower())
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        cells = _cells(group)
         if name and group.mark != "(" and len(cells) == 4:
             rows.setdefault(name[1], {})[int(name[2])] = (f"line {group.line}", cells)
     whole = [one for one in rows.values() if sorted(one) == list(range(min(one), max(one) + 1))]
@@ -60,7 +82,7 @@ def _one_an_index(found, source):
     """The rows that are put into a table one by one: ``DH(1,:) = [0, 0.3, 0, 90]``."""
     rows: dict = {}
     for group in found:
-        cells = [cell for item in group.items for cell in cells_in(item.text)]
+        cells = _cells(group)
         alone = TABLE.search(group.target.lower()) and group.mark != "(" and group.outer is None
         if alone and 4 <= len(cells) <= 6 and re.search(r"\d", group.text):
             rows.setdefault((group.target, len(cells)), []).append((f"line {group.line}", cells))

@@ -16,6 +16,10 @@ PAIR = re.compile(
     r"([^=:,;\n{}|\[\]]+?)(?:\s*\[(\w+)\])?(?=\s*(?:[,;\n{}|]|$|\s[A-Za-z_]+_?\d*\s*[=:]|\s['\"]))"
 )
 LOOSE = re.compile(r"(-?\s*\b(?:theta|th|q)_?\d+\b\s*\*?(?:\s*[-+]\s*[\w./*]+°?)?)")
+WORDED = re.compile(  # theta 0 d 0.42; link length 0.06, link twist -90
+    r"([A-Za-z][A-Za-z_ -]{0,30}?)\s*(?:\bis|\bof|=|:)?\s+(-?\d[\d.]*\s*(?:deg|°|mm|cm|m|rad)?(?![\w*/])"
+    r"|-?\d*\s*\*?\s*pi(?:\s*/\s*\d)?(?!\w))"
+)
 BLOCK = re.compile(r"\s*-|\s*[\w .-]+:\s*$|\s*['\"]?\w+['\"]?\s*:\s*\{")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 
@@ -23,7 +27,7 @@ NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 def read(source, nominal=None):
     """The Pasted table of named numbers; None when no two rows have them."""
     rows, row, block = [], {}, -1
-    lines = [(line, _pairs(line, source)) for line in source.code.split("\n")]
+    lines = [(line, _pairs(_said(line), source)) for line in source.code.split("\n")]
     listed = [len(pairs) for line, pairs in lines if pairs and re.match(r"\s*-\s", line)]
     one_a_line = listed and len(listed) == sum(bool(pairs) for _, pairs in lines)
     for number, (line, pairs) in enumerate(lines):
@@ -57,6 +61,21 @@ def read(source, nominal=None):
     return from_rows(
         [Row(one, kind) for one, kind in zip(rows, kinds)], why="as the names beside them say"
     )
+
+
+def _said(line):
+    """A line in which words and numbers stand side by side, with ``=`` between them."""
+    if "|" in line or len(WORDED.findall(line)) < 3 or re.search(r"[=({\[]", line):
+        return line
+    named = []
+    for words, number in WORDED.findall(line):
+        parts = words.split()
+        tried = (" ".join(parts[-k:]) for k in (3, 2, 1) if k <= len(parts))
+        role = next((role for one in tried if (role := role_of(one)[0]) in NAMES), None)
+        named.append((role, number))
+    roles = [role for role, _ in named if role]
+    whole = len(set(roles)) == len(roles) >= 3 and "alpha" in roles
+    return ", ".join(f"{role} = {number}" for role, number in named if role) if whole else line
 
 
 def _roles(line):
@@ -98,7 +117,7 @@ def in_groups(source):
     found = groups(source.code)
     for group in found:
         own_class = group.mark == "(" and group.name.lower() != "dict"
-        if group.mark not in "{(" or _is_made_room_for(group, source):
+        if _is_made_room_for(group, source):
             continue
         row = {}
         for pair in _items(group):

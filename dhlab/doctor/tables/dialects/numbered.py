@@ -6,22 +6,21 @@ import re
 
 from ..cells import cell_of
 from ..language.assigned import DEFINED
+from ..language.roles import role_of
 from ..pasted import Row, from_rows
 
 __all__ = ["read"]
 
-FIELD = re.compile(
-    r"\w+\s*[\[({](\d+)[\])}]\s*\.\s*(\w+)\s*=\s*([^;\n=]+)|\b[A-Za-z]+_?(\d+)\.(\w+)\s*=\s*([^;\n=]+)"
+# what is assigned, with whatever leads to it: a1, dh[0].theta, link2->d, arm.dh.1.alpha, p['a1']
+PATH = re.compile(
+    r"(?<![\w.])([A-Za-z_]\w*(?:(?:\.|->)\w+|\[\s*['\"]?\w+['\"]?\s*\]|\{\d+\}|\(\s*['\"]?\w+['\"]?\s*\)(?=\.))*)"
+    r"['\"]?\s*(?:=(?!=)|:(?![:=]))\s*([^=:;,\n{}]+)"
 )
-# the number within the name: DH_0_THETA, J1_d
-WITHIN = re.compile(r"[A-Za-z_]*?(\d+)_?([A-Za-z]+)")
-NAMED_WITHIN = re.compile(r"\b([A-Za-z_]+\d+_[A-Za-z]+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
 # a(2) = 0.3, a[2] = 0.3, and of a column or a row of numbers a(2,1) = 0.3, a[0][2] = 0.3
 CELL = re.compile(
     r"\b([A-Za-z_]+)\s*[\[(](?:[01]\s*(?:,|\]\s*\[)\s*(?=\d+\s*[\])]))?(\d+)(?:\s*(?:,|\]\s*\[)\s*[01])?"
     r"\s*[\])]\s*=\s*([^;\n=]+)"
 )
-PAIR = re.compile(r"(?<![\w.])([A-Za-z_]+?)_?(\d+)['\"]?\s*(?:=|:(?!:))\s*([^=:;,\n{}]+)")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 
 
@@ -114,21 +113,21 @@ def _require_read(unread, found):
 
 
 def _named(code):
-    """(name, index, text) of every assignment with a number in its name."""
-    for match in FIELD.finditer(code):
-        yield (match[2], match[1], match[3]) if match[1] else (match[5], match[4], match[6])
+    """(name, index, text) of every assignment with one number in its name, wherever it stands."""
     for match in CELL.finditer(code):
         yield match[1], match[2], match[3]
-    for match in PAIR.finditer(code):
-        yield match[1], match[2], match[3]
-    for name, text in DEFINED.findall(code):
-        if found := re.fullmatch(r"([A-Za-z_]+?)_?(\d+)", name):
-            yield found[1], found[2], text.split("//")[0].strip()
-        elif found := WITHIN.fullmatch(name):
-            yield found[2], found[1], text.split("//")[0].strip()
-    for name, text in NAMED_WITHIN.findall(code):
-        if found := WITHIN.fullmatch(name):
-            yield found[2], found[1], text
+    defined = ((name, text.split("//")[0]) for name, text in DEFINED.findall(code))
+    for path, text in (*PATH.findall(code), *defined):
+        numbers = re.findall(r"\d+", path)
+        if len(numbers) == 1 and not re.fullmatch(r"\w+[\[(]\d+[\])]", path):
+            yield _name(path), numbers[0], text.strip()
+
+
+def _name(path):
+    """The words of a path without its number: ``kAlpha1`` is k_Alpha, ``arm.dh.1.a`` a."""
+    words = re.findall(r"[A-Za-z]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", path))
+    whole = "_".join(words)
+    return next((one for one in (whole, *words[-1:]) if role_of(one)[0] in NAMES), whole)
 
 
 def _shift(found):

@@ -195,6 +195,7 @@ def _matrix(group):
             )
             for row in [*rows, *([line] if line else [])]
         ]
+    rows = _without_maker(rows)
     if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= WIDEST:
         return []
     if len(rows) == 1 and (
@@ -207,11 +208,19 @@ def _matrix(group):
     return rows
 
 
+def _without_maker(rows):
+    """The rows without one name that stands before the numbers of each: ``Link 0 0.3 0 90``."""
+    first = {cells[0] for _, cells in rows if cells}
+    if len(rows) > 1 and len(first) == 1 and re.fullmatch(r"[A-Z]\w+", str(*first)):
+        return [(where, cells[1:]) for where, cells in rows]
+    return rows
+
+
 def _with_beside(table, source):
     """The table with the zeros and signs that stand in arrays of their own beside it."""
     n, roles = len(table.rows), table.roles
     for name, values in arrays_in(source).items():
-        role = role_of(name)[0]
+        role = "sign" if re.search(r"sign(?!al)", name.lower()) else role_of(name)[0]
         if len(values) != n or "home" in name.lower() or any(v.letters for v, _ in values):
             continue
         if role == "sign" and set(table.signs) <= {1}:

@@ -17,20 +17,11 @@ LISTED = re.compile(
     r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
     r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
 )
-# a1, a2 = 0.3, 0.25
-TOGETHER = re.compile(
-    r"^[ \t]*(\w+(?:[ \t]*,[ \t]*\w+)+)[ \t]*=[ \t]*([^=\n()\[\]{}#]+?)[ \t]*$", re.MULTILINE
-)
 
 
 def assigned_in(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
-    for names, values in TOGETHER.findall(text):
-        parts = [part.strip() for part in values.split(",")]
-        for name, said in zip(names.split(","), parts):
-            if len(parts) == names.count(",") + 1:
-                known.setdefault(key(name.strip()), said)
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):

@@ -4,7 +4,14 @@ import re
 
 __all__ = ["uncommented", "without_comments"]
 
-BLOCK = re.compile(r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''", re.DOTALL)
+BLOCK = re.compile(
+    r"/\*.*?\*/|\"\"\".*?\"\"\"|'''.*?'''|<!--.*?-->|\(\*\s.*?\*\)|\{-\s.*?-\}|--\[\[.*?\]\]|#=.*?=#",
+    re.DOTALL,
+)
+# one more mark of a line's comment: Lua, SQL and Haskell; Lisp and INI; Fortran; Basic
+MARKED = re.compile(
+    r"(?:(?<=\s)|^)--(?=\s+[^\W\d_])|^\s*;+(?=\s*[^\W\d_])|(?:(?<=\s)|^)!(?=\s*[^\W\d_])|^\s*'(?=\s*[^\W\d_][^']*$)"
+)
 
 
 def without_comments(text, comments):
@@ -20,7 +27,11 @@ def without_comments(text, comments):
     lines = BLOCK.sub(blanked, text).split("\n")
     for k, line in enumerate(lines):
         cut = _comment_at(line)
-        if cut is not None:
+        other = MARKED.search(line) if "|" not in line else None
+        if other and (cut is None or other.start() < cut):
+            comments.append((k + 1, line[other.end() :].strip()))
+            lines[k] = line[: other.start()]
+        elif cut is not None:
             comments.append((k + 1, line[cut:].lstrip("#%/! \t")))
             lines[k] = line[:cut]
     return "\n".join(lines)

@@ -23,10 +23,6 @@ LOCAL = re.compile(
     r"\b(\w+)\s*=\s*((?:\w+(?:\.|::))?(?:cos|sin)f?d?\s*\((?:[^()\n]|\([^()\n]*\))*\))",
     re.IGNORECASE,
 )
-BOTH = re.compile(  # ct, st = np.cos(theta), np.sin(theta)
-    r"^[ \t]*(\w+)\s*,\s*(\w+)\s*=\s*([\w.]+\([^()\n]*\))\s*,\s*([\w.]+\([^()\n]*\))\s*$",
-    re.MULTILINE,
-)
 ENTRY = re.compile(
     r"\b[A-Za-z_]\w*\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
@@ -91,10 +87,7 @@ def link_matrix_in(code):
 
 def _locals(code):
     """What stands for the cosines and sines: ``ct = cos(theta)``."""
-    found = dict(LOCAL.findall(code))
-    for one, other, first, second in BOTH.findall(code):
-        found.update({one: first, other: second})
-    return found
+    return dict(LOCAL.findall(code))
 
 
 def _matrices(code):

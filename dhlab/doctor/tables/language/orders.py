@@ -105,7 +105,31 @@ def order_of_names(text, in_code=False):
     (('theta', 'd', 'a', 'alpha'), {'theta': 'deg', 'alpha': 'deg'})
     """
     found = names_in_a_row(text, in_code)
+    if found is None and not in_code and (roles := _of_phrases(text)):
+        return roles, {}
     return found and found[:2]
+
+
+def _of_phrases(text):
+    """The roles of four phrases in a row, at commas or bars: ``theta offset, d, link length, …``."""
+    parts = [part.strip(" .)]}") for part in re.split(r"[,;|/]|->|\band\b", text)]
+    for at in range(len(parts) - 3):
+        first = re.split(r"[:(\[{=]", parts[at])[-1]
+        words, ending = first.split(), parts[at + 3].split()
+        starts = [first, " ".join(words[-2:]), " ".join(words[-1:])]
+        ends = [parts[at + 3], " ".join(ending[:2]), " ".join(ending[:1])]
+        roles = tuple(
+            next(
+                (role for one in said if (role := role_of(one)[0]) in (*ROLES, "r", "offset")), None
+            )
+            for said in (starts, [parts[at + 1]], [parts[at + 2]], ends)
+        )
+        roles = tuple(
+            "theta" if role == "offset" and "theta" not in roles else role for role in roles
+        )
+        if len({*roles} - {"offset", None}) == 4 and {"theta", "alpha"} <= set(roles):
+            return roles
+    return None
 
 
 def names_in_a_row(text, in_code=False):

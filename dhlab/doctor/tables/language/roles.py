@@ -115,7 +115,7 @@ def role_of(text):
     previous = bool(PREVIOUS.search(bare)) and len(bare) < 24
     bare = PREVIOUS.sub(" ", bare) if previous else bare
     words = re.sub(r"[\[\](){}_,;:./|*'\"]+", " ", bare)
-    words = re.sub(r"(?<=[a-z])0?[ijk]\b|(?<=\bd)h\b", "", words) if len(words) < 8 else words
+    words = re.sub(r"(?<=[a-z])0?[ijk]\b", "", words) if len(words) < 8 else words
     whole, words = words, " ".join(FILLER.sub(" ", words).split())
     if words in LABELS:
         return "label", False

@@ -12,6 +12,7 @@ from .comments import without_comments
 from .expressions import NoExpression, evaluate, key
 from .letters import unified
 from .matrices import link_matrix_in
+from .neutral import neutral
 from .restated import restated
 from .roles import role_of
 
@@ -132,7 +133,7 @@ def source_of(text, values=None):
     code = without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
-    code = re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)
+    code = neutral(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code))
     code = from_zero(_two_families(code))
     known = assigned_in(code)
     _require_apart(code)

@@ -1,0 +1,188 @@
+"""What a text says beside the rows that were read from it, and that they must account for: how many
+joints there are, what is added to joint angles, lists of as many numbers, a second table.
+"""
+
+import re
+from collections import Counter
+
+from .columns import ROLES
+from .dialects.arrays import arrays_in
+from .language.roles import role_of
+
+__all__ = ["joints_said", "require_accounted"]
+
+NUMBERS = {
+    word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
+}
+SAID = re.compile(
+    rf"(?<![\w.])(\d|{'|'.join(NUMBERS)})[- ]?(?:dofs?\b|degrees?[- ]of[- ]freedom|ax[ei]s\b(?! \d)|joint(?:ed|s)?\b(?! \d)"
+    r"|r\b(?= (?:arm|robot|manip)))",
+    re.IGNORECASE,
+)
+VARIABLE = re.compile(r"(?<![\w.])(?:q|theta|th)_?\{?(\d)\}?(?!\w)")
+QUARTER = r"(?:\(?-?\d*\.?\d*\s*\*?\s*(?:(?:np|math|numpy|sp)\.)?pi\b(?!\s*/\s*180)(?:\s*/\s*\d)?|1\.57\d*|3\.14\d*|(?:90|180)(?:\.0*)?(?!\.?\d))"
+ANGLE = r"(?<![\w.])(?:q|theta|th|t(?=[_\d]))\w{0,7}?(?:_?\{?\d\}?|[\[(]\w+[\])])?"
+# q2 - pi/2, theta[1] += 90, q + deg2rad([0, -90])
+SHIFTED = re.compile(
+    rf"{ANGLE}(?:[-+]| [-+]=?(?= ))[ ]?(?:(?!\bq|theta|,\s)[^;\n=|]){{0,24}}?(?<![\w.]){QUARTER}",
+    re.IGNORECASE,
+)
+# an angle brought back between -pi and pi
+WRAPPED = re.compile(
+    r"^[^\n]*[-+]=?\s*2(?:\.0)?\s*\*\s*[\w.]*pi\b[^\n]*$"
+    r"|\b(?:if|while|else)\b[^\n]*\n?[ \t]*(\w+)\s*(?:=\s*\1\s*)?[-+]=?\s*[\w.]*pi\s*;?\s*$",
+    re.IGNORECASE | re.MULTILINE,
+)
+# joint_zero = {2: -90}
+ZERO = re.compile(r"\b((?:\w+\.)*\w*(?:off|zero|bias)\w*)\s*[:=](?!=)\s*([^\n]*)", re.IGNORECASE)
+# theta + offset, q[i] - zeros[i]
+BY_NAME = re.compile(
+    r"(?<![\w.])(?:q|theta|th|joint\w*|angles?)\w{0,8}(?:[\[(]\w+[\])])?\s*[-+]\s*((?:\w+\.)*\w*(?:off|zero|bias|shift|home)\w*)",
+    re.IGNORECASE,
+)
+# joint 2 has an offset of -90 deg
+STATED = re.compile(
+    r"\b(?:joint|axis|theta|q)[ _]?\d[^.,;|\n]{0,30}\b(?:offset|zero|shift|rotated)\w*[^.,;|\n\d]{0,20}[-+]?(?:90|180|1\.57\d*|pi)\b",
+    re.IGNORECASE,
+)
+TURNED = re.compile(
+    r"(?:[,=]|(?<!sin)(?<!cos)\()\s*-\s*(?:q|theta|th)(?:_?\d|[\[(]\d[\])])\s*(?=[,);\n])"
+    r"|(?:q|theta|th|joint\w*)\w{0,8}(?:[\[(]\w+[\])])?\s*\.?\*\s*((?:\w+\.)*\w*(?:sign|dir)\w*)"
+    r"|\b((?:\w+\.)*\w*(?:sign|dir)\w*)(?:[\[(]\w+[\])])?\s*\.?\*\s*\(?(?:q|theta|th|joint\w*)\b",
+    re.IGNORECASE,
+)
+# joint 2 turns in the negative direction, q .* [1 -1 1]
+BACKWARDS = re.compile(
+    r"\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
+    r"|(?<![\w.])(?:q|theta|joint\w*)\s*\.?\*\s*[\w.(]*\[[\s,1]*-\s*1[\s,\]][^\n]{0,20}",
+    re.IGNORECASE,
+)
+
+
+def joints_said(source):
+    """The numbers of joints that words of the text speak of, as in ``6-DOF arm``.
+
+    Examples
+    --------
+    >>> from .language.source import source_of
+    >>> joints_said(source_of("a 7-DoF arm"))
+    {7}
+    """
+    said = {NUMBERS.get(word.lower()) or int(word) for word in SAID.findall(source.text)}
+    return {n for n in said if n > 1}
+
+
+def require_accounted(table, source, others=()):
+    """Nothing that the text says of the rows may be lost.
+
+    Parameters
+    ----------
+    table : Pasted
+    source : Source
+    others : iterable of Pasted
+        What other readers make of the text.
+
+    Raises
+    ------
+    ValueError
+        One question: what the rows leave out.
+    """
+    if table.roles is None or table.form:
+        return
+    _require_joints(table, source)
+    _require_zeros(table, source)
+    _require_senses(table, source)
+    for other in others:
+        if (
+            other.roles
+            and len(other.rows) >= len(table.rows) > 1
+            and _numbers(other) != _numbers(table)
+        ):
+            raise ValueError(
+                f"recognise_table: expected one table, found two of {len(table.rows)} and"
+                f" {len(other.rows)} rows with different numbers; which one is meant? Leave the"
+                " other out"
+            )
+
+
+def _require_joints(table, source):
+    n = len(table.rows)
+    said = joints_said(source)
+    most = max((int(k) for k in VARIABLE.findall(source.code)), default=0)
+    if (said and n < min(said)) or n < most:
+        told = f"{min(said)} joints" if said and n < min(said) else f"joint {most}"
+        raise ValueError(
+            f"recognise_table: the text speaks of {told}, and {n} rows were read; where are the"
+            " others? Paste all rows, one form for all"
+        )
+
+
+def _require_zeros(table, source):
+    """What is added to joint angles beside the table must be in the table."""
+    held = [
+        row[k]
+        for row in table.rows
+        for k, role in enumerate(table.roles)
+        if role in ("theta", "offset")
+    ]
+    if any(cell.value for cell in held):
+        return
+    found = SHIFTED.search(WRAPPED.sub("", source.text)) or STATED.search(source.text)
+    told = found[0].strip() if found else _named_zero(source, table)
+    if not told:
+        return
+    raise ValueError(
+        f"recognise_table: the text has {told[:40]}, and no row has such a zero; to which row"
+        " does it belong? Write it into the row, as theta - 90"
+    )
+
+
+def _named_zero(source, table):
+    """The zeros that the text names and no row has."""
+    for name in BY_NAME.findall(source.code):
+        if not _is_zero(name, source):
+            return f"{name} added to joint angles"
+    used = " ".join(cell.text for row in table.rows for cell in row)
+    for name, said in ZERO.findall(source.code):
+        if name in used:
+            continue  # a length by its name
+        number = re.search(r"[1-9]|pi\b", said)
+        if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):
+            return f"{name} = {said}"
+    return ""
+
+
+def _require_senses(table, source):
+    """A joint that counts backwards in the program must do so in the table."""
+    if any(sign < 0 for sign in table.signs) or any(c.sign < 0 for row in table.rows for c in row):
+        return
+    if told := BACKWARDS.search(source.text):
+        raise ValueError(
+            f"recognise_table: the text says {told[0][:60]!r}, and every joint of the rows counts"
+            " along its axis; which joint is turned? Write its variable as -q"
+        )
+    for match in TURNED.finditer(source.code):
+        name = match[1] or match[2]
+        values = arrays_in(source).get(name.split(".")[-1]) if name else None
+        if not name or values is None or any(value.number < 0 for value, _ in values):
+            raise ValueError(
+                f"recognise_table: the text has {match[0].strip(' ,=(')[:40]!r}, and every joint of"
+                " the rows counts along its axis; which joint is turned? Write its variable as -q"
+            )
+
+
+def _is_zero(name, source):
+    """Whether a name stands for zeros, or for a length."""
+    values = arrays_in(source).get(name.split(".")[-1])
+    if values is not None:
+        return not any(value.number for value, _ in values)
+    value = source.value(name)
+    return role_of(name)[0] in ("d", "a") or (
+        value is not None and not value.letters and not value.number
+    )
+
+
+def _numbers(table):
+    """The lengths and twists of a table, in whatever order."""
+    kept = [k for k, role in enumerate(table.roles) if role in (*ROLES[1:], "r")]
+    return Counter(round(abs(row[k].value), 6) for row in table.rows for k in kept if row[k].value)

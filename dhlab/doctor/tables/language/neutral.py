@@ -1,0 +1,146 @@
+"""What programming languages spell each in its own way, said in one: literals, declared types,
+assignments, makers of lists and setters. Nothing here knows a table; it only takes the language off.
+"""
+
+import re
+
+from .brackets import cells_in
+from .roles import role_of
+
+__all__ = ["neutral"]
+
+# --- numbers: 0.5f64, 0.1f, 1.0d0, 90.0_deg, (-90.0_f64).to_radians(), .pi, %pi, Math::PI
+SUFFIX = re.compile(
+    r"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+)(?:_?f(?:16|32|64|128)|[fFlL]|D)\b"
+)
+FORTRAN = re.compile(r"(?<![\w.])(\d+\.\d*|\d*\.\d+)d([-+]?\d+)\b", re.IGNORECASE)
+LITERAL_UNIT = re.compile(r"(?<=[\d.])_(deg|rad|mm|cm|m)\b")
+POSTFIX = re.compile(
+    r"(\((?:[^()\n]|\([^()\n]*\))*\)|\d[\d.]*)\s*\.(to_?radians|to_?rad|deg2rad)\(\)"
+)
+OF_DEGREES = re.compile(
+    r"\b(?:\w+\.)*(?:from_?degrees|in_?degrees|of_?degrees|degrees)\(", re.IGNORECASE
+)
+PI = re.compile(
+    r":math\.pi(?:\(\))?|(?:\b\w+::)+pi(?:_v)?(?:\s*<\s*\w+\s*>)?(?:\(\))?(?!\w)|(?<![\w)\]])\.pi\b|%pi\b"
+    r"|\bpi\s*<\s*\w+\s*>\s*\(\)|\bM_PIl?\b(?!_)",
+    re.IGNORECASE,
+)
+CAST = re.compile(r"\((?:float|double|real|int|long double|f32|f64|number)\)\s*(?=[-+\d.(A-Za-z])")
+# --- declared types: const L: [[f64; 4]; 6] = …, val d: List<Double> = …, a: array[0..5] of Double =
+KIND = (
+    r"(?:f32|f64|f16|float\d*|double|number|real(?:\(\d\))?|int\d*|usize|decimal|auto|any|tuple|list|dict"
+    r"|(?:np\.)?ndarray|(?:np\.)?array)"
+)
+TYPED = re.compile(
+    r"(?<=[\w$)\]])[ \t]*:[ \t]*&?(?:'static[ \t]+)?(?:"
+    rf"\[+[^=\n]*?\]+|array[ \t]*\[[^\]\n]*\][ \t]*of[ \t]+\w+|[A-Z_a-z][\w.]*[ \t]*(?:<[^=\n]*?>+|\[[^=\n]*?\]+|\{{[^=\n]*?\}})"
+    rf"|{KIND}|(?-i:[A-Z][a-zA-Z]*[a-z]))[ \t]*(?==(?!=))",
+    re.IGNORECASE,
+)
+FORTRAN_TYPED = re.compile(
+    r"^[ \t]*(?:real|double precision)[^:\n]*::\s*(\w+)\s*(?:\([^)\n]*\))?\s*=",
+    re.MULTILINE | re.IGNORECASE,
+)
+ATTRIBUTE = re.compile(r"(?<=[\])\w])\s*\b(?:PROGMEM|__attribute__\s*\(\([^)]*\)\))\s*(?==)")
+VB_TYPED = re.compile(
+    r"^([ \t]*(?:Dim|Const|Private|Public|ReadOnly|Static)[^=\n]*?\b(\w+)\s*(?:\([,\s]*\))?\s+As\s+\w+(?:\([,\s]*\))?\s*=)",
+    re.MULTILINE,
+)
+# --- assignments: x := 1, x <- 1, 'x' => 1, "x" -> 1, :x 1, $x, @x
+ARROW = re.compile(r"(?<=[\w'\"\])])\s*(?::=|<-(?!\s*\d+\s*\.\.)|=>)\s*|(?<=['\"])\s*->\s*")
+SIGIL = re.compile(
+    r"(?<![\w\\$}])\$(?:this->)?(?=[A-Za-z_]\w*\s*(?:=|\[|->|;|,|\)))|(?<![\w.])@{1,2}(?=[A-Za-z_]\w*\s*(?:=|\[))|\b(?:my|our)\s+@(?=\w)"
+)
+LISP = re.compile(r"(?<=[\s(]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)])")
+# --- makers: new double[][] {…}, vec![…], []float64{…}, [_]f64{…}, .{…}, %{…}, @[…], (/ … /), <|…|>
+MAKER = re.compile(
+    r"\bnew\s+[\w.]+(?:\s*<[^>\n]*>+)?\s*(?:\[[\w,\s]*\]\s*)+(?=\{)|\bnew\s*\[\]\s*(?=\{)"
+    r"|\bvec!\s*(?=[\[(])|(?:\[[\w.]*\]\s*)+\*?[A-Za-z_][\w.]*\s*(?=\{)|(?<![\w)\]])[.%](?=\{)|(?<![\w)\]])@(?=\[)"
+    r"|<[A-Z]\w*(?:<[^>\n]*>)?>\s*(?=[\[{])|(?<=[\s(,])'(?=\()"
+)
+# --- setters: .setD(0.1), .withAlpha(…), .theta(…) in a chain
+ARGUMENT = r"\(\s*((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*?)\s*\)"
+SETTER = re.compile(r"\s*\.\s*(?:set|with)?_?([A-Za-z]\w*)(?=\()")
+SETTING = re.compile(ARGUMENT)
+# a1, d1 = 0.3, 0.1
+TOGETHER = re.compile(
+    r"^([ \t]*(?:local |let |var |const )?)([\w.]+(?:[ \t]*,[ \t]*[\w.]+)+)[ \t]*=(?!=)[ \t]*([^=\n\[\]{}]+?)[ \t]*;?[ \t]*$",
+    re.MULTILINE,
+)
+ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>")
+
+
+def neutral(text):
+    """The text without what only its language asks for.
+
+    Examples
+    --------
+    >>> neutral("const A1: f64 = 0.5f64;")
+    'const A1 = 0.5;'
+    >>> neutral("a <- c(0, .pi / 2)")
+    'a = c(0, pi / 2)'
+    """
+    text = _numbers(text)
+    text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))
+    text = VB_TYPED.sub(r"\2 =", text)
+    text = SIGIL.sub("", ARROW.sub(" = ", text))
+    text = LISP.sub(r", \1 = \2", text)
+    text = MAKER.sub("", text)
+    text = text.replace("<|", "{").replace("|>", "}")
+    text = re.sub(r"\(/(.*?)/\)", r"[\1]", text, flags=re.DOTALL)
+    text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on
+    text = TOGETHER.sub(_apart, ELEMENT.sub(_element, text))
+    return _without_setters(text)
+
+
+def _numbers(text):
+    text = LITERAL_UNIT.sub(r" \1", FORTRAN.sub(r"\1e\2", SUFFIX.sub(r"\1", text)))
+    text = CAST.sub("", PI.sub("pi", text))
+    return POSTFIX.sub(r"radians(\1)", text)
+
+
+def _apart(match):
+    names, said = match[2].split(","), cells_in(match[3])
+    if len(names) != len(said):
+        return match[0]
+    return match[1] + "; ".join(f"{name.strip()} = {one}" for name, one in zip(names, said)) + ";"
+
+
+def _untyped(match):
+    """Nothing, but for a name of a parameter, as in ``Joint 1: theta = 90``."""
+    return match[0] if role_of(match[0].strip(": &"))[0] else " "
+
+
+def _element(match):
+    unit = f" {match[2]}" if match[2] else ""
+    return f"{match[1]}: {match[3]}{unit}" if role_of(match[1])[0] else match[0]
+
+
+def _without_setters(text):
+    """``Link().setD(0.1).setA(0)`` as ``Link(){D = 0.1, A = 0}``; ``link1.setD(0.1)`` as
+    ``link1.D = 0.1``.
+    """
+    out, at = [], 0
+    for first in SETTER.finditer(text):
+        calls, end = _calls(text, first) if first.start() >= at else ([], 0)
+        if len(calls) >= 3:
+            said = "{" + ", ".join(f"{name} = {value}" for name, value in calls) + "}"
+        elif len(calls) == 1 and "set" in first[0]:
+            said = f".{calls[0][0]} = {calls[0][1]}"
+        else:
+            continue
+        out, at = [*out, text[at : first.start()], said], end
+    return "".join([*out, text[at:]])
+
+
+def _calls(text, call):
+    """(what each of a chain of calls sets, where the chain ends)."""
+    calls, end = [], call.start()
+    while call and role_of(call[1])[0]:
+        value = SETTING.match(text, call.end())
+        if not value or not value[1]:
+            break
+        calls, end = [*calls, (call[1], value[1])], value.end()
+        call = SETTER.match(text, end)
+    return calls, end
