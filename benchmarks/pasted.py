@@ -5,6 +5,10 @@ The folder holds ``NN.txt`` with what somebody pastes and ``NN.yaml`` with the t
 ``must_ask`` what the text leaves open, ``may_ask`` what may be asked, ``accept`` other right
 readings. Poses are compared, at random joint values, with a product that shares nothing with dhlab.
 
+A second form of truth is read too: rows of ``theta``, ``d``, ``a``, ``alpha`` and ``joint`` (R, P,
+fixed), ``signs``, ``unknown`` what the text leaves open, and a ``note`` that says where taking the
+obvious is as right as asking.
+
 right: one reading, and it is the truth; or, where the text leaves something open, it is asked,
 with the truth among the readings. needless: asked though the text says it. wrong: one reading that
 is not the truth, or nothing asked where something had to be. unread: a sentence instead of a table.
@@ -13,6 +17,7 @@ is not the truth, or nothing asked where something had to be. unread: a sentence
 import argparse
 import collections
 import pathlib
+import re
 import time
 
 import numpy as np
@@ -85,9 +90,51 @@ def is_truth(arm, case):
             continue
         right = np.array(list(poses(truth, q)))
         size = max(1.0, *(abs(row[k]) for row in truth["rows"] for k in ("d", "a")))
+        if case.get("any_tool"):
+            left = np.linalg.solve(right, found)
+            right = right @ left[0]
         if np.abs(found - right).max() < TOLERANCE * size:
             return True
     return False
+
+
+COLUMNS = "theta", "d", "a", "alpha"
+KINDS = {"R": "revolute", "P": "prismatic", "fixed": "fixed"}
+WAIVED = {  # what of a note makes taking as right as asking
+    "convention": r"(?:standard|craig|convention)[^.]*(?:right|acceptable)",
+    "length units": r"(?:metres?|mm|length)[^.]*(?:obvious|right|plainly|may be taken)",
+}
+SCALES = 1e-3, 1e-2, 0.0254, 1.0
+
+
+def in_one_form(case):
+    """The second form of truth as the first."""
+    if "unknown" not in case:
+        return case
+    signs = case.get("signs") or [1] * len(case["rows"])
+    rows = [
+        {"theta_offset": row["theta"], "d": row["d"], "a": row["a"], "alpha": row["alpha"],
+         "joint": KINDS[row["joint"]], "sign": sign}
+        for row, sign in zip(case["rows"], signs)
+        if not any(isinstance(row[name], str) for name in COLUMNS)  # letters without values
+    ]  # fmt: skip
+    left = [{"length": "length units", "order": "column order"}.get(w, w) for w in case["unknown"]]
+    note = case.get("note") or ""
+    may = [
+        what for what in left if what in WAIVED and re.search(WAIVED[what], note, re.IGNORECASE)
+    ]
+    scales = SCALES if "length units" in left else (1.0,)
+    accept = [
+        {"convention": case["convention"],
+         "rows": [{**row, "d": row["d"] * s, "a": row["a"] * s} for row in rows]}
+        for s in scales
+        if len(rows) == len(signs)
+    ]  # fmt: skip
+    return {
+        "form": case["kind"], "convention": case["convention"], "rows": rows, "accept": accept,
+        "must_ask": [what for what in left if what not in may], "may_ask": may,
+        "any_tool": "either is right" in note,
+    }  # fmt: skip
 
 
 def judged(text, case):
@@ -118,7 +165,7 @@ def main():
     options = parser.parse_args()
     counts, worst = collections.Counter(), 0.0
     for path in sorted(options.folder.glob("*.yaml")):
-        case = yaml.safe_load(path.read_text(encoding="utf-8"))
+        case = in_one_form(yaml.safe_load(path.read_text(encoding="utf-8")))
         text = path.with_suffix(".txt").read_text(encoding="utf-8")
         start = time.process_time()
         verdict, said = judged(text, case)

@@ -51,6 +51,11 @@ TURNED = re.compile(
     r"|\b((?:\w+\.)*\w*(?:sign|dir)\w*)(?:[\[(]\w+[\])])?\s*\.?\*\s*\(?(?:q|theta|th|joint\w*)\b",
     re.IGNORECASE,
 )
+OF_AN_END = re.compile(r"grip|tool|tcp|ee|end|flange|base|hand|camera|link", re.IGNORECASE)
+SLIDING = re.compile(
+    r"\bjoint[ _]?\d[^\n,;]{0,20}\bprismatic\b|\bprismatic\b[^\n,;]{0,12}\b(?:joint )?[dq]?\d\b|[#%/]\s*prismatic\s*$",
+    re.IGNORECASE | re.MULTILINE,
+)
 # joint 2 turns in the negative direction, q .* [1 -1 1]
 BACKWARDS = re.compile(
     r"\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
@@ -92,6 +97,7 @@ def require_accounted(table, source, others=()):
     _require_joints(table, source)
     _require_zeros(table, source)
     _require_senses(table, source)
+    _require_sliding(table, source)
     for other in others:
         if (
             other.roles
@@ -144,7 +150,7 @@ def _named_zero(source, table):
             return f"{name} added to joint angles"
     used = " ".join(cell.text for row in table.rows for cell in row)
     for name, said in ZERO.findall(source.code):
-        if name in used:
+        if name in used or OF_AN_END.search(name):
             continue  # a length by its name
         number = re.search(r"[1-9]|pi\b", said)
         if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):
@@ -169,6 +175,18 @@ def _require_senses(table, source):
                 f"recognise_table: the text has {match[0].strip(' ,=(')[:40]!r}, and every joint of"
                 " the rows counts along its axis; which joint is turned? Write its variable as -q"
             )
+
+
+def _require_sliding(table, source):
+    """A joint that the text calls prismatic must slide."""
+    sliding = "P" in table.kinds or any(role == "sigma" for role in table.roles)
+    letters = [cell for row in table.rows for cell in row if cell.variable in ("d", "q")]
+    found = None if sliding or letters else SLIDING.search(source.text)
+    if found:
+        raise ValueError(
+            f"recognise_table: the text says {found[0].strip()[:40]!r}, and no row slides; which one"
+            " is it? Write its variable, as d3, into the row"
+        )
 
 
 def _is_zero(name, source):

@@ -3,10 +3,11 @@ DHLink(…), RevoluteMDHLink(…), Frame::DH(…).
 """
 
 import re
+from dataclasses import replace
 
 from ..cells import cell_of, read_cell
 from ..columns import misplaced
-from ..language.brackets import cells_in, groups, keyword
+from ..language.brackets import Item, cells_in, groups, keyword
 from ..language.roles import role_of
 from ..pasted import Pasted, Row, from_rows
 from .functions import definitions
@@ -30,6 +31,7 @@ FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
 # DH(i,:), DH(i,2), dh[i][2]: one call makes all links
 OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
+LOOPED = re.compile(r"\b([A-Za-z_]\w*)\[([ijk])\]")
 LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\s*([^;\n=]+)")
 
 
@@ -42,13 +44,13 @@ def read(source, nominal=None):
         for group in groups(source.code)
         if group.mark == "(" and _defines(group)
     }
-    for group in groups(source.code):
+    for group in _unrolled(groups(source.code), source):
         name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
         if own.get(name):  # a class of the text's own: its order is the one that it defines
-            known = (*known[:3], " ".join(str(role) for role in own[name]))
+            known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
                 continue
         row, said = _row(group, name, known, source, notes, len(rows) + 1)
@@ -82,6 +84,23 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _unrolled(found, source):
+    """The groups; a call in a loop, ``Link(d=d[i])``, behind one that is in none, once for each."""
+    alone = False
+    for group in found:
+        counted = set(LOOPED.findall(group.text))
+        known = any(re.fullmatch(one[0], _name(group).lower()) for one in CLASSES)
+        if not (known and counted and alone and group.mark == "("):
+            alone = alone or (known and group.mark == "(" and not counted)
+            yield group
+            continue
+        lists = [name for name, _ in counted if role_of(name)[0] in NAMED]
+        lengths = [sum(key.startswith(f"{name}[") for key in source.known) for name in lists]
+        for k in range(max(lengths, default=0) if len(set(lengths)) == 1 else 0):
+            texts = [LOOPED.sub(lambda m, k=k: f"{m[1]}[{k}]", item.text) for item in group.items]
+            yield replace(group, items=[Item(text, line=group.line) for text in texts])
 
 
 def _is_of_a_loop(row):

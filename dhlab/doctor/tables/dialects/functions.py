@@ -61,6 +61,8 @@ def definitions(source):
             for item in call.items
             if item.text not in ("self", "this", "obj", "cls")
         )
+        if "theta" not in roles:
+            roles = tuple("theta" if role == "offset" else role for role in roles)
         named = [role for role in roles if role in (*ROLES, "r")]
         if call.mark == "(" and call.name and len(set(named)) == 4 and "alpha" in named:
             orders.setdefault(_class_of(call, source) or _last(call.name), roles)

@@ -253,6 +253,11 @@ def _with_types(table, source):
     )
     listed = re.search(rf"[\[{{(]\s*{word}(?:[\s,;]+{word})+\s*[\]}})]", source.code)
     types = re.findall(word, listed[0]) if listed else made
+    letters = re.findall(rf"['\"]([RP]{{{len(table.rows)}}})['\"]", source.code)
+    listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
+    letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
+    if not any(table.kinds) and any("P" in one and len(one) == len(table.rows) for one in letters):
+        return replace(table, kinds=tuple(letters[0]))
     if "prismatic" not in types or any(table.kinds):
         return table
     if len(types) == len(table.rows):

@@ -26,14 +26,16 @@ def assigned_in(text):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):
             said = said.strip().rstrip(".)")
-            if said.count("(") > said.count(")"):
-                said += ")"
+            said += ")" * max(said.count("(") - said.count(")"), 0)
             try:
                 evaluate(said, dict(known))
             except NoExpression:
                 continue
-            if not re.search(rf"\b{re.escape(name)}\b", said):
+            again = re.compile(rf"\b{re.escape(name)}\b")
+            if not again.search(said):
                 known.setdefault(key(name), said)
+            elif key(name) in known and not re.search(r"[-+]", said):  # a1 = a1 / 1000
+                known[key(name)] = again.sub(f"({known[key(name)]})", said)
             break
     for name, items in LISTED.findall(text):
         for k, item in enumerate(cells_in(items)):

@@ -5,6 +5,7 @@ assignments, makers of lists and setters. Nothing here knows a table; it only ta
 import re
 
 from .brackets import cells_in
+from .expressions import NoExpression, evaluate
 from .roles import role_of
 
 __all__ = ["neutral"]
@@ -65,8 +66,19 @@ SETTER = re.compile(r"\s*\.\s*(?:set|with)?_?([A-Za-z]\w*)(?=\()")
 SETTING = re.compile(ARGUMENT)
 # a1, d1 = 0.3, 0.1
 TOGETHER = re.compile(
-    r"^([ \t]*(?:local |let |var |const )?)([\w.]+(?:[ \t]*,[ \t]*[\w.]+)+)[ \t]*=(?!=)[ \t]*([^=\n\[\]{}]+?)[ \t]*;?[ \t]*$",
+    r"((?:^|;)[ \t]*(?:local |let |var |const )?)([\w.]+(?:[ \t]*,[ \t]*[\w.]+)+)"
+    r"[ \t]*=(?!=)[ \t]*([^=;\n\[\]{}]+?)[ \t]*(?=;|$)",
     re.MULTILINE,
+)
+# functions of one number that a text defines itself: def rad(x): return x * pi / 180
+OWN = (
+    r"\bdef\s+(\w+)\(\s*(\w+)[^)\n]*\)[^:\n]*:((?:\n[ \t]+\w+[ \t]*=[^\n]*){0,3})\s*return[ \t]+([^\n#]+)",
+    r"\b(\w+)\s*\(\s*(?:const\s+)?(?:double|float|real)\s+(\w+)\s*\)()\s*\{\s*return\s+([^;}]+)",
+    r"\b(\w+)\s*=\s*lambda\s+(\w+)\s*:()\s*([^\n#]+)",
+    r"\b(\w+)\s*=\s*@\(\s*(\w+)\s*\)()\s*([^;\n%]+)",
+    r"\b(\w+)\s*=\s*\(?\s*(\w+)[^()=\n]{0,12}\)?\s*=>()\s*([^;\n{]+)",
+    r"\bfunction\s+(\w+)\s*\(\s*(\w+)[^)]*\)[^{]*\{()\s*return\s+([^;}]+)",
+    r"#\s*define\s+(\w+)\((\w+)\)()[ \t]+([^\n]+)",
 )
 ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>")
 
@@ -81,7 +93,7 @@ def neutral(text):
     >>> neutral("a <- c(0, .pi / 2)")
     'a = c(0, pi / 2)'
     """
-    text = _numbers(text)
+    text = _numbers(_inlined(text))
     text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))
     text = VB_TYPED.sub(r"\2 =", text)
     text = SIGIL.sub("", ARROW.sub(" = ", text))
@@ -94,6 +106,28 @@ def neutral(text):
     return _without_setters(text)
 
 
+def _inlined(text):
+    """The calls of functions that the text defines itself, as what these compute."""
+    for pattern in OWN:
+        for name, given, before, said in re.findall(pattern, text):
+            for local, value in re.findall(r"(\w+)[ \t]*=[ \t]*([^\n]+)", before):
+                said = re.sub(rf"\b{local}\b", f"({value.strip()})", said)
+            try:
+                computed = evaluate(said.strip())
+            except NoExpression:
+                continue
+            if set(computed.letters) != {given} or not re.search(rf"\b{given}\b", said):
+                continue
+            call = re.compile(rf"(?<![\w.])(?:\w+\.)?{name}\(([^()\n]{{1,60}})\)(?!\s*[:{{])")
+            text = call.sub(
+                lambda m, given=given, said=said.strip(): m[0]
+                if m[1] == given or " " in m[1].strip() and not re.search(r"\d", m[1])
+                else "(" + re.sub(rf"\b{given}\b", lambda _: f"({m[1]})", said) + ")",
+                text,
+            )
+    return text
+
+
 def _numbers(text):
     text = LITERAL_UNIT.sub(r" \1", FORTRAN.sub(r"\1e\2", SUFFIX.sub(r"\1", text)))
     text = CAST.sub("", PI.sub("pi", text))
@@ -104,7 +138,7 @@ def _apart(match):
     names, said = match[2].split(","), cells_in(match[3])
     if len(names) != len(said):
         return match[0]
-    return match[1] + "; ".join(f"{name.strip()} = {one}" for name, one in zip(names, said)) + ";"
+    return match[1] + "; ".join(f"{name.strip()} = {one}" for name, one in zip(names, said))
 
 
 def _untyped(match):

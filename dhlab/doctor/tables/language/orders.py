@@ -20,6 +20,11 @@ PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
+ROW = re.compile(  # al, a, to, d = dh[i]; for al, a, to, d in dh
+    r"(?:^|[;(]|\bfor\s)\s*\(?(\w+)\s*,\s*(\w+)\s*,\s*(\w+)\s*,\s*(\w+)\)?\s*"
+    r"(?:=\s*[\w.]+\s*(?:\[\w+\]|\(\w+,\s*:\))|\bin\s)",
+    re.MULTILINE,
+)
 UNPACKED = re.compile(
     r"(\w+)(?:\s*=|['\"]\s*,)\s*[\w.]+[\[(](?:[\w:]+\s*(?:,|\]\s*\[)\s*)?(\d)[\])]"
 )
@@ -50,6 +55,9 @@ def order_in(source):
     found = order_of_names(source.code, in_code=True)
     if found:
         return (*found, "as the program says", 0)
+    for names in ROW.findall(source.code):
+        if roles := _completed([source.role(name) for name in names]):
+            return roles, {}, "as the program takes them apart", 0
     picked = {}
     for name, index in UNPACKED.findall(source.code):
         role = role_of(name)[0]
@@ -61,6 +69,16 @@ def order_in(source):
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
     return None
+
+
+def _completed(roles):
+    """Four roles of which one says nothing, or is an offset: it is the one that is left."""
+    roles = [role if role in (*ROLES, "r") else None for role in roles]
+    roles = ["a" if role == "r" and "a" not in roles else role for role in roles]
+    left = set(ROLES) - set(roles)
+    if len(left) > 1 or roles.count(None) != len(left):
+        return None
+    return tuple(role or left.pop() for role in roles)
 
 
 def order_of_three(source):
