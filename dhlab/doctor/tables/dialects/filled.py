@@ -115,8 +115,9 @@ def _by_fours(found, source):
     """Rows of four in one flat list, where the text says in which order they stand."""
     for group in found:
         cells = [item.text for item in group.items]
+        outer = group.outer.target if group.outer is not None else ""
         many = (
-            TABLE.search(group.target.lower())
+            TABLE.search((group.target or outer).lower())
             and len(cells) >= 8
             and len(cells) % 4 == 0
             and group.mark != "("

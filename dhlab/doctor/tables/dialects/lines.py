@@ -118,8 +118,10 @@ def _with_heading(grid, source, split):
     """The grid with the heading that stands in a comment, where it has none itself."""
     if any(header(cells) for _, cells in grid):
         return grid
+    widths = {len(cells) for _, cells in grid if _is_row(cells, 0)}
     for line, comment in source.comments:
-        if header(cells := split(comment.strip())):
+        cells = split(comment.strip())
+        if header(cells) and widths & {len(cells), len(cells) + 1}:
             return [(f"line {line}", cells), *(row for row in grid if int(row[0][5:]) > line)]
     return grid
 

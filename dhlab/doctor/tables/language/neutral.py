@@ -53,6 +53,13 @@ ARROW = re.compile(r"(?<=[\w'\"\])])\s*(?::=|<-(?!\s*\d+\s*\.\.)|=>)\s*|(?<=['\"
 SIGIL = re.compile(
     r"(?<![\w\\$}])\$(?:this->)?(?=[A-Za-z_]\w*\s*(?:=|\[|->|;|,|\)))|(?<![\w.])@{1,2}(?=[A-Za-z_]\w*\s*(?:=|\[))|\b(?:my|our)\s+@(?=\w)"
 )
+OF_DOLLARS = re.compile(r"^[ \t]*(?:my |our |private |public |protected |const )*\$\w+\s*=", re.MULTILINE)
+DECLARED = (  # define("L1", 0.4), double L1{0.4}, (defconstant L1 0.4), @l1 0.4
+    re.compile(r"\bdefine\(\s*['\"](\w+)['\"]\s*,\s*([^()\n]+)\)"),
+    re.compile(r"\b(?:double|float|auto)\s+(\w+)\s*\{([^{}\n]+)\}"),
+    re.compile(r"\((?:def\w+|setq|setf|define)\s+([\w*+-]+)\s+([-+\d.][^()\s]*)\s*\)"),
+    re.compile(r"^[ \t]*@(\w+)[ \t]+(?=[-\d\[{(])([^\n]+)$", re.MULTILINE),
+)
 LISP = re.compile(r"(?<=[\s(]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)])")
 # --- makers: new double[][] {…}, vec![…], []float64{…}, [_]f64{…}, .{…}, %{…}, @[…], (/ … /), <|…|>
 MAKER = re.compile(
@@ -96,6 +103,10 @@ def neutral(text):
     text = _numbers(_inlined(text))
     text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))
     text = VB_TYPED.sub(r"\2 =", text)
+    if OF_DOLLARS.search(text):
+        text = re.sub(r"\$(?=[A-Za-z_])", "", text)
+    for declared in DECLARED:
+        text = declared.sub(r"\1 = \2;", text)
     text = SIGIL.sub("", ARROW.sub(" = ", text))
     text = LISP.sub(r", \1 = \2", text)
     text = MAKER.sub("", text)
