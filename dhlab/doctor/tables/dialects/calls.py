@@ -31,6 +31,9 @@ FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
 # DH(i,:), DH(i,2), dh[i][2]: one call makes all links
 OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
+TOOLBOX = re.compile(
+    r"rtb|robotic|toolbox|seriallink|dhrobot|corke|revolute(?:m?dh)\b|prismatic(?:m?dh)\b", re.IGNORECASE
+)
 LOOPED = re.compile(r"\b([A-Za-z_]\w*)\[([ijk])\]")
 LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\s*([^;\n=]+)")
 
@@ -152,6 +155,9 @@ def _changed_later(named, rows, source, conventions):
 def _default(source, forms):
     """Links of the toolbox that say nothing are standard ones, unless the text says otherwise."""
     if re.search(r"modified|\bmdh\b|craig", source.text, re.IGNORECASE):
+        return ""
+    named = re.search(r"\bLink\(\s*(?:\w+\s*=|-?[\d.]+\s*,)", source.code)  # anybody's class
+    if named and not TOOLBOX.search(source.text):
         return ""
     return "standard" if forms[0] == ROBOTICS_TOOLBOX else ""
 
