@@ -120,9 +120,7 @@ def in_one_form(case):
     ]  # fmt: skip
     left = [{"length": "length units", "order": "column order"}.get(w, w) for w in case["unknown"]]
     note = case.get("note") or ""
-    may = [
-        what for what in left if what in WAIVED and re.search(WAIVED[what], note, re.IGNORECASE)
-    ]
+    may = [what for what in left if what in WAIVED and re.search(WAIVED[what], note, re.IGNORECASE)]
     scales = SCALES if "length units" in left else (1.0,)
     accept = [
         {"convention": case["convention"],

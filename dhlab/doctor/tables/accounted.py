@@ -15,12 +15,15 @@ NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
 }
 SAID = re.compile(
-    rf"(?<![\w.])(\d|{'|'.join(NUMBERS)})[- ]?(?:dofs?\b|degrees?[- ]of[- ]freedom|ax[ei]s\b(?! \d)|joint(?:ed|s)?\b(?! \d)"
-    r"|r\b(?= (?:arm|robot|manip)))",
+    rf"(?<![\w.])(\d|{'|'.join(NUMBERS)})[- ]?(?:dofs?\b|degrees?[- ]of[- ]freedom|ax[ei]s\b(?! \d)"
+    r"|joint(?:ed|s)?\b(?! \d)|r\b(?= (?:arm|robot|manip)))",
     re.IGNORECASE,
 )
 VARIABLE = re.compile(r"(?<![\w.])(?:q|theta|th)_?\{?(\d)\}?(?!\w)")
-QUARTER = r"(?:\(?-?\d*\.?\d*\s*\*?\s*(?:(?:np|math|numpy|sp)\.)?pi\b(?!\s*/\s*180)(?:\s*/\s*\d)?|1\.57\d*|3\.14\d*|(?:90|180)(?:\.0*)?(?!\.?\d))"
+QUARTER = (
+    r"(?:\(?-?\d*\.?\d*\s*\*?\s*(?:(?:np|math|numpy|sp)\.)?pi\b(?!\s*/\s*180)(?:\s*/\s*\d)?"
+    r"|1\.57\d*|3\.14\d*|(?:90|180)(?:\.0*)?(?!\.?\d))"
+)
 ANGLE = r"(?<![\w.])(?:q|theta|th|t(?=[_\d]))\w{0,7}?(?:_?\{?\d\}?|[\[(]\w+[\])])?"
 # q2 - pi/2, theta[1] += 90, q + deg2rad([0, -90])
 SHIFTED = re.compile(
@@ -37,12 +40,14 @@ WRAPPED = re.compile(
 ZERO = re.compile(r"\b((?:\w+\.)*\w*(?:off|zero|bias)\w*)\s*[:=](?!=)\s*([^\n]*)", re.IGNORECASE)
 # theta + offset, q[i] - zeros[i]
 BY_NAME = re.compile(
-    r"(?<![\w.])(?:q|theta|th|joint\w*|angles?)\w{0,8}(?:[\[(]\w+[\])])?\s*[-+]\s*((?:\w+\.)*\w*(?:off|zero|bias|shift|home)\w*)",
+    r"(?<![\w.])(?:q|theta|th|joint\w*|angles?)\w{0,8}(?:[\[(]\w+[\])])?\s*[-+]"
+    r"\s*((?:\w+\.)*\w*(?:off|zero|bias|shift|home)\w*)",
     re.IGNORECASE,
 )
 # joint 2 has an offset of -90 deg
 STATED = re.compile(
-    r"\b(?:joint|axis|theta|q)[ _]?\d[^.,;|\n]{0,30}\b(?:offset|zero|shift|rotated)\w*[^.,;|\n\d]{0,20}[-+]?(?:90|180|1\.57\d*|pi)\b",
+    r"\b(?:joint|axis|theta|q)[ _]?\d[^.,;|\n]{0,30}\b(?:offset|zero|shift|rotated)\w*"
+    r"[^.,;|\n\d]{0,20}[-+]?(?:90|180|1\.57\d*|pi)\b",
     re.IGNORECASE,
 )
 TURNED = re.compile(
@@ -53,7 +58,8 @@ TURNED = re.compile(
 )
 OF_AN_END = re.compile(r"grip|tool|tcp|ee|end|flange|base|hand|camera|link", re.IGNORECASE)
 SLIDING = re.compile(
-    r"\bjoint[ _]?\d[^\n,;]{0,20}\bprismatic\b|\bprismatic\b[^\n,;]{0,12}\b(?:joint )?[dq]?\d\b|[#%/]\s*prismatic\s*$",
+    r"\bjoint[ _]?\d[^\n,;]{0,20}\bprismatic\b|\bprismatic\b[^\n,;]{0,12}\b(?:joint )?[dq]?\d\b"
+    r"|[#%/]\s*prismatic\s*$",
     re.IGNORECASE | re.MULTILINE,
 )
 # joint 2 turns in the negative direction, q .* [1 -1 1]
@@ -184,8 +190,8 @@ def _require_sliding(table, source):
     found = None if sliding or letters else SLIDING.search(source.text)
     if found:
         raise ValueError(
-            f"recognise_table: the text says {found[0].strip()[:40]!r}, and no row slides; which one"
-            " is it? Write its variable, as d3, into the row"
+            f"recognise_table: the text says {found[0].strip()[:40]!r}, and no row slides; which"
+            " one is it? Write its variable, as d3, into the row"
         )
 
 

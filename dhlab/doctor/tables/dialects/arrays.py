@@ -155,6 +155,8 @@ def _by_role(source, twice, notes):
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
+        if role == "offset" and re.search(r"tool|grip|tcp|base|flange|camera", name.lower()):
+            continue  # where an end is, no zero
         added = _added(name, source) if role is None else ""
         if added:
             role = "offset"

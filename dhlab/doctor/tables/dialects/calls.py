@@ -32,7 +32,8 @@ NAMED = ("theta", "d", "a", "alpha", "r", "offset")
 # DH(i,:), DH(i,2), dh[i][2]: one call makes all links
 OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
 TOOLBOX = re.compile(
-    r"rtb|robotic|toolbox|seriallink|dhrobot|corke|revolute(?:m?dh)\b|prismatic(?:m?dh)\b", re.IGNORECASE
+    r"rtb|robotic|toolbox|seriallink|dhrobot|corke|revolute(?:m?dh)\b|prismatic(?:m?dh)\b",
+    re.IGNORECASE,
 )
 LOOPED = re.compile(r"\b([A-Za-z_]\w*)\[([ijk])\]")
 LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\s*([^;\n=]+)")

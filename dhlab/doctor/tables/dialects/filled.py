@@ -51,7 +51,7 @@ def _one_a_call(found):
 
 
 def _siblings(found, source):
-    """Brackets of one kind, one behind the other with nothing around them: ``(1, 0, 90), (2, …)``."""
+    """Brackets of one kind, one behind the other, nothing around them: ``(1, 0, 90), (2, …)``."""
     best, rows = [], []
     for group in found:
         cells = [item.text for item in group.items]

@@ -17,7 +17,8 @@ PAIR = re.compile(
 )
 LOOSE = re.compile(r"(-?\s*\b(?:theta|th|q)_?\d+\b\s*\*?(?:\s*[-+]\s*[\w./*]+°?)?)")
 WORDED = re.compile(  # theta 0 d 0.42; link length 0.06, link twist -90
-    r"([A-Za-z][A-Za-z_ -]{0,30}?)\s*(?:\bis|\bof|=|:)?\s+(-?\d[\d.]*\s*(?:deg|°|mm|cm|m|rad)?(?![\w*/])"
+    r"([A-Za-z][A-Za-z_ -]{0,30}?)\s*(?:\bis|\bof|=|:)?\s+"
+    r"(-?\d[\d.]*\s*(?:deg|°|mm|cm|m|rad)?(?![\w*/])"
     r"|-?\d*\s*\*?\s*pi(?:\s*/\s*\d)?(?!\w))"
 )
 BLOCK = re.compile(r"\s*-|\s*[\w .-]+:\s*$|\s*['\"]?\w+['\"]?\s*:\s*\{")

@@ -178,9 +178,9 @@ def _matrix(group):
         and item.text.rstrip().endswith(item.groups[-1].text)
         and re.fullmatch(r"[\w.:]*\s*", item.text[: -len(item.groups[-1].text)] or "")
     ]
-    if len(items) == 1 and len(items[0].groups) > 1:  # Lisp: no mark between the rows
-        if not "".join(_between(items[0])).strip():
-            inner = items = items[0].groups
+    alone = len(items) == 1 and len(items[0].groups) > 1
+    if alone and not "".join(_between(items[0])).strip():
+        inner = items = items[0].groups  # Lisp: no mark between the rows
     if len(inner) >= 1 and len(inner) == len(items):
         rows = [(f"line {part.line}", [item.text for item in part.items]) for part in inner]
         rows = [(where, cells_in(cells[0]) if len(cells) == 1 else cells) for where, cells in rows]

@@ -1,5 +1,5 @@
 """What programming languages spell each in its own way, said in one: literals, declared types,
-assignments, makers of lists and setters. Nothing here knows a table; it only takes the language off.
+assignments, makers of lists and setters. Nothing here knows a table: it takes the language off.
 """
 
 import re
@@ -19,23 +19,21 @@ LITERAL_UNIT = re.compile(r"(?<=[\d.])_(deg|rad|mm|cm|m)\b")
 POSTFIX = re.compile(
     r"(\((?:[^()\n]|\([^()\n]*\))*\)|\d[\d.]*)\s*\.(to_?radians|to_?rad|deg2rad)\(\)"
 )
-OF_DEGREES = re.compile(
-    r"\b(?:\w+\.)*(?:from_?degrees|in_?degrees|of_?degrees|degrees)\(", re.IGNORECASE
-)
 PI = re.compile(
-    r":math\.pi(?:\(\))?|(?:\b\w+::)+pi(?:_v)?(?:\s*<\s*\w+\s*>)?(?:\(\))?(?!\w)|(?<![\w)\]])\.pi\b|%pi\b"
-    r"|\bpi\s*<\s*\w+\s*>\s*\(\)|\bM_PIl?\b(?!_)",
+    r":math\.pi(?:\(\))?|(?:\b\w+::)+pi(?:_v)?(?:\s*<\s*\w+\s*>)?(?:\(\))?(?!\w)"
+    r"|(?<![\w)\]])\.pi\b|%pi\b|\bpi\s*<\s*\w+\s*>\s*\(\)|\bM_PIl?\b(?!_)",
     re.IGNORECASE,
 )
 CAST = re.compile(r"\((?:float|double|real|int|long double|f32|f64|number)\)\s*(?=[-+\d.(A-Za-z])")
-# --- declared types: const L: [[f64; 4]; 6] = …, val d: List<Double> = …, a: array[0..5] of Double =
+# --- declared types: const L: [[f64; 4]; 6] = …, val d: List<Double> = …, a: array[0..5] of Real =
 KIND = (
-    r"(?:f32|f64|f16|float\d*|double|number|real(?:\(\d\))?|int\d*|usize|decimal|auto|any|tuple|list|dict"
-    r"|(?:np\.)?ndarray|(?:np\.)?array)"
+    r"(?:f32|f64|f16|float\d*|double|number|real(?:\(\d\))?|int\d*|usize|decimal|auto|any|tuple"
+    r"|list|dict|(?:np\.)?ndarray|(?:np\.)?array)"
 )
 TYPED = re.compile(
     r"(?<=[\w$)\]])[ \t]*:[ \t]*&?(?:'static[ \t]+)?(?:"
-    rf"\[+[^=\n]*?\]+|array[ \t]*\[[^\]\n]*\][ \t]*of[ \t]+\w+|[A-Z_a-z][\w.]*[ \t]*(?:<[^=\n]*?>+|\[[^=\n]*?\]+|\{{[^=\n]*?\}})"
+    r"\[+[^=\n]*?\]+|array[ \t]*\[[^\]\n]*\][ \t]*of[ \t]+\w+"
+    r"|[A-Z_a-z][\w.]*[ \t]*(?:<[^=\n]*?>+|\[[^=\n]*?\]+|\{[^=\n]*?\})"
     rf"|{KIND}|(?-i:[A-Z][a-zA-Z]*[a-z]))[ \t]*(?==(?!=))",
     re.IGNORECASE,
 )
@@ -45,15 +43,19 @@ FORTRAN_TYPED = re.compile(
 )
 ATTRIBUTE = re.compile(r"(?<=[\])\w])\s*\b(?:PROGMEM|__attribute__\s*\(\([^)]*\)\))\s*(?==)")
 VB_TYPED = re.compile(
-    r"^([ \t]*(?:Dim|Const|Private|Public|ReadOnly|Static)[^=\n]*?\b(\w+)\s*(?:\([,\s]*\))?\s+As\s+\w+(?:\([,\s]*\))?\s*=)",
+    r"^([ \t]*(?:Dim|Const|Private|Public|ReadOnly|Static)[^=\n]*?\b(\w+)\s*(?:\([,\s]*\))?"
+    r"\s+As\s+\w+(?:\([,\s]*\))?\s*=)",
     re.MULTILINE,
 )
 # --- assignments: x := 1, x <- 1, 'x' => 1, "x" -> 1, :x 1, $x, @x
 ARROW = re.compile(r"(?<=[\w'\"\])])\s*(?::=|<-(?!\s*\d+\s*\.\.)|=>)\s*|(?<=['\"])\s*->\s*")
 SIGIL = re.compile(
-    r"(?<![\w\\$}])\$(?:this->)?(?=[A-Za-z_]\w*\s*(?:=|\[|->|;|,|\)))|(?<![\w.])@{1,2}(?=[A-Za-z_]\w*\s*(?:=|\[))|\b(?:my|our)\s+@(?=\w)"
+    r"(?<![\w\\$}])\$(?:this->)?(?=[A-Za-z_]\w*\s*(?:=|\[|->|;|,|\)))"
+    r"|(?<![\w.])@{1,2}(?=[A-Za-z_]\w*\s*(?:=|\[))|\b(?:my|our)\s+@(?=\w)"
 )
-OF_DOLLARS = re.compile(r"^[ \t]*(?:my |our |private |public |protected |const )*\$\w+\s*=", re.MULTILINE)
+OF_DOLLARS = re.compile(
+    r"^[ \t]*(?:my |our |private |public |protected |const )*\$\w+\s*=", re.MULTILINE
+)
 DECLARED = (  # define("L1", 0.4), double L1{0.4}, (defconstant L1 0.4), @l1 0.4
     re.compile(r"\bdefine\(\s*['\"](\w+)['\"]\s*,\s*([^()\n]+)\)"),
     re.compile(r"\b(?:double|float|auto)\s+(\w+)\s*\{([^{}\n]+)\}"),
@@ -64,7 +66,8 @@ LISP = re.compile(r"(?<=[\s(]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)])"
 # --- makers: new double[][] {…}, vec![…], []float64{…}, [_]f64{…}, .{…}, %{…}, @[…], (/ … /), <|…|>
 MAKER = re.compile(
     r"\bnew\s+[\w.]+(?:\s*<[^>\n]*>+)?\s*(?:\[[\w,\s]*\]\s*)+(?=\{)|\bnew\s*\[\]\s*(?=\{)"
-    r"|\bvec!\s*(?=[\[(])|(?:\[[\w.]*\]\s*)+\*?[A-Za-z_][\w.]*\s*(?=\{)|(?<![\w)\]])[.%](?=\{)|(?<![\w)\]])@(?=\[)"
+    r"|\bvec!\s*(?=[\[(])|(?:\[[\w.]*\]\s*)+\*?[A-Za-z_][\w.]*\s*(?=\{)"
+    r"|(?<![\w)\]])[.%](?=\{)|(?<![\w)\]])@(?=\[)"
     r"|<[A-Z]\w*(?:<[^>\n]*>)?>\s*(?=[\[{])|(?<=[\s(,])'(?=\()"
 )
 # --- setters: .setD(0.1), .withAlpha(…), .theta(…) in a chain
@@ -79,7 +82,8 @@ TOGETHER = re.compile(
 )
 # functions of one number that a text defines itself: def rad(x): return x * pi / 180
 OWN = (
-    r"\bdef\s+(\w+)\(\s*(\w+)[^)\n]*\)[^:\n]*:((?:\n[ \t]+\w+[ \t]*=[^\n]*){0,3})\s*return[ \t]+([^\n#]+)",
+    r"\bdef\s+(\w+)\(\s*(\w+)[^)\n]*\)[^:\n]*:((?:\n[ \t]+\w+[ \t]*=[^\n]*){0,3})"
+    r"\s*return[ \t]+([^\n#]+)",
     r"\b(\w+)\s*\(\s*(?:const\s+)?(?:double|float|real)\s+(\w+)\s*\)()\s*\{\s*return\s+([^;}]+)",
     r"\b(\w+)\s*=\s*lambda\s+(\w+)\s*:()\s*([^\n#]+)",
     r"\b(\w+)\s*=\s*@\(\s*(\w+)\s*\)()\s*([^;\n%]+)",
@@ -123,20 +127,29 @@ def _inlined(text):
         for name, given, before, said in re.findall(pattern, text):
             for local, value in re.findall(r"(\w+)[ \t]*=[ \t]*([^\n]+)", before):
                 said = re.sub(rf"\b{local}\b", f"({value.strip()})", said)
-            try:
-                computed = evaluate(said.strip())
-            except NoExpression:
-                continue
-            if set(computed.letters) != {given} or not re.search(rf"\b{given}\b", said):
-                continue
-            call = re.compile(rf"(?<![\w.])(?:\w+\.)?{name}\(([^()\n]{{1,60}})\)(?!\s*[:{{])")
-            text = call.sub(
-                lambda m, given=given, said=said.strip(): m[0]
-                if m[1] == given or " " in m[1].strip() and not re.search(r"\d", m[1])
-                else "(" + re.sub(rf"\b{given}\b", lambda _: f"({m[1]})", said) + ")",
-                text,
-            )
+            if _computes(said, given):
+                text = _called(text, name, given, said.strip())
     return text
+
+
+def _computes(said, given):
+    """Whether an expression is a number's multiple or sum, and of nothing else."""
+    try:
+        return set(evaluate(said.strip()).letters) == {given}
+    except NoExpression:
+        return False
+
+
+def _called(text, name, given, said):
+    """The text with ``said`` for each call of a function; not for its own definition."""
+
+    def computed(match):
+        word = match[1].strip()
+        if word == given or (" " in word and not re.search(r"\d", word)):
+            return match[0]
+        return "(" + re.sub(rf"\b{given}\b", lambda _: f"({word})", said) + ")"
+
+    return re.sub(rf"(?<![\w.])(?:\w+\.)?{name}\(([^()\n]{{1,60}})\)(?!\s*[:{{])", computed, text)
 
 
 def _numbers(text):

@@ -129,7 +129,7 @@ def order_of_names(text, in_code=False):
 
 
 def _of_phrases(text):
-    """The roles of four phrases in a row, at commas or bars: ``theta offset, d, link length, …``."""
+    """The roles of four phrases in a row, at commas or bars: ``theta offset, d, length, …``."""
     parts = [part.strip(" .)]}") for part in re.split(r"[,;|/]|->|\band\b", text)]
     for at in range(len(parts) - 3):
         first = re.split(r"[:(\[{=]", parts[at])[-1]
