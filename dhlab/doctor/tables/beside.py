@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
-from .joints import FLANGE
+from .joints import FLANGE, MAYBE
 from .language.branches import added_at_joints, turned_at_joints
 
 __all__ = ["DASH", "explained", "labelled", "require_no_fifth", "slid", "with_added", "with_theta"]
@@ -164,8 +164,10 @@ def labelled(table, grid, source):
     still = all(cell.is_constant for row in table.rows for cell in row)
     if len(words) < 2 or any(table.kinds) or not still or JOINT.search(words[-1]):
         return table
-    if not all(JOINT.search(word) for word in words[:-1]) or not FLANGE.search(words[-1]):
+    if not FLANGE.search(words[-1]):
         return table
+    if not all(JOINT.search(word) for word in words[:-1]):
+        return replace(table, labels=(*table.labels[:-1], MAYBE)) if table.labels else table
     return replace(table, kinds=(*table.kinds[:-1], "fixed"))
 
 

@@ -4,8 +4,9 @@ stand for nothing are asked about.
 
 import re
 
-__all__ = ["FLANGE", "fixed_rows", "joints_of"]
+__all__ = ["FLANGE", "MAYBE", "fixed_rows", "joints_of"]
 
+MAYBE = "a flange, or a joint"  # as a comment behind the row leaves it
 FLANGE = re.compile(r"flange|tool|hand|\bee\b|end|tcp|gripper|->\s*(ee|g|n)\b")
 MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
 
@@ -120,6 +121,8 @@ def fixed_rows(table, columns, right):
             i for i in still if (any(moves[:i]) and any(moves[i + 1 :])) or _named_alone(columns, i)
         ]
         return [still, tuple(i for i in still if i not in inner)] if inner else [still]
+    if labels[-1] == MAYBE:
+        return [(n - 1,), ()]
     if labels[0] in ("base", "0 (base)"):
         return [(0,)]
     if FLANGE.search(labels[-1]):

@@ -57,7 +57,7 @@ BY_ROWS = (
     ("Lisp", "(setq dh (list\n@))", "  (make-link :theta {t} :d {d} :a {a} :alpha {al})"),
     ("Lisp", "(defparameter *dh* '(\n@))", "  ({t} {d} {a} {al})"),
     ("Elixir", "dh = [\n@\n]", "  %{{theta: {t}, d: {d}, a: {a}, alpha: {al}}},"),
-    ("Mathematica", "dh = {\n@\n};", '<|"theta" -> {t}, "d" -> {d}, "a" -> {a}, "alpha" -> {al}|>,'),
+    ("Mathematica", "dh = {\n@};", '<|"theta" -> {t}, "d" -> {d}, "a" -> {a}, "alpha" -> {al}|>,'),
 )  # fmt: skip
 BY_LISTS = (
     ("Java", "private final List<Double> {n} = Arrays.asList({v});"),

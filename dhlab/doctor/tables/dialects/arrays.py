@@ -9,6 +9,7 @@ from ..pasted import Pasted
 
 __all__ = ["arrays_in", "read"]
 
+OF_AN_END = re.compile(r"tool|grip|tcp|base|flange|camera", re.IGNORECASE)
 STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
 ADDED = re.compile(r"\b(?:theta|th|q)\w*[\[(]\w+[\])]\s*([-+])\s*THIS\[")  # q[i] + zeros[i]
 MOVED_ON = re.compile(r"\s*(\w+[\[(]\w+[\])])\s*=\s*\1")
@@ -155,7 +156,7 @@ def _by_role(source, twice, notes):
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
         role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
-        if role == "offset" and re.search(r"tool|grip|tcp|base|flange|camera", name.lower()):
+        if role == "offset" and OF_AN_END.search(name):
             continue  # where an end is, no zero
         added = _added(name, source) if role is None else ""
         if added:
@@ -186,7 +187,8 @@ def _added(name, source):
 def _require_zeros(unread, found):
     """Zeros that are given and cannot be read must not be taken for none."""
     for name, cell in unread.items():
-        if role_of(name)[0] == "offset" and "offset" not in found:
+        zeros = role_of(name)[0] == "offset" and not OF_AN_END.search(name)
+        if zeros and "offset" not in found:
             raise ValueError(
                 f"recognise_table: {name}: expected numbers, found {cell[:40]!r}; write the number,"
                 " or what its letters are"

@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 
+from ..beside import labelled
 from ..cells import cell_of
 from ..language.brackets import groups, keyword
 from ..language.orders import order_in
@@ -28,12 +29,12 @@ def read(source, nominal=None):
     for call in calls:
         cells = _cells(call, source, orders.get(_last(call.name)))
         if cells and (_last(call.name) in orders or not NOT_A_LINK.match(_last(call.name))):
-            found.setdefault((_last(call.name), len(cells)), []).append(cells)
+            found.setdefault((_last(call.name), len(cells)), []).append((call.line, cells))
     found = {name: rows for name, rows in found.items() if len(rows) >= 2}
     if not found:
         return None
     (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
-    rows = found[name, width]
+    lines, rows = zip(*found[name, width])
     roles, why = orders.get(name), f"as the definition of {name} says"
     if roles is None:
         said = order_in(source)
@@ -45,10 +46,11 @@ def read(source, nominal=None):
     if width != 4:
         return None
     n = len(rows)
-    return Pasted(
+    table = Pasted(
         tuple(tuple(row) for row in rows), roles, why,
         labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
     )  # fmt: skip
+    return labelled(table, [(f"line {line}", ()) for line in lines], source)
 
 
 def definitions(source):
@@ -89,9 +91,11 @@ def _bare(text):
 def _cells(call, source, roles):
     """The Cells of a call of four to six numbers; None of another, and of the definition itself."""
     items = call.items
-    if not 4 <= len(items) <= 6:
+    if not 4 <= len(items) <= 7:
         return None
     texts = [item.text for item in items]
+    if roles is None and sum(text[:1] in "'\"" for text in texts) <= len(texts) - 4:
+        texts = [text for text in texts if text[:1] not in "'\""]  # the joint's name
     pairs = [keyword(text) for text in texts]
     if all(pairs) and roles is None:
         return None

@@ -12,7 +12,7 @@ from ..columns import IMPLIED
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.makers import made_by
-from ..language.orders import order_in, order_of_three
+from ..language.orders import every_column_in, order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
 from .filled import TABLE, filled
@@ -59,6 +59,9 @@ def _numbers(source):
         ]
         width = 4
     fits, left = order if order and width in (4,) else None, ()
+    named = every_column_in(source, width) if width > 4 else None
+    if named:
+        fits, order = named, ()
     if order and width > 6:  # limits and the like stand behind
         fits = _with_named(order, source)
         grid = [(where, row[: len(fits)]) for where, row in grid]
@@ -148,13 +151,28 @@ def _with_more(order, rows, source):
         more = ("offset", "sigma")
     if any(re.search(r"al(?:ph|f)a\W+(?:theta_?)?offset", text) for _, text in source.comments):
         more = ("offset", "sigma")
+    if (
+        "offset" in more[:1]
+        and not _is_labelled(rows)
+        and not re.search(r"off|zero|home|init|sigma", source.text.lower())
+    ):
+        raise ValueError(
+            "recognise_table: expected four numbers in a row, found a fifth column that nothing"
+            " names; what is it? Name all columns in a comment above the rows"
+        )
     first, width = [str(row[0]).strip("'\" ") for row in rows], len(rows[0])
     if all(word.upper() in ("R", "P", "REVOLUTE", "PRISMATIC") for word in first):
         return ("type", *order, *more[: width - 5])
-    named = not any(re.match(r"[-+.]?\d|[-+]", word) for word in first)
-    if first == [str(k) for k in range(1, len(rows) + 1)] or named:
+    if _is_labelled(rows):
         return ("label", *order, *more[: width - 5])
     return (*order, *more[: width - 4])
+
+
+def _is_labelled(rows):
+    """Whether a name or the number of the link stands before the numbers of each row."""
+    first = [str(row[0]).strip("'\" ") for row in rows]
+    named = not any(re.match(r"[-+.]?\d|[-+]", word) for word in first)
+    return named or first == [str(k) for k in range(1, len(rows) + 1)]
 
 
 def _with_named(order, source):

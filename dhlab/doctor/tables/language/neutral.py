@@ -66,6 +66,7 @@ LISP = re.compile(r"(?<=[\s(]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)])"
 # --- makers: new double[][] {…}, vec![…], []float64{…}, [_]f64{…}, .{…}, %{…}, @[…], (/ … /), <|…|>
 MAKER = re.compile(
     r"\bnew\s+[\w.]+(?:\s*<[^>\n]*>+)?\s*(?:\[[\w,\s]*\]\s*)+(?=\{)|\bnew\s*\[\]\s*(?=\{)"
+    r"|\bnew\s+(?=[\w.]+\()"
     r"|\bvec!\s*(?=[\[(])|(?:\[[\w.]*\]\s*)+\*?[A-Za-z_][\w.]*\s*(?=\{)"
     r"|(?<![\w)\]])[.%](?=\{)|(?<![\w)\]])@(?=\[)"
     r"|<[A-Z]\w*(?:<[^>\n]*>)?>\s*(?=[\[{])|(?<=[\s(,])'(?=\()"
@@ -113,7 +114,7 @@ def neutral(text):
         text = declared.sub(r"\1 = \2;", text)
     text = SIGIL.sub("", ARROW.sub(" = ", text))
     text = LISP.sub(r", \1 = \2", text)
-    text = MAKER.sub("", text)
+    text = MAKER.sub(lambda m: "\n" * m[0].count("\n"), text)
     text = text.replace("<|", "{").replace("|>", "}")
     text = re.sub(r"\(/(.*?)/\)", r"[\1]", text, flags=re.DOTALL)
     text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on

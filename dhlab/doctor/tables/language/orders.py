@@ -8,6 +8,7 @@ from .roles import ROLES, role_of, unit_in
 
 __all__ = [
     "convention_in",
+    "every_column_in",
     "names_in_a_row",
     "order_in",
     "order_of_names",
@@ -25,6 +26,7 @@ ROW = re.compile(  # al, a, to, d = dh[i]; for al, a, to, d in dh
     r"(?:=\s*[\w.]+\s*(?:\[\w+\]|\(\w+,\s*:\))|\bin\s)",
     re.MULTILINE,
 )
+_LISTED = re.compile(r"[(\[{]([^()\[\]{}]{12,200})[)\]}]")
 UNPACKED = re.compile(
     r"(\w+)(?:\s*=|['\"]\s*,)\s*[\w.]+[\[(](?:[\w:]+\s*(?:,|\]\s*\[)\s*)?(\d)[\])]"
 )
@@ -79,6 +81,30 @@ def _completed(roles):
     if len(left) > 1 or roles.count(None) != len(left):
         return None
     return tuple(role or left.pop() for role in roles)
+
+
+def every_column_in(source, width):
+    """What a comment or a definition calls each of more than four columns, "apart" what is none of
+    the table's; None where nothing names as many.
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> every_column_in(source_of("% name, theta, d, a, alpha, qmin\nx = []"), 6)
+    ('label', 'theta', 'd', 'a', 'alpha', 'low')
+    """
+    for text in (*(text for _, text in source.comments), *_LISTED.findall(source.code)):
+        parts = [part.strip(" .)]}>`'\"") for part in re.split(r"[,;|]", text)]
+        for at in range(len(parts) - width + 1):
+            named = [re.split(r"[:(\[{=]\s*", parts[at])[-1], *parts[at + 1 : at + width]]
+            found = [
+                source.role(re.split(r"\s+|[*&]", one)[-1]) or role_of(one)[0] for one in named
+            ]
+            if "theta" not in found and "offset" in found:
+                found[found.index("offset")] = "theta"
+            if all(found.count(role) == 1 for role in ROLES):
+                return tuple(role or "apart" for role in found)
+    return None
 
 
 def order_of_three(source):
