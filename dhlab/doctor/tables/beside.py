@@ -10,7 +10,25 @@ from .cells import Cell, cell_of, read_cell
 from .joints import FLANGE, MAYBE
 from .language.branches import added_at_joints, turned_at_joints
 
-__all__ = ["DASH", "explained", "labelled", "require_no_fifth", "slid", "with_added", "with_theta"]
+__all__ = [
+    "DASH",
+    "explained",
+    "labelled",
+    "require_no_fifth",
+    "slid",
+    "with_added",
+    "with_theta",
+    "with_types",
+]
+    "DASH",
+    "explained",
+    "labelled",
+    "require_no_fifth",
+    "slid",
+    "with_added",
+    "with_theta",
+    "with_types",
+]
 
 DASH = Cell(0.0, text="-")
 JOINT = re.compile(r"joint|axis|gelenk|achse|articula|junta|\b[jq]_?\d")
@@ -180,3 +198,29 @@ def require_no_fifth(names, cells, where):
                 f"recognise_table: {where}: expected four numbers of Denavit and Hartenberg, found"
                 f" {name} = {str(cell)[:20]} as well; give the joint axes instead, as an axis sheet"
             )
+
+
+def with_types(table, source):
+    """The table with the types of ``rigidBodyJoint('j1', 'prismatic')`` and of lists of types."""
+    word = r"['\"](revolute|prismatic|fixed)['\"]"
+    made = re.findall(
+        rf"Joint\s*\(\s*(?:['\"][^'\"\n]*['\"]|\[[^\]\n]*\])\s*,\s*{word}", source.code
+    )
+    listed = re.search(rf"[\[{{(]\s*{word}(?:[\s,;]+{word})+\s*[\]}})]", source.code)
+    types = re.findall(word, listed[0]) if listed else made
+    letters = re.findall(rf"['\"]([RP]{{{len(table.rows)}}})['\"]", source.code)
+    listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
+    letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
+    if not any(table.kinds) and any("P" in one and len(one) == len(table.rows) for one in letters):
+        return replace(table, kinds=tuple(letters[0]))
+    if "prismatic" not in types or any(table.kinds):
+        return table
+    if len(types) == len(table.rows):
+        kinds = {"revolute": "R", "prismatic": "P", "fixed": "fixed"}
+        return replace(table, kinds=tuple(kinds[one] for one in types))
+    if all(cell.is_constant for row in table.rows for cell in row):
+        raise ValueError(
+            "recognise_table: a joint of this text is prismatic; which row is it? Write its"
+            " variable, as d3, into the row"
+        )
+    return table

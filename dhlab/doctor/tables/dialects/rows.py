@@ -6,7 +6,7 @@ import itertools
 import re
 from dataclasses import replace
 
-from ..beside import labelled
+from ..beside import labelled, with_types
 from ..cells import cell_of
 from ..columns import IMPLIED
 from ..language.brackets import cells_in, groups
@@ -70,7 +70,7 @@ def _numbers(source):
         fits = _with_more(order, [row for _, row in grid], source)
     table = from_grid(grid, source, fits, why, units, form)
     table = _with_beside(replace(table, notes=(*table.notes, *left)), source)
-    table = labelled(_with_types(table, source), grid, source)
+    table = labelled(with_types(table, source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
@@ -271,32 +271,6 @@ def _with_beside(table, source):
             rows=tuple((*row, cell) for row, cell in zip(table.rows, zero)),
             roles=(*roles, "offset"),
             notes=(*table.notes, f"{name} is added to theta"),
-        )
-    return table
-
-
-def _with_types(table, source):
-    """The table with the types of ``rigidBodyJoint('j1', 'prismatic')`` and of lists of types."""
-    word = r"['\"](revolute|prismatic|fixed)['\"]"
-    made = re.findall(
-        rf"Joint\s*\(\s*(?:['\"][^'\"\n]*['\"]|\[[^\]\n]*\])\s*,\s*{word}", source.code
-    )
-    listed = re.search(rf"[\[{{(]\s*{word}(?:[\s,;]+{word})+\s*[\]}})]", source.code)
-    types = re.findall(word, listed[0]) if listed else made
-    letters = re.findall(rf"['\"]([RP]{{{len(table.rows)}}})['\"]", source.code)
-    listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
-    letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
-    if not any(table.kinds) and any("P" in one and len(one) == len(table.rows) for one in letters):
-        return replace(table, kinds=tuple(letters[0]))
-    if "prismatic" not in types or any(table.kinds):
-        return table
-    if len(types) == len(table.rows):
-        kinds = {"revolute": "R", "prismatic": "P", "fixed": "fixed"}
-        return replace(table, kinds=tuple(kinds[one] for one in types))
-    if all(cell.is_constant for row in table.rows for cell in row):
-        raise ValueError(
-            "recognise_table: a joint of this text is prismatic; which row is it? Write its"
-            " variable, as d3, into the row"
         )
     return table
 
