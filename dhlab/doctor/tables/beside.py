@@ -20,15 +20,6 @@ __all__ = [
     "with_theta",
     "with_types",
 ]
-    "DASH",
-    "explained",
-    "labelled",
-    "require_no_fifth",
-    "slid",
-    "with_added",
-    "with_theta",
-    "with_types",
-]
 
 DASH = Cell(0.0, text="-")
 JOINT = re.compile(r"joint|axis|gelenk|achse|articula|junta|\b[jq]_?\d")

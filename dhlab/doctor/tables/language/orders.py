@@ -90,7 +90,7 @@ def every_column_in(source, width):
     Examples
     --------
     >>> from .source import source_of
-    >>> every_column_in(source_of("% name, theta, d, a, alpha, qmin\nx = []"), 6)
+    >>> every_column_in(source_of("% name, theta, d, a, alpha, qmin"), 6)
     ('label', 'theta', 'd', 'a', 'alpha', 'low')
     """
     for text in (*(text for _, text in source.comments), *_LISTED.findall(source.code)):
