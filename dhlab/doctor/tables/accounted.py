@@ -75,7 +75,7 @@ def joints_said(source):
 
     Examples
     --------
-    >>> from .language.source import source_of
+    >>> from .evidence.source import source_of
     >>> joints_said(source_of("a 7-DoF arm"))
     {7}
     """

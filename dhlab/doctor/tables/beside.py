@@ -7,8 +7,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
+from .evidence.branches import added_at_joints, turned_at_joints
 from .joints import FLANGE, MAYBE
-from .language.branches import added_at_joints, turned_at_joints
 
 __all__ = [
     "DASH",

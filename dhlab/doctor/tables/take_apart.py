@@ -6,24 +6,13 @@ import numpy as np
 
 from .accounted import require_accounted
 from .beside import with_added
-from .dialects import (
-    arrays,
-    calls,
-    functions,
-    keyed,
-    lines,
-    numbered,
-    opw,
-    rows,
-    segments,
-    sequences,
-    universal,
-)
+from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
+from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
-from .language.axes import axes_in
+from .evidence.axes import axes_in
+from .evidence.orders import convention_in, previous_in
+from .evidence.source import source_of
 from .language.comments import uncommented
-from .language.orders import convention_in, previous_in
-from .language.source import source_of
 from .pasted import Pasted
 
 __all__ = ["take_apart"]

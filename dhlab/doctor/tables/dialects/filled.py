@@ -4,8 +4,8 @@ place, or all numbers one behind the other.
 
 import re
 
+from ..evidence.orders import order_in
 from ..language.brackets import cells_in
-from ..language.orders import order_in
 
 __all__ = ["TABLE", "filled"]
 

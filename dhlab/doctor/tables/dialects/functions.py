@@ -5,8 +5,8 @@ from collections import Counter
 
 from ..beside import labelled
 from ..cells import cell_of
+from ..evidence.orders import order_in
 from ..language.brackets import groups, keyword
-from ..language.orders import order_in
 from ..language.roles import ROLES, role_of
 from ..pasted import Pasted
 

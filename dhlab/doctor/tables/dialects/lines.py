@@ -5,8 +5,8 @@ from collections import Counter
 from dataclasses import replace
 
 from ..cells import read_cell
+from ..evidence.orders import order_in, order_of_names
 from ..language.brackets import cells_in
-from ..language.orders import order_in, order_of_names
 from ..language.roles import ROLES, role_of
 from .grid import NoRows, from_grid, header, units_of
 from .spaced import is_cell, spaced_cells, under_names

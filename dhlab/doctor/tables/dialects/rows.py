@@ -9,10 +9,10 @@ from dataclasses import replace
 from ..beside import labelled, with_types
 from ..cells import cell_of
 from ..columns import IMPLIED
+from ..evidence.makers import made_by
+from ..evidence.orders import every_column_in, order_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
-from ..language.makers import made_by
-from ..language.orders import every_column_in, order_in, order_of_three
 from ..language.roles import role_of
 from .arrays import arrays_in
 from .filled import TABLE, filled

@@ -5,8 +5,8 @@ they stand in the line.
 import re
 
 from ..cells import read_cell
+from ..evidence.orders import names_in_a_row
 from ..language.brackets import cells_in
-from ..language.orders import names_in_a_row
 
 __all__ = ["is_cell", "spaced_cells", "under_names"]
 

@@ -10,9 +10,9 @@ from itertools import permutations
 import numpy as np
 
 from ....kinematics import link_matrices
-from .brackets import Group, cells_in, groups
-from .expressions import NoExpression, evaluate
-from .roles import ROLES, role_of
+from ..language.brackets import Group, cells_in, groups
+from ..language.expressions import NoExpression, evaluate
+from ..language.roles import ROLES, role_of
 
 __all__ = ["LinkMatrix", "link_matrix_in"]
 

@@ -7,14 +7,14 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from .assigned import assigned_in, from_zero, is_joint_value
-from .comments import without_comments
-from .expressions import NoExpression, evaluate, key
-from .letters import unified
+from ..language.assigned import assigned_in, from_zero, is_joint_value
+from ..language.comments import without_comments
+from ..language.expressions import NoExpression, evaluate, key
+from ..language.letters import unified
+from ..language.neutral import neutral
+from ..language.restated import restated
+from ..language.roles import role_of
 from .matrices import link_matrix_in
-from .neutral import neutral
-from .restated import restated
-from .roles import role_of
 
 __all__ = ["Source", "source_of"]
 

@@ -6,10 +6,10 @@ import re
 
 import numpy as np
 
-from ....transform import rot_z, trans
-from ..chain import arm_of, joint_along, still
-from ..language.expressions import key
-from .arrays import arrays_in
+from .....transform import rot_z, trans
+from ...chain import arm_of, joint_along, still
+from ...language.expressions import key
+from ..arrays import arrays_in
 from .told import told
 
 __all__ = ["read"]
@@ -82,6 +82,6 @@ def _steps(p, offsets, signs):
 
 
 def _turn(axis, angle):
-    from ....transform import rot_y
+    from .....transform import rot_y
 
     return rot_z(angle) if axis == "z" else rot_y(angle)

@@ -4,10 +4,10 @@ import re
 
 import numpy as np
 
-from ....kinematics import link_matrices
-from ....transform import from_xyz_rpy, rot_x, rot_y, rot_z, trans
-from ..chain import arm_of, joint_along, still
-from ..language.brackets import cells_in, groups, keyword
+from .....kinematics import link_matrices
+from .....transform import from_xyz_rpy, rot_x, rot_y, rot_z, trans
+from ...chain import arm_of, joint_along, still
+from ...language.brackets import cells_in, groups, keyword
 from .told import told
 
 __all__ = ["read"]

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....transform import from_xyz_rpy
-from ..cells import Cell
-from ..chain import arm_of, joint_along, still
-from ..pasted import Pasted
-from .arrays import arrays_in
+from .....transform import from_xyz_rpy
+from ...cells import Cell
+from ...chain import arm_of, joint_along, still
+from ...pasted import Pasted
+from ..arrays import arrays_in
 from .told import told
 
 __all__ = ["read"]

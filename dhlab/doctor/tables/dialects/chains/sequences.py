@@ -3,10 +3,10 @@
 import math
 import re
 
-from ....transform import rot_x, rot_y, rot_z, trans
-from ..cells import kind_of_letter
-from ..chain import arm_of, joint_along, still
-from ..language.expressions import Value
+from .....transform import rot_x, rot_y, rot_z, trans
+from ...cells import kind_of_letter
+from ...chain import arm_of, joint_along, still
+from ...language.expressions import Value
 from .told import told
 
 __all__ = ["read"]

@@ -4,7 +4,7 @@ or the head of a function; and which matrix its own function computes.
 
 import re
 
-from .roles import ROLES, role_of, unit_in
+from ..language.roles import ROLES, role_of, unit_in
 
 __all__ = [
     "convention_in",

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..readings import QUESTIONS, Reading
-from ..scales import LONGEST_ARM, SMALL_ARM, TO_METRES, UNIT_WORDS
+from ...readings import QUESTIONS, Reading
+from ...scales import LONGEST_ARM, SMALL_ARM, TO_METRES, UNIT_WORDS
 
 __all__ = ["told"]
 

@@ -1,0 +1,1 @@
+"""What a text says beside its rows: of their order, their matrix, their convention and units."""
