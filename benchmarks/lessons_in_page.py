@@ -2,13 +2,13 @@
 whose sentences must be those of a notebook's kernel.
 
     make site LIVE=1
-    python benchmarks/lessons_in_page.py            # all lessons, five wrong answers to each
+    python benchmarks/lessons_in_page.py            # all lessons, five answers to each exercise
     python benchmarks/lessons_in_page.py 05 09 --wrong 20
 
 A wrong answer is a solution in which one number, sign, name or letter is another, drawn from a
-seed; some of them are right after all, and both sides have to say so. What they are told is
-compared letter by letter. The kernel runs the same cells through nbclient. Exit 1 where anything
-differs.
+seed; some of them are right after all, and both sides have to say so. An exercise of which fewer
+are different, such as a choice of three, has those. What they are told is compared letter by
+letter. The kernel runs the same cells through nbclient. Exit 1 where anything differs.
 """
 
 import io
@@ -26,7 +26,9 @@ from serving import ROOT, arguments, chromium, served
 CHECK = re.compile(r'^check\("([\w.]+)".*\)', re.MULTILINE)
 RIGHT = re.compile("Right:|Noted:")  # lesson 00 notes what somebody knows before
 OTHER = {"+": "-", "-": "+", "*": "+", "/": "*", "sin": "cos", "cos": "sin", "True": "False"}
-OTHER |= {"X": "Y", "Y": "Z", "Z": "X", "a": "b", "b": "a", "c": "a", "d": "a", "alpha": "theta"}
+OTHER |= {"X": "Y", "Y": "Z", "Z": "X", "a": "d", "d": "a", "alpha": "theta"}
+NUMBERS = ("({} + 1)", "(-{})", "({} / 2)")
+LETTERS = "abcd?"  # of a choice
 TOLD = """
 import json, linecache
 told = []
@@ -49,6 +51,16 @@ def code_cells(folder, lesson):
     return {one.id: one.source for one in notebook.cells if one.cell_type == "code"}
 
 
+def another(token, rng):
+    """What may stand in the place of a token; None where nothing is known."""
+    word = token.string.strip("\"'")
+    if token.type == tokenize.NUMBER:
+        return str(rng.choice(NUMBERS)).format(word)
+    if token.type == tokenize.STRING and word in LETTERS:
+        return repr(str(rng.choice([one for one in LETTERS if one != word])))
+    return token.string.replace(word, OTHER[word]) if word in OTHER else None
+
+
 def changed(source, rng):
     """The source with one token between the marks of the solution another one; None where that
     leaves no program, or one that may not end.
@@ -59,15 +71,12 @@ def changed(source, rng):
         return None
     read = tokenize.generate_tokens(io.StringIO(source).readline)
     own = [one for one in read if marks[0] < one.start[0] - 1 < marks[1]]
-    found = [one for one in own if one.type == tokenize.NUMBER or one.string.strip("\"'") in OTHER]
+    found = [(one, new) for one in own if (new := another(one, rng))]
     if not found:
         return None
-    one = found[rng.integers(len(found))]
-    number = one.type == tokenize.NUMBER
-    word = one.string.strip("\"'")
-    new = f"({one.string} + 1)" if number else one.string.replace(word, OTHER[word])
-    row, line = one.start[0] - 1, lines[one.start[0] - 1]
-    lines[row] = line[: one.start[1]] + new + line[one.end[1] :]
+    one, new = found[rng.integers(len(found))]
+    row = one.start[0] - 1
+    lines[row] = lines[row][: one.start[1]] + new + lines[row][one.end[1] :]
     text = "\n".join(lines)
     try:
         compile(text, "wrong", "exec")
@@ -77,19 +86,14 @@ def changed(source, rng):
 
 
 def wrong_answers(cells, many):
-    """[code of an answer, call of its check], spread over the exercises."""
+    """[code of an answer, call of its check]: so many to each exercise, or as many as there are."""
     sources, rng = list(cells.values()), np.random.default_rng(19)
     checks = [(k, CHECK.search(one)) for k, one in enumerate(sources)]
-    pairs = [(sources[k - 1], found[0]) for k, found in checks if found and k]
-    kept = []
-    for turn in range(20 * many):
-        answer, asked = pairs[turn % len(pairs)]
-        text = changed(answer, rng)
-        if text and [text, asked] not in kept:
-            kept.append([text, asked])
-        if len(kept) == many:
-            break
-    return kept
+    cases = []
+    for answer, asked in [(sources[k - 1], found[0]) for k, found in checks if found and k]:
+        drawn = dict.fromkeys(changed(answer, rng) for _ in range(20 * many))
+        cases += [[text, asked] for text in list(drawn) if text][:many]
+    return cases
 
 
 def by_the_kernel(cells, program):
@@ -174,7 +178,7 @@ def main():
     """The command line."""
     parser = arguments(__doc__)
     parser.add_argument("lessons", nargs="*", help="such as 05; all where none")
-    parser.add_argument("--wrong", type=int, default=5, help="wrong answers to a lesson")
+    parser.add_argument("--wrong", type=int, default=5, help="wrong answers to an exercise")
     given = parser.parse_args()
     names = sorted(path.stem for path in (ROOT / "lessons").glob("[0-9]*.ipynb"))
     names = [one for one in names if not given.lessons or one.split("-")[0] in given.lessons]

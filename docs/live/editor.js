@@ -24,7 +24,7 @@ export function editor(source, label, { changed, run }) {
   const copy = Object.assign(document.createElement("pre"), { ariaHidden: "true" });
   const area = Object.assign(document.createElement("textarea"), { value: source, spellcheck: false, autocapitalize: "off", autocomplete: "off", rows: 1 });
   area.setAttribute("aria-label", label);
-  area.setAttribute("aria-description", "Shift and Enter run the cell. Escape, then Tab, leaves it.");
+  area.setAttribute("aria-description", "Shift and Enter run the cell. Escape, then Tab or Shift and Tab, leaves it.");
   const paint = () => copy.replaceChildren(coloured(area.value));
   let leaving = false;
   area.addEventListener("input", () => {
@@ -43,7 +43,7 @@ export function editor(source, label, { changed, run }) {
       const line = area.value.slice(0, area.selectionStart).split("\n").pop();
       document.execCommand("insertText", false, `\n${line.match(/^ */)[0]}${/:\s*$/.test(line) ? "    " : ""}`);
     }
-    leaving = event.key === "Escape";
+    if (event.key !== "Shift") leaving = event.key === "Escape"; // Shift and Tab leave it backwards
   });
   paint();
   element.append(copy, area);

@@ -146,9 +146,11 @@ function judged(host, mode, redraw) {
     close: () => clearTimeout(waiting),
     changed() {
       clearTimeout(waiting);
+      const placing = submit.matches(":focus");
       answer = host.get("_answer");
       chosen = null;
       show();
+      if (placing) onwards();
       return { placed: mapOf(answer.placed, data), words: spoken() };
     },
     // A click near an offer chooses it, a second one places it; a chosen origin that may stand anywhere on its line can be dragged along
@@ -208,6 +210,11 @@ function judged(host, mode, redraw) {
       return h("label", {}, input, h("span", {}, LETTERS[k]));
     }));
     choose(chosen);
+  }
+
+  // Keys that placed go on with what is offered next: the button they were on has nothing to place now.
+  function onwards() {
+    (answer.next ? offers.querySelector("input") : back).focus({ preventScroll: true });
   }
 
   function choose(offer) {
