@@ -128,6 +128,9 @@ class Keys:
         task = exercises()[exercise].given(0)
         lines = Lines(task["axes"], task["end"])
         self.page.wait_for_function(PLACING)
+        points = [axis[0] for axis in task["axes"]] + [np.array(task["end"])[:3, 3]]
+        for one in self.page.evaluate(PLACING)["placed"]:  # what stands there already
+            lines.keep(one["step"], one["value"], points[int(one["step"][1:])])
         while (answer := self.page.evaluate(PLACING))["next"]:
             step, offers = answer["next"], answer["offers"]
             fits = [lines.fits(step, one["value"], one.get("point")) for one in offers]
