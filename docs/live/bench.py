@@ -117,7 +117,7 @@ class Bench:
         outside = [str(i) for i, inside in enumerate(arm.within_limits(q), 1) if not inside]
         if outside:
             self.say("", f"Outside the stated limits: joint {', '.join(outside)}.")
-        self.part("The arm there", bundle_of(dh.explore(arm, q=q)))
+        self.part("The arm there", bundle_of(dh.explore(arm, q=q, length="mm")))
 
     def compare(self, arm):
         text = self.asked.get("other", "").strip()
@@ -135,7 +135,8 @@ class Bench:
             )
         self.part("Side by side", bundle_of(dh.compare(arm, other)))
         if len(arm) == len(other):
-            self.part("Both in one view", bundle_of(dh.explore(arm, "compare", other=other)))
+            both = dh.explore(arm, "compare", other=other, length="mm")
+            self.part("Both in one view", bundle_of(both))
 
     def diagnose(self, arm):
         if not self.poses():

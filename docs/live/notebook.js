@@ -15,6 +15,8 @@ export class Lesson {
     this.log = new Log();
     const cells = notebook.cells.filter((cell) => cell.cell_type === "code");
     this.bar(note);
+    for (const pressed of document.querySelectorAll(".predict-options button")) pressed.replaceWith(...pressed.childNodes); // cards come under the cell
+    for (const list of document.querySelectorAll(".predict-options")) list.classList.remove("predict-options");
     this.kernel = new Kernel((message) => this.hear(message), this.log.text);
     this.say("Python is being started …");
     this.cells = cells.map((cell, k) => new Cell(this, cell.id, places[k], k));
