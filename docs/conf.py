@@ -67,7 +67,8 @@ def setup(app):
 
 
 def with_explorer(app, pagename, templatename, context, doctree):
-    if 'class="dhlab-explorer"' in context.get("body", ""):
-        app.add_js_file("explorer.js", type="module")
+    # first: what is folded is unfolded for the paper before explorers draw themselves for it
     if "cell_output" in context.get("body", ""):
         app.add_js_file("reading.js", loading_method="defer")
+    if 'class="dhlab-explorer"' in context.get("body", ""):
+        app.add_js_file("explorer.js", type="module")

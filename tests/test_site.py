@@ -243,6 +243,19 @@ def test_pages_are_light_and_pictures_come_when_they_are_seen(site):
         assert all('loading="lazy"' in tag for tag in re.findall(r"<img [^>]*webp[^>]*>", text))
 
 
+def test_on_paper_what_follows_a_prediction_is_there_with_its_views(new_page, address):
+    page = new_page()
+    page.goto(f"{address}/lessons/04-placing-frames.html", wait_until="load")
+    page.wait_for_function(
+        "[...document.querySelectorAll('.dhlab-explorer')].every(e => e.explorer)"
+    )
+    folded = page.locator(".later").count()
+    page.pdf()
+    drawn = "[...document.querySelectorAll('.dhlab-explorer')].map(e => e.explorer.stage.drawn)"
+    assert 0 not in page.evaluate(drawn)
+    assert page.locator(".later").count() == folded > 0, "on the screen all is as before"
+
+
 def test_the_outcome_of_a_prediction_is_seen_after_choosing(new_page, address):
     page = new_page()
     page.goto(f"{address}/lessons/02-parameters.html")

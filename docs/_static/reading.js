@@ -53,5 +53,16 @@ function reachable() {
   }
 }
 
+// On paper all is shown, and it is shown before explorers draw themselves for the paper.
+let folded = [];
+addEventListener("beforeprint", () => {
+  folded = [...document.querySelectorAll(`.${HIDDEN}`)];
+  for (const element of folded) {
+    element.classList.remove(HIDDEN);
+    for (const picture of element.querySelectorAll("img")) picture.loading = "eager";
+  }
+});
+addEventListener("afterprint", () => folded.forEach((element) => element.classList.add(HIDDEN)));
+
 addEventListener("resize", reachable);
 addEventListener("load", reachable);
