@@ -34,6 +34,7 @@ HTML_HEADINGS = {
     "standard": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i</sub>", "α<sub>i</sub>"),
     "craig": ("θ<sub>i</sub>", "d<sub>i</sub>", "a<sub>i−1</sub>", "α<sub>i−1</sub>"),
 }
+SCALES = {"m": 1.0, "mm": 1000.0}
 TITLES = {"standard": "standard DH", "craig": "Craig DH"}
 
 
@@ -48,24 +49,25 @@ def number(value: SupportsFloat, digits: int = 6) -> str:
     return np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
 
 
-def _cells(table, rates):
+def _cells(table, rates, length="m"):
     """The four texts of each row; the joint variable stands where it acts, as in "q2 - 90", "-q1"
     or, of coupled joints, "q3 - q2".
     """
     rates = np.ones(len(table)) if rates is None else rates
-    rates = np.diag(rates) if rates.ndim == 1 else _in_degrees(rates, table.prismatic)
+    scale = SCALES[length]
+    rates = np.diag(rates) if rates.ndim == 1 else _in_degrees(rates, table.prismatic, scale)
     for i, letter in enumerate(table.joints):
-        numbers = [np.rad2deg(table.theta[i]), table.d[i], table.a[i], np.rad2deg(table.alpha[i])]
-        texts = [number(value) for value in numbers]
+        turns, shifts = np.rad2deg([table.theta[i], table.alpha[i]]), [table.d[i], table.a[i]]
+        texts = [number(value) for value in (turns[0], *np.multiply(scale, shifts), turns[1])]
         k = 1 if letter == "P" else 0
         parts = [_times(rates[i, j], f"q{j + 1}") for j in _own_first(i, rates[i])]
         texts[k] = _summed(parts if texts[k] == "0" else [*parts, texts[k]])
         yield texts
 
 
-def _in_degrees(rates, slides):
+def _in_degrees(rates, slides, scale):
     """A coupling between joints that turn and joints that slide is per degree, as the table is."""
-    unit = np.where(slides, 1.0, 180 / np.pi)
+    unit = np.where(slides, scale, 180 / np.pi)
     return rates * (unit[:, None] / unit)
 
 
@@ -83,9 +85,9 @@ def _summed(parts):
     return " + ".join(parts).replace("+ -", "- ")
 
 
-def _title(table):
+def _title(table, length="m"):
     joints = "1 joint" if len(table) == 1 else f"{len(table)} joints"
-    return f"{TITLES[table.convention]}, {joints} (lengths in m, angles in deg)"
+    return f"{TITLES[table.convention]}, {joints} (lengths in {length}, angles in deg)"
 
 
 def grid_text(headings: Sequence[object], rows: Iterable[Sequence[object]]) -> str:
@@ -125,15 +127,18 @@ def table_text(table: DHTable, sign: NDArray[np.float64] | None = None) -> str:
 
 
 def table_html(
-    table: DHTable, sign: NDArray[np.float64] | None = None, caption: str | None = None
+    table: DHTable,
+    sign: NDArray[np.float64] | None = None,
+    caption: str | None = None,
+    length: str = "m",
 ) -> str:
-    """A table as HTML for a notebook."""
+    """A table as HTML for a notebook; lengths in "m" or "mm"."""
     rows = [
         [str(i), *(cell.replace("-", "−") for cell in cells)]
-        for i, cells in enumerate(_cells(table, sign), 1)
+        for i, cells in enumerate(_cells(table, sign, length), 1)
     ]
     head = ["i", *HTML_HEADINGS[table.convention]]
-    return grid_html(head, rows, caption or _title(table))
+    return grid_html(head, rows, caption or _title(table, length))
 
 
 def arm_text(arm: Arm) -> str:

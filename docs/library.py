@@ -185,7 +185,8 @@ def _table(*arms):
 def _grid(arm):
     rates = arm.sign if arm.coupling is None else arm.coupling * arm.sign
     ends = "".join(f"<p>{line}</p>" for line in _ends(arm))
-    return f'<div class="arm-table" tabindex="0">{table_html(arm.table, rates)}{ends}</div>'
+    table = table_html(arm.table, rates, length="mm")
+    return f'<div class="arm-table" tabindex="0">{table}{ends}</div>'
 
 
 def _ends(arm):

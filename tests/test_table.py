@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import dhlab as dh
+from dhlab.printing import table_html
 
 ROWS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0]]
 
@@ -49,6 +50,8 @@ def test_printed_as_a_person_would_draw_it():
     assert "lengths in m, angles in deg" in text and "-q1 - 90" in text and "q2 + 0.2" in text
     html = arm._repr_html_()
     assert "<caption>two: standard DH" in html and "−q1 − 90" in html and html.count("<tr>") == 3
+    in_mm = table_html(arm.table, length="mm")
+    assert "lengths in mm" in in_mm and "<td>400</td>" in in_mm and "q2 + 200" in in_mm
     assert "a<sub>i−1</sub>" in dh.DHTable.craig(ROWS, angle="deg")._repr_html_()
     evil = dh.Arm(arm.table, name="<script>alert(1)</script>", source="<img src=x>")
     assert "<script>" not in evil._repr_html_() and "<img" not in evil._repr_html_()
