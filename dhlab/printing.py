@@ -108,8 +108,12 @@ def grid_text(headings: Sequence[object], rows: Iterable[Sequence[object]]) -> s
 
 
 def grid_html(headings: Iterable[str], rows: Iterable[Iterable[object]], caption: str) -> str:
-    """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped."""
-    head = "".join(f'<th scope="col">{heading}</th>' for heading in headings)
+    """The same as an HTML table; ``headings`` are HTML, cells and caption are escaped. A column
+    without one has none: an empty heading would be read out.
+    """
+    head = "".join(
+        f'<th scope="col">{heading}</th>' if heading else "<td></td>" for heading in headings
+    )
     body = "".join(
         "<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows
     )

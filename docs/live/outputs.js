@@ -5,6 +5,7 @@ const RICHEST = ["application/vnd.dhlab.widget", "text/html", "image/svg+xml", "
 export class Outputs {
   constructor(element, kernel) {
     Object.assign(this, { element, kernel, last: null });
+    new ResizeObserver(() => reachable(element)).observe(element);
   }
 
   clear() {
@@ -42,6 +43,12 @@ export class Outputs {
     this.element.append(element);
     this.last = null;
   }
+}
+
+// What is wider than its column scrolls; then the keyboard must reach it.
+function reachable(element) {
+  if (element.scrollWidth > element.clientWidth + 1) element.tabIndex = 0;
+  else element.removeAttribute("tabindex");
 }
 
 function pre(kind) {
