@@ -86,7 +86,7 @@ class Verdict:
         return replace(
             self,
             headline=self.kind,
-            place="" if count < 2 else self.place.split(":")[0],
+            place="" if count < 2 else self.places,
             why="",
             next=f'hint("{self.exercise}") gives a first hint; another try is told more.',
         )
@@ -95,6 +95,11 @@ class Verdict:
     def kind(self) -> str:
         """The kind of mistake: the headline up to its first stop or colon."""
         return self.headline.split(". ")[0].split(": ")[0]
+
+    @property
+    def places(self) -> str:
+        """The place without what is wrong there: each of its parts up to the colon."""
+        return "; ".join(part.split(":")[0] for part in self.place.split("; "))
 
     @property
     def lines(self) -> list[tuple[str, str]]:

@@ -34,9 +34,17 @@ class ClosedForm(Function):
         said = (
             _wrong_columns(matrices[:, :3, :3])
             if mistake == "not-rigid"
-            else _wrong_entries(wrong_entries(matrices, cases))
+            else _wrong_entries(wrong_entries(matrices, cases), self._spoilt(cases))
         )
         return said and (mistake, said)
+
+    def _spoilt(self, cases):
+        """Which entries (row, column, from 1) were right as they were handed out."""
+        if self.handed_out is None:
+            return ()
+        pairs = [(self.handed_out(*case), self.answer(*case)) for case in cases]
+        right = np.all([np.isclose(given, wanted) for given, wanted in pairs], axis=0)
+        return [f"row {i}, column {k}" for i, k in np.argwhere(right) + 1]
 
 
 NEXT = {
@@ -45,7 +53,7 @@ NEXT = {
 }  # by column
 
 
-def _wrong_entries(slips):
+def _wrong_entries(slips, right_before=()):
     """Which entries, the typed ones of a closed form; None when they are not known one by one."""
     if not slips:
         return None
@@ -68,7 +76,12 @@ def _wrong_entries(slips):
     return Said(
         headline,
         next="Compare with the entries that the text gives." if given else NEXT[column],
-        place="; ".join(slip.place for slip in slips),
+        place="; ".join(
+            place.replace(":", ", right as it was handed out:")
+            if place.split(":")[0] in right_before
+            else place
+            for place in (slip.place for slip in slips)
+        ),
     )
 
 
@@ -96,9 +109,9 @@ TURNED_BACK = Said(
 )
 
 X_FIRST = Said(
-    "the x moves come before the z moves",
-    next="Make both z moves first: each next move joins on the right.",
-    place="Rx and Tx stand before Rz and Tz",
+    "the four moves come in the reverse order, or in one that makes the same matrix",
+    next="The move that is made first stands on the left, and each next one joins on the right.",
+    place="Tx stands before Rz; Rx stands before Rz and Tz",
 )
 
 LEFT_HANDED = Said(

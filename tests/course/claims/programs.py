@@ -3,11 +3,13 @@ by a product of turns and shifts that is not dhlab's.
 """
 
 import math
+from itertools import permutations
 
 import numpy as np
 
 NAMES = ("theta", "d", "a", "alpha")
 DEG = 180 / math.pi
+ROW = (0.4, 0.3, 0.5, 0.9)
 STANDARD, CRAIG = ("Rz", "Tz", "Tx", "Rx"), ("Rx", "Tx", "Rz", "Tz")
 MOVES = {"Rz": "theta", "Tz": "d", "Tx": "a", "Rx": "alpha", "Rytheta": "theta", "Ryalpha": "alpha"}
 
@@ -271,6 +273,28 @@ def reversed_factors(p, place):
     return p.of_links(lambda links: links[::-1]) or p.ordered("Rx", "Tx", "Tz", "Rz")
 
 
+def exchanged(p, place):
+    """In every order that makes these matrices a move stands before those it is said to, and in
+    every right order behind them.
+    """
+    told = [
+        (one, other)
+        for part in place.split("; ")
+        if " stands before " in part
+        for one, others in [part.split(" stands before ")]
+        for other in others.split(" and ")
+    ]
+    orders = list(permutations(STANDARD))
+    made = [order for order in orders if p.ordered(*order)]
+    right = [order for order in orders if np.allclose(link(ROW, order), link(ROW, p.order))]
+    return (
+        not told
+        or bool(made)
+        and all(order.index(one) < order.index(other) for order in made for one, other in told)
+        and all(order.index(one) > order.index(other) for order in right for one, other in told)
+    )
+
+
 def unlike(part):
     return lambda p, place: not np.allclose(p.given[part], p.right[part])
 
@@ -291,7 +315,8 @@ CLAIMS = {
         angles(place.split(":")[0]), lambda x: x * (2 if "twice" in place else 0.5)
     ),
     "row-vector-convention": lambda p, place: p.has(
-        ["theta"] if "about z" in place else ["theta", "alpha"], lambda x: -x
+        ["theta"] if "about z" in place or place.startswith("theta turns") else ["theta", "alpha"],
+        lambda x: -x,
     ),
     "alpha-sign": lambda p, place: p.has(["alpha"], lambda x: -x),
     "length-sign": lambda p, place: p.has(lengths(place), lambda x: -x),
@@ -319,11 +344,10 @@ CLAIMS = {
     "offset-value": another_value,
     "shift-not-turned-by-theta": lambda p, place: p.ordered("Tx", "Rz", "Tz", "Rx"),
     "alpha-before-d": lambda p, place: p.rotation_right and p.ordered("Rz", "Tx", "Rx", "Tz"),
-    "standard-rows-in-craig-matrix": lambda p, place: p.ordered("Rx", "Tx", "Rz", "Tz"),
+    "standard-rows-in-craig-matrix": lambda p, place: (
+        p.ordered("Rx", "Tx", "Rz", "Tz") and exchanged(p, place)),
     "craig-rows-in-standard-matrix": lambda p, place: p.ordered(*STANDARD),
-    "order-taken-for-free": lambda p, place: not place.startswith(("R", "T")) or p.ordered(
-        *place.split()
-    ),
+    "order-taken-for-free": exchanged,
     "elementwise-product": not_rigid,
     "mirror": mirrored,
     "pose-inverted": unlike(np.s_[:, :3]),

@@ -9,12 +9,13 @@ from ..entries import typed, wrong_entries
 from ..registry import mistake
 from ..remade import ALPHA, THETA, A, with_rows
 
-__all__ = ["MOVES", "in_another_order", "in_order", "mistyped"]
+__all__ = ["MOVES", "exchanged", "in_another_order", "in_order", "mistyped"]
 
 STANDARD, CRAIG = ("Rz", "Tz", "Tx", "Rx"), ("Rx", "Tx", "Rz", "Tz")
 X_BEFORE_Z, ALPHA_BEFORE_D = ("Tx", "Rz", "Tz", "Rx"), ("Rz", "Tx", "Rx", "Tz")
 
 
+APART = ({"Rz", "Tx"}, {"Rz", "Rx"}, {"Tz", "Rx"})  # the pairs whose order counts
 MOVES = {
     "Rz": lambda row: rot_z(row[0]),
     "Tz": lambda row: trans_z(row[1]),
@@ -27,6 +28,31 @@ def in_order(names, *row):
     """The four moves multiplied in any order, such as ``("Rx", "Tx", "Rz", "Tz")``."""
     first, second, third, fourth = (MOVES[name](row) for name in names)
     return first @ second @ third @ fourth
+
+
+def exchanged(names, right):
+    """Which moves stand before which, and should not: what all orders have in common that make the
+    same matrix.
+
+    Examples
+    --------
+    >>> exchanged(("Rx", "Rz", "Tx", "Tz"), CRAIG)
+    'Rz stands before Tx'
+    >>> exchanged(CRAIG, STANDARD)
+    'Tx stands before Rz; Rx stands before Rz and Tz'
+    """
+    said = []
+    for move in right:
+        later = [
+            other
+            for other in right
+            if {move, other} in APART
+            and names.index(move) < names.index(other)
+            and right.index(move) > right.index(other)
+        ]
+        if later:
+            said.append(f"{move} stands before {' and '.join(later)}")
+    return "; ".join(said)
 
 
 def in_another_order(names, step="link", place=""):

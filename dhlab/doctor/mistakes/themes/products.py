@@ -6,7 +6,16 @@ import numpy as np
 
 from ..changes import Slip
 from ..registry import mistake
-from .links import ALPHA_BEFORE_D, CRAIG, MOVES, STANDARD, X_BEFORE_Z, in_another_order, in_order
+from .links import (
+    ALPHA_BEFORE_D,
+    CRAIG,
+    MOVES,
+    STANDARD,
+    X_BEFORE_Z,
+    exchanged,
+    in_another_order,
+    in_order,
+)
 
 __all__ = ["chain_product", "running"]
 
@@ -57,13 +66,13 @@ def order_taken_for_free():
     """
     named = (STANDARD, CRAIG, X_BEFORE_Z, ALPHA_BEFORE_D)
     for order in _different(named, permutations(STANDARD)):
-        yield in_another_order(order, place=" ".join(order))
+        yield in_another_order(order, place=exchanged(order, STANDARD))
     for order in (X_BEFORE_Z, ALPHA_BEFORE_D):  # found as look-alikes, after their own names
-        yield in_another_order(order, place=" ".join(order))
+        yield in_another_order(order, place=exchanged(order, STANDARD))
     for order in permutations(STANDARD):
         T = in_order(order, *SAMPLE)
         if not any(np.allclose(T, in_order(known, *SAMPLE)) for known in (STANDARD, CRAIG)):
-            yield in_another_order(order, "craig link", " ".join(order))
+            yield in_another_order(order, "craig link", exchanged(order, CRAIG))
     yield _product("the shift is turned by its own link too", _turned_too_early)
 
 

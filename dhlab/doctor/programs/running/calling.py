@@ -29,6 +29,9 @@ __all__ = [
 ]
 
 
+MOST_WORDS = 200  # letters of a message of Python's that are shown
+
+
 class Fault(Exception):
     """What a call ended with: its ``kind``, "stops", "changed" or "interrupted", the ``error`` that
     stopped it, and the ``line`` of the function, counted from its first; 0 when it is not known.
@@ -213,11 +216,17 @@ def _in_words(fault, f, case, names):
         )
     error = fault.error
     return CallFault(
-        f"the function stops with {type(error).__name__}: {str(error)[:200]}",
+        f"the function stops with {type(error).__name__}: {_first_words(error)}",
         "; ".join(filter(None, (line_of(error, f), shown(case, names)))),
         in_words(error)
         or f"Call it yourself, {_call_text(f, case)}, and read the last line of the message.",
     )
+
+
+def _first_words(error):
+    """An error's message up to the numbers that it may print, in one line."""
+    words = str(error).split("[[")[0].split("\n")[0].strip()
+    return words[:MOST_WORDS].removesuffix(":")
 
 
 def _call_text(f, case):

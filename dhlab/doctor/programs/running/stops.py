@@ -24,8 +24,8 @@ _WORDS = (
     (
         "IndexError|KeyError",
         r"out of (bounds|range)|^\d+$",
-        "Python counts from 0: n things have the places 0 to n - 1. Print the index that is used"
-        " there, and how many there are.",
+        "Python counts from 0: n things have the places 0 to n - 1, and len(…) says how many there"
+        " are, in every call another number perhaps. Print the index that is used there.",
     ),
     (
         "KeyError|AttributeError|TypeError",
@@ -106,6 +106,12 @@ _WORDS = (
         "ValueError",
         r"math domain|expected a (non)?negative",
         "acos and asin take numbers from -1 to 1, sqrt takes none below 0.",
+    ),
+    (
+        "ValueError",
+        r"determinant|orthogonal|rotation matri",
+        "What is handed on there is no rotation. A product of two rotations is one, a sum or a"
+        " difference is none.",
     ),
     ("LinAlgError", "", "There is nothing to invert here: forward kinematics is a product."),
 )
