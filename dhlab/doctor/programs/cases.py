@@ -9,7 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
-__all__ = ["general_row", "general_chain", "where", "SPECIAL"]
+__all__ = ["general_row", "general_chain", "is_long", "where", "SPECIAL"]
 
 HALF = np.pi / 2
 _ROWS = np.array([[0, 0.1, 0, HALF], [HALF, 0, 0.4, 0], [0, 0, -0.35, -HALF]])
@@ -89,6 +89,19 @@ def _length(rng):
 
 def _signed(rng, size):
     return size if rng.random() < 0.5 else -size
+
+
+def is_long(case):
+    """Whether a length of a call, (theta, d, a, alpha) or (rows, q), is above 1 m: there a length
+    that is cut to whole metres is no length that has no effect.
+
+    Examples
+    --------
+    >>> is_long((0.7, 0.1, 0.3, 0.4)), is_long(([[0.7, -2.0, 0.3, 0.4]], [0.0]))
+    (False, True)
+    """
+    row = np.asarray(case[0] if len(case) == 2 else case, dtype=float)
+    return bool(np.abs(row[..., 1:3]).max() > 1)
 
 
 # ---- in which calls

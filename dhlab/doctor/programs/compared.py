@@ -6,7 +6,7 @@ from ...transform import pose_fault
 from ..catalogue import catalogue
 from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
-from .cases import where
+from .cases import is_long, where
 from .explain import explain_all, seen_in
 from .running.answers import call_all
 from .running.calling import CallFault
@@ -69,7 +69,7 @@ def compared(here, there, pairs=True):
             " it is the only one shows when it is mended."
         )
         return Diagnosis(EXPLAINED, headline, (find("state-between-calls"),), before=before)
-    findings = explained(here, pairs)
+    findings = explained(here, pairs, there)
     if findings:
         return explains(findings, before)
     seen = seen_in(here.task.bare(here.array), here.task.bare(here.right), here.task.versions)
@@ -83,8 +83,10 @@ def explains(findings, before):
     return Diagnosis(EXPLAINED, _headline(findings), findings, before=before)
 
 
-def explained(here, pairs=True):
-    """The mistakes that together explain the answers; without ``pairs`` no two slips."""
+def explained(here, pairs=True, there=None):
+    """The mistakes that together explain the answers, and those of the special calls ``there`` in
+    which a length is long; without ``pairs`` no two slips.
+    """
     tolerance = here.tolerance if here.tolerance == SINGLE else 1e-9
     task, bare = here.task, here.task.bare
     chains, given = bare(here.right), here.given
@@ -93,9 +95,13 @@ def explained(here, pairs=True):
         if found is not None:
             return (found,)
         given = list(bare(here.array))
-    return explain_all(
-        given, chains, here.cases, task.versions, tolerance, symptoms=False, pairs=pairs
-    )
+    cases = list(here.cases)
+    for k, case in enumerate(there.cases if there is not None and task.arm is None else ()):
+        if is_long(case):
+            cases.append(case)
+            given = [*given, there.given[k]]
+            chains = np.concatenate([chains, there.right[k : k + 1]])
+    return explain_all(given, chains, cases, task.versions, tolerance, symptoms=False, pairs=pairs)
 
 
 def _remembered(answers, cases, off):

@@ -38,6 +38,7 @@ NUMBERS = {
     "branches": WRONG_BRANCHES,
 }  # of no poses
 WRONG_VERSIONS |= NUMBERS
+AND = "; and "  # between the mistakes of a Finding's detail
 PARAMETERS = ("theta", "d", "a", "alpha", "q")
 
 
@@ -73,8 +74,8 @@ def explain_function(answers, expected, cases, kind):
     findings = explain_all(answers, expected, cases, kind)
     if len(findings) < 2:
         return findings[0] if findings else None
-    others = "; ".join(_named(finding) for finding in findings[1:])
-    return replace(findings[0], detail=f"and a second thing: {others}")
+    others = AND.join(_named(finding) for finding in findings[1:])
+    return replace(findings[0], detail=others)
 
 
 def _named(finding):

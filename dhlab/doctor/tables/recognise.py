@@ -286,9 +286,10 @@ def _notes(table, readings):
             " have columns changed places?"
         )
     lengths = rows[:, 1:3][rows[:, 1:3] != 0]
-    if len(lengths) >= 4 and (lengths > 0).all() and readings[0].arm.table.convention == "standard":
+    plain = len(lengths) >= 4 and (rows >= 0).all()  # a minus elsewhere has come through
+    if plain and readings[0].arm.table.convention == "standard":
         notes.append(
-            "no length is negative; d and a are coordinates along an axis, so look whether the"
+            "no number is negative; d and a are coordinates along an axis, so look whether the"
             " source lost a minus"
         )
     sizes = np.abs(lengths)

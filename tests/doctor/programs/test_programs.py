@@ -231,3 +231,14 @@ def test_a_cache_that_leaves_an_argument_out_is_seen():
 def test_lengths_that_are_left_out_are_no_whole_numbers():
     answer = diagnose_function(lambda t, d, a, alpha: standard(t, 0, 0, alpha), "dh_transform")
     assert not answer and "integer-arrays" not in {f.mistake for f in answer.findings}
+
+
+@pytest.mark.parametrize(
+    "cut, mistake, place",
+    [(int, "integer-arrays", "d"), (lambda d: 0, "length-value", "d has no effect")],
+)
+def test_a_length_that_is_cut_is_not_said_to_have_no_effect(cut, mistake, place):
+    answer = diagnose_function(
+        lambda theta, d, a, alpha: standard(theta, cut(d), a, alpha), "dh_transform"
+    )
+    assert [(f.mistake, f.place) for f in answer.findings] == [(mistake, place)]

@@ -232,7 +232,13 @@ def test_patterns_are_noted():
         order="theta d a alpha",
         convention="standard",
     )
-    assert "no length is negative" in str(positive)
+    assert "no number is negative" in str(positive)
+    with_a_minus = recognise_table(
+        [[0, 0.1, 0, -90], [0, 0.2, 0.4, 0], [0, 0.1, 0.3, 90]],
+        order="theta d a alpha",
+        convention="standard",
+    )
+    assert "is negative" not in str(with_a_minus)
     wrong = recognise_table(
         text(written(plain_arm("irb120"), "theta d a alpha"), "\t"), plain_arm("ur5e")
     )

@@ -109,7 +109,7 @@ def with_equivalents(finding, best, others, data):
             notes.append(f"The same arm comes of this: {difference_text(wrong, repaired)}.")
     return replace(
         finding, look_alikes=tuple(name for name in dict.fromkeys(names) if name != finding.mistake)
-    ), tuple(notes)
+    ), tuple(dict.fromkeys(notes))  # a whole turn apart, two are one to read
 
 
 def snapped(explanation, data):

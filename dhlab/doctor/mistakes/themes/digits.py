@@ -25,7 +25,7 @@ def pi_rounded():
         for digits in (0, 1, 2, 3):
             yield in_programs(names, _to(digits), f"{place}, {_decimals(digits)}")
     for name in LENGTHS:
-        for digits in (1, 2, 3):
+        for digits in (0, 1, 2, 3):
             yield in_programs((name,), _to(digits), f"{name}, {_decimals(digits)}")
     for digits in (1, 2, 3, 4, 5):
         yield PoseChange(_to(digits), _decimals(digits))
@@ -72,29 +72,6 @@ def _right_angle(x):
     return np.where(np.abs(x - _nearest(x, np.pi / 2)) < 1e-6, x, np.nan)
 
 
-@mistake("integer-arrays")
-def integer_arrays():
-    for place, names in angles():
-        yield in_programs(names, np.trunc, place)
-    yield in_programs(LENGTHS, _cut_lengths, "d and a")
-    whole = of_numbers((*LENGTHS, *ANGLES), np.trunc)
-    yield RowChange(whole, rows=(), reading="the table")
-    yield Slip("reading", "q", lambda rows, q: (rows, np.trunc(q)))
-    yield Slip("reading", "the sums of offset and q", _whole_sums)
-    yield PoseChange(np.trunc)
-    yield Slip("product", "the running product", running(np.trunc))
-
-
-def _cut_lengths(x):
-    """Whole metres; nothing that fits where all would be 0, as when lengths are left out."""
-    return np.trunc(x) if np.trunc(x).any() else x + 1e3
-
-
-def _whole_sums(rows, q):
-    sums = np.trunc(rows[..., :1] + q[..., None])
-    return np.concatenate([sums, rows[..., 1:]], axis=-1), 0 * q
-
-
 # ---- quadrants
 
 
@@ -117,7 +94,7 @@ def sign_lost():
 @mistake("length-value", value_of=LENGTHS)
 def length_value():
     for name in LENGTHS:
-        yield in_programs((name,), np.zeros_like, f"{name} is not used")
+        yield in_programs((name,), np.zeros_like, f"{name} has no effect")
         yield in_programs((name,), lambda x: 2 * x, f"twice {name}")
         yield in_programs((name,), lambda x: x / 2, f"half of {name}")
 
@@ -125,7 +102,7 @@ def length_value():
 @mistake("alpha-value", value_of=("alpha",))
 def alpha_value():
     yield from _turned_further("alpha")
-    yield in_programs(("alpha",), np.zeros_like, "alpha is not used")
+    yield in_programs(("alpha",), np.zeros_like, "alpha has no effect")
 
 
 @mistake("offset-value", value_of=("theta",))
@@ -137,3 +114,25 @@ def _turned_further(name):
     for turn in (180, 90, -90):
         place = f"{name}: {turn}° too much"
         yield in_programs((name,), lambda x, turn=turn: x + turn / DEG, place)
+
+
+# ---- whole numbers, after the values: short lengths cut to 0 have no effect either
+
+
+@mistake("integer-arrays")
+def integer_arrays():
+    for place, names in angles():
+        yield in_programs(names, np.trunc, place)
+    for names in (LENGTHS, *((name,) for name in LENGTHS)):
+        yield in_programs(names, np.trunc, " and ".join(names))
+    whole = of_numbers((*LENGTHS, *ANGLES), np.trunc)
+    yield RowChange(whole, rows=(), reading="the table")
+    yield Slip("reading", "q", lambda rows, q: (rows, np.trunc(q)))
+    yield Slip("reading", "the sums of offset and q", _whole_sums)
+    yield PoseChange(np.trunc)
+    yield Slip("product", "the running product", running(np.trunc))
+
+
+def _whole_sums(rows, q):
+    sums = np.trunc(rows[..., :1] + q[..., None])
+    return np.concatenate([sums, rows[..., 1:]], axis=-1), 0 * q

@@ -134,6 +134,11 @@ _ALL = [
     ),
     ("lever-arm-wrong", "the sum p + o", _with(levers=lambda frames, p: p + frames[:-1, :3, 3])),
     (
+        "wrong-frame-compared",
+        "T_end was multiplied onto the last frame; it is the end in the base already",
+        lambda frames, T_end, sliding: geometric_jacobian(frames, frames[-1] @ T_end, sliding),
+    ),
+    (
         "tool-missing",
         "the last frame's origin was taken for the end",
         _with(levers=lambda frames, p: _levers(frames, frames[-1, :3, 3])),
@@ -254,6 +259,28 @@ _ALL = [
 ]
 
 
+TOOL = "the last frame's origin was taken for the end"
+
+
+def _made():
+    """Each by itself, and then each on top of the last frame's origin taken for the end."""
+    yield from _ALL
+    for mistake, place, version in _ALL:
+        if mistake == "tool-missing":
+            continue
+        yield (
+            mistake,
+            "; ".join(filter(None, (place, f"and {TOOL}"))),
+            lambda frames, T_end, sliding, f=version: f(frames, _at_flange(frames, T_end), sliding),
+        )
+
+
+def _at_flange(frames, T_end):
+    T = T_end.copy()
+    T[:3, 3] = frames[-1, :3, 3]
+    return T
+
+
 def _sample():
     from scipy.spatial.transform import Rotation
 
@@ -269,4 +296,4 @@ def _sample():
     return frames, T_end, np.array([False, False, True, False, True])
 
 
-WRONG_JACOBIANS = Versions(lambda: _ALL, _sample)
+WRONG_JACOBIANS = Versions(_made, _sample)
