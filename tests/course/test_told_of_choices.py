@@ -1,0 +1,42 @@
+"""What is told of an option, and what is seen after a guess, is true: computed where it states what
+can be computed. A sentence that nobody has looked at fails.
+"""
+
+import pytest
+from claims.chosen import OF_THE_STORY, OPTIONS, OUTCOMES, PRAISED
+
+from dhlab.course.exercises import exercises
+from dhlab.course.kinds import Choice, Prediction
+
+ASKED = {
+    (key, option) for key, e in exercises().items() if isinstance(e, Choice) for option in e.options
+}
+GUESSED = {key for key, e in exercises().items() if isinstance(e, Prediction)}
+
+
+@pytest.mark.parametrize("key, option", sorted(OPTIONS))
+def test_what_is_told_of_an_option_is_true(key, option):
+    assert OPTIONS[key, option]()
+
+
+@pytest.mark.parametrize("key", sorted(OUTCOMES))
+def test_what_is_seen_after_a_guess_is_so(key):
+    assert OUTCOMES[key]()
+
+
+@pytest.mark.parametrize("key, words", sorted(PRAISED))
+def test_a_right_answer_is_told_what_is_so(key, words):
+    exercise = exercises()[key]
+    assert words in exercise.praise
+    for variant in range(5):
+        given = dict(exercise.given(variant))
+        right = exercise.expected(variant) if hasattr(exercise, "expected") else None
+        assert PRAISED[key, words](given, right)
+
+
+def test_every_option_and_outcome_was_looked_at():
+    of_all = {name for name in OF_THE_STORY if isinstance(name, str)}
+    left = {(key, o) for key, o in ASKED if key not in of_all} - OPTIONS.keys() - OF_THE_STORY
+    assert not left, "give it a predicate in claims/chosen.py, or say there that none decides it"
+    assert not GUESSED - OUTCOMES.keys() - OF_THE_STORY
+    assert OPTIONS.keys() <= ASKED and OUTCOMES.keys() <= GUESSED
