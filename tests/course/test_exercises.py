@@ -13,7 +13,7 @@ from right_ways_08 import RIGHT_WAYS
 import dhlab as dh
 from dhlab.course import check
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.answers06 import UPRIGHT
+from dhlab.course.exercises.offsets06 import UPRIGHT
 from dhlab.course.kinds import Choice, Function, Order, Prediction, Table, Value
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.doctor.tables.rows import wrong_tables

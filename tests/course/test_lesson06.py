@@ -10,7 +10,7 @@ from draws import variants
 from dhlab.arm import Arm
 from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.answers06 import UPRIGHT
+from dhlab.course.exercises.offsets06 import UPRIGHT
 from dhlab.robots import load
 from dhlab.table import DHTable
 from tests.oracles import chain_joints, shift, turn

@@ -250,3 +250,57 @@ def test_the_way_back_in_the_goals_axes_is_not_said_to_be_right_anywhere():
     assert not np.allclose(back(*unturned)[3:], [0.3, -0.2, 0.5])  # wrong at R = 1 too
     verdict = str(E["08.4"].judge(back))
     assert "leads back from the goal" in verdict and "right where" not in verdict
+
+
+def test_two_slips_at_once_are_both_told():
+    value = right("02.4")
+    a, alpha = value[2], value[3]
+    for answer, both in (
+        ([value[0] - 180, value[1], a, -alpha], ("half a turn", "α has the wrong sign")),
+        ([-value[0], value[1], a, -alpha], ("θ has the other sign", "α has the wrong sign")),
+        ([np.deg2rad(value[0]), value[1], -a, alpha], ("minus sign", "θ in radians")),
+    ):
+        said = E["02.4"].judge(answer).headline
+        assert said.startswith("two slips: ") and all(part in said for part in both)
+    plate = right("01.2")
+    left_handed = plate * [1, -1, 1, 1]
+    said = E["01.2"].judge(left_handed.T).headline
+    assert "left hand" in said and "transposed" in said
+    no_pose = plate.copy()
+    no_pose[3, 0] = 0.3  # to be inverted it is no pose, and nothing is said of an inverse
+    assert E["01.2"].judge(no_pose).headline == "these are not the numbers"
+
+
+def test_a_number_beyond_a_turn_is_no_nearer_to_the_right_angle():
+    stop, at_stop = (E["09.10"].given(0)[name] for name in ("stop", "at_stop"))
+    answer = [-1, np.deg2rad(stop) + at_stop * 360 / 4096]
+    assert E["09.10"].judge(answer).headline == "these are not the numbers"
+
+
+def test_what_is_said_of_one_mistake_alone_is_not_said_of_two():
+    def exchanged_and_turned(theta, d, a, alpha):
+        T = dh.transform.rot_z(theta) @ dh.transform.trans_z(a)
+        return T @ dh.transform.trans_x(d) @ dh.transform.rot_x(-alpha)
+
+    said = str(E["05.4"].judge(exchanged_and_turned))
+    assert "several slips: a and d have changed places; and alpha has the wrong sign" in said
+    assert "The rotation is right" not in said
+
+
+def test_the_second_try_names_every_place(fresh):
+    def spoilt(theta, d, a, alpha):
+        T = E["05.7"].handed_out(theta, d, a, alpha)
+        T[0, 1] *= -1
+        return T
+
+    _, second, _ = (check("05.7", spoilt) for _ in range(3))
+    assert second.place == "row 1, column 2, right as it was handed out; row 2, column 3"
+
+
+def test_a_message_of_python_is_shown_without_the_matrix_it_prints():
+    def subtracted(T, T_goal):
+        turn = Rotation.from_matrix(T_goal[:3, :3] - T[:3, :3]).as_rotvec()
+        return np.hstack([T_goal[:3, 3] - T[:3, 3], turn])
+
+    verdict = E["08.4"].judge(subtracted)
+    assert "[[" not in verdict.headline and "is no rotation" in verdict.next

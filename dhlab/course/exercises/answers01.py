@@ -142,19 +142,13 @@ def wrong_plates(x: float, y: float, z: float) -> Mistakes:
         ),
         trans([x, y, z]) @ rot_z(90),
     )
-    yield (
-        "rotation-block-misread",
-        Said(
-            "turned about x: the z arrow no longer points up",
-            next="Which arrow stays where it was?",
-        ),
-        trans([x, y, z]) @ rot_x(np.pi / 2),
-    )
-    yield (
-        "rotation-block-misread",
-        Said(
-            "turned about y: the z arrow no longer points up",
-            next="Which arrow stays where it was?",
-        ),
-        trans([x, y, z]) @ rot_y(np.pi / 2),
-    )
+    for name, turn in (("x", rot_x), ("y", rot_y)):
+        for angle in (np.pi / 2, -np.pi / 2):
+            yield (
+                "rotation-block-misread",
+                Said(
+                    f"turned about {name}: the z arrow no longer points up",
+                    next="Which arrow stays where it was?",
+                ),
+                trans([x, y, z]) @ turn(angle),
+            )

@@ -210,13 +210,20 @@ def wrong_tubes(q2: float) -> Mistakes:
     )
     yield (
         "a-d-exchanged",
-        "the step of 53.5 mm does not run along the joint's axis",
-        [q2 + offset, FORWARD, UP, 0],
-    )
-    yield (
-        "a-d-exchanged",
         "the piece of 284.5 mm does not run along the joint's axis",
         [q2, UP, FORWARD, 0],
+    )
+    for d, said in ((UP, "piece of 284.5 mm"), (FORWARD, "step of 53.5 mm")):
+        for along in (UP + FORWARD - d, a):
+            yield (
+                "a-d-exchanged",
+                f"the {said} does not run along the joint's axis",
+                [q2 + offset, d, along, 0],
+            )
+    yield (
+        "length-along-the-part",
+        Said("θ follows the first piece of the tube, not the straight line", next=SKETCH),
+        [q2 + 90, 0, a, 0],
     )
     yield "a-d-exchanged", "", [q2 + offset, a, 0, 0]
     yield (

@@ -1,15 +1,11 @@
-"""What lesson 03 draws, what is right, and what the wrong answers are told:
-orders of moves, tables to classify and to convert, a table with no name.
-"""
+"""What lesson 03 draws of tables to convert, what is right, and what wrong answers are told."""
 
 from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arm import Arm
-from ...robots import load
 from ...table import DHTable
 from ..kinds import Mistakes, Said, numbers
 
@@ -19,17 +15,12 @@ __all__ = [
     "draw_broken",
     "draw_craig",
     "draw_standard",
-    "draw_unseen",
     "half_to_craig",
     "half_to_standard",
     "repaired",
     "to_craig",
     "to_standard",
-    "unseen_point",
-    "wrong_points",
 ]
-
-UNSEEN = ("piper", "irb120")
 
 COPIED = (
     "A conversion changes no number, only its row. Compare signs and digits with the given table."
@@ -227,90 +218,3 @@ def badly_repaired(standard: list[list[float]], converted: list[list[float]]) ->
         _half("both columns moved, α for the second time"),
         _shifted(np.array(converted), 1),
     )
-
-
-def draw_unseen(rng: np.random.Generator) -> dict[str, Any]:
-    """A table that no habit gives away: its owner counts in a bracket below joint 1 (Craig) or a
-    hand (standard), so both ends hold numbers.
-    """
-    table = load(str(rng.choice(UNSEEN))).to(str(rng.choice(["standard", "craig"]))).table
-    rows = np.array(numbers(table))
-    rows[0 if table.convention == "craig" else -1, 2:] = (
-        rng.choice([0.05, 0.08, 0.1]),
-        rng.choice([-90.0, 90.0]),
-    )
-    arm = _read_as(table.convention, rows)
-    q_check, q = rng.integers(15, 75, (2, len(arm))) * rng.choice([-1, 1], (2, len(arm)))
-    return {
-        "rows": rows.tolist(),
-        "q_check": q_check.tolist(),
-        "p_check": arm.forward(np.deg2rad(q_check))[:3, 3].round(3).tolist(),
-        "q": q.tolist(),
-    }
-
-
-def _read_as(convention, rows, angle="deg"):
-    return Arm(getattr(DHTable, convention)(rows, angle=angle))
-
-
-def _convention_of(rows, q_check, p_check):
-    return min(
-        ("standard", "craig"),
-        key=lambda name: np.linalg.norm(
-            _read_as(name, rows).forward(np.deg2rad(q_check))[:3, 3] - p_check
-        ),
-    )
-
-
-def unseen_point(
-    rows: list[list[float]], q_check: list[float], p_check: list[float], q: list[float]
-) -> NDArray:
-    return _read_as(_convention_of(rows, q_check, p_check), rows).forward(np.deg2rad(q))[:3, 3]
-
-
-def wrong_points(
-    rows: list[list[float]], q_check: list[float], p_check: list[float], q: list[float]
-) -> Mistakes:
-    right = _convention_of(rows, q_check, p_check)
-    arm, angles = _read_as(right, rows), np.deg2rad(q)
-    mistake, other = (
-        ("craig-rows-in-standard-matrix", "standard")
-        if right == "craig"
-        else ("standard-rows-in-craig-matrix", "craig")
-    )
-    T = arm.forward(angles)
-    yield (
-        mistake,
-        "this is the rows' other reading, which the check pose does not fit",
-        _read_as(other, rows).forward(angles)[:3, 3],
-    )
-    yield "joint-values-unused", "this is the point at q = 0", arm.forward(0 * angles)[:3, 3]
-    yield "degrees-in-sin-cos", "q went in in degrees", arm.forward(np.array(q, dtype=float))[:3, 3]
-    yield (
-        "degrees-in-sin-cos",
-        "the rows were read as radians",
-        _read_as(right, rows, "rad").forward(angles)[:3, 3],
-    )
-    yield (
-        "offset-missing",
-        "the rows' θ were left out",
-        _read_as(right, np.array(rows) * [0, 1, 1, 1]).forward(angles)[:3, 3],
-    )
-    yield (
-        "offset-subtracted",
-        "this is the point at −q: all joints turned the other way",
-        arm.forward(-angles)[:3, 3],
-    )
-    yield (
-        "conversion-incomplete",
-        "the rows were converted and then read in the convention they came from",
-        _read_as(right, numbers(arm.to(other).table)).forward(angles)[:3, 3],
-    )
-    yield (
-        "conversion-incomplete",
-        "the rows were converted, and base or tool forgotten",
-        _read_as(other, numbers(arm.to(other).table)).forward(angles)[:3, 3],
-    )
-    yield "rotation-block-misread", "this is the end's z arrow", T[:3, 2]
-    yield "rotation-block-misread", "this is the last row of the rotation", T[2, :3]
-    yield "pose-inverted", "this is the base's origin, seen from the end", -T[:3, :3].T @ T[:3, 3]

@@ -1,5 +1,5 @@
 """What lesson 06 draws, what is right, and what the wrong answers are told:
-the article's arm and its offsets, structures of four arms.
+the article's arm, structures of four arms.
 """
 
 from typing import Any
@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arm import Arm
 from ...doctor.programs.wrong.craig import craig
 from ...doctor.programs.wrong.products import product
 from ...robots import load
@@ -18,12 +17,10 @@ __all__ = [
     "IN_THE_LOOP",
     "OF_LENGTHS",
     "STRUCTURES",
-    "UPRIGHT",
     "draw_unseen",
     "explain_lengths",
     "explain_structures",
     "unseen_pose",
-    "wrong_offsets",
     "wrong_unseen",
     "wrong_zero_poses",
     "zero_pose",
@@ -33,14 +30,6 @@ ARTICLE: list[list[float]] = [
     [0, 0.1, 0, 90],
     [0, 0, 0.4, 0],
     [0, 0, 0.35, 0],
-    [0, 0.1, 0, 90],
-    [0, 0, 0, -90],
-    [0, 0.1, 0, 0],
-]
-UPRIGHT: list[list[float]] = [
-    [0, 0.1, 0, 90],
-    [90, 0, 0.4, 0],
-    [-90, 0, 0.35, 0],
     [0, 0.1, 0, 90],
     [0, 0, 0, -90],
     [0, 0.1, 0, 0],
@@ -79,8 +68,21 @@ def _of_the_chain(rows, q):
         "this is what Craig's matrix makes of the rows",
         product(rows, q, link=craig),
     )
-    yield "product-stops-early", "the last row was left out", product(rows[:-1], q[:-1])
-    yield "product-starts-late", "the first row was left out", product(rows[1:], q[1:])
+    yield from _without_a_row(rows, q)
+    for k in range(1, len(rows) - 1):
+        yield (
+            "product-stops-early",
+            Said(
+                f"this is the pose of frame {{{k}}}, after {k} of {len(rows)} rows",
+                next="How many rows does your product take?",
+            ),
+            product(rows[:k], q[:k]),
+        )
+    yield (
+        "product-stops-early",
+        Said("this is np.eye(4), the pose before the first row", next="What multiplies it?"),
+        np.eye(4),
+    )
     yield "pose-inverted", "this is the base's pose, seen from the end", np.linalg.inv(T)
     yield "matrix-transposed", "", T.T
     turned = T.copy()
@@ -91,6 +93,18 @@ def _of_the_chain(rows, q):
     bare = T.copy()
     bare[3] = 0
     yield "last-row-missing", "", bare
+
+
+def _without_a_row(rows, q):
+    """What is left of the product without a row; where two rows leave the same, both are told."""
+    n, left = len(rows), [product(np.delete(rows, k, 0), np.delete(q, k)) for k in range(len(rows))]
+    for k, T in enumerate(left):
+        others = [i + 1 for i in range(n) if np.allclose(left[i], T)]
+        name = {1: "the first row", n: "the last row"}.get(k + 1, f"row {k + 1}")
+        if len(others) > 1:  # nobody can tell
+            name = " or ".join(f"row {i}" for i in others)
+        early = "product-starts-late" if k == 0 else "product-stops-early"
+        yield early, Said(f"{name} was left out", next="How many rows does your product take?"), T
 
 
 def _backwards(rows, q):
@@ -226,68 +240,6 @@ def explain_structures(structures: list[str]) -> Known | None:
     )
     return "structure-from-prose", Said(
         headline, next=f"{arm[0].upper()}{arm[1:]}: look at {look}?"
-    )
-
-
-def _upright(offset_2, offset_3):
-    rows = [list(row) for row in UPRIGHT]
-    rows[1][0], rows[2][0] = offset_2, offset_3
-    return Arm(DHTable.standard(rows, angle="deg"))
-
-
-STANDS = {
-    0: "is level, pointing forward",
-    90: "points straight up",
-    180: "is level, pointing backward",
-    270: "points straight down",
-}  # by its angle to the floor
-
-
-def wrong_offsets() -> Mistakes:
-    """The offsets of 06.6 in radians, and in other quarter turns: what the arm then looks like
-    where the encoders read 0.
-    """
-    radians = Said(
-        "the offsets look like radians", next="This table is in degrees: 90, not 1.5708."
-    )
-    for quarter in (np.pi / 2, 1.57, 1.571, 1.5708):
-        for signs in ((1, -1), (1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (-1, 0), (0, 1)):
-            yield "angle-unit", radians, _upright(signs[0] * quarter, signs[1] * quarter)
-    for offset_2 in STANDS:
-        for offset_3 in STANDS:
-            if (offset_2, offset_3) != (90, 270):
-                yield (
-                    _offset_mistake(offset_2, offset_3),
-                    _seen(offset_2, offset_3),
-                    _upright(offset_2, offset_3),
-                )
-
-
-def _offset_mistake(offset_2, offset_3):
-    if (offset_2 == 0 and offset_3 in (0, 270)) or (offset_2, offset_3) == (90, 0):
-        return "offset-missing"
-    if (offset_2, offset_3) in ((90, 90), (270, 270), (270, 90)):
-        return "offset-sign"
-    return (
-        "offset-counted-twice"
-        if (offset_2, offset_3) in ((90, 180), (180, 270))
-        else "offset-value"
-    )
-
-
-def _seen(offset_2, offset_3):
-    if offset_2 != 90:
-        return Said(
-            f"where the encoders read 0, your upper arm {STANDS[offset_2]}",
-            next="It must point straight up there; positive q2 lifts it from the level.",
-        )
-    return Said(
-        "the upper arm is right; where the encoders read 0, your forearm"
-        f" {STANDS[(offset_2 + offset_3) % 360]}",
-        next=(
-            "θ3 is measured from the upper arm, not from the floor. With the arm up, which θ3 makes"
-            " the forearm level?"
-        ),
     )
 
 

@@ -2,6 +2,7 @@
 points measured with a tape.
 """
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -50,35 +51,37 @@ def misread_bench(stop: int, at_stop: int, **log: Any) -> Mistakes:
         [1, stop - turn],
     )
     yield (
-        "offset-sign",
-        Said("the sign is right; in the offset the stop's angle has the other sign", next=AGAIN),
-        [-1, turn - stop],
-    )
-    yield (
-        "offset-sign",
-        Said("the sign is right; in the offset the reading has the other sign", next=AGAIN),
-        [-1, stop - turn],
-    )
-    yield (
         "joint-reversed",
         Said("the offset is right; the sign is not", next=AGAIN),
         [1, stop + turn],
     )
-    yield (
-        "offset-missing",
-        Said("the sign is right; the offset leaves the stop's angle out", next=AGAIN),
-        [-1, turn],
-    )
-    yield (
-        "offset-missing",
-        Said("the sign is right; the offset leaves the reading at the stop out", next=AGAIN),
-        [-1, stop],
-    )
+    for sign, of_sign in ((-1, "the sign is right; in"), (1, "the sign is not right; and in")):
+        for mistake, said, offset in _wrong_offsets(stop, at_stop, turn):
+            if (sign, offset) != (1, stop - turn):
+                yield mistake, replace(said, headline=f"{of_sign} {said.headline}"), [sign, offset]
+
+
+def _wrong_offsets(stop, at_stop, turn):
+    """What one slip makes of the offset, told after "in"."""
+    other = "the offset the {} has the other sign"
+    left_out = "the offset the {} is left out"
+    for mistake, headline, offset in (
+        ("offset-sign", other.format("stop's angle"), turn - stop),
+        ("offset-sign", other.format("reading"), stop - turn),
+        ("offset-sign", "the offset both parts have the other sign", -stop - turn),
+        ("offset-missing", left_out.format("stop's angle"), turn),
+        ("offset-missing", left_out.format("reading at the stop"), stop),
+        (
+            "offset-sign",
+            "the offset the reading is left out, and the stop's angle has the other sign",
+            -stop,
+        ),
+    ):
+        yield mistake, Said(headline, next=AGAIN), offset
     yield (
         "angle-unit",
         Said(
-            "the sign is right; in the offset the reading is still in counts",
-            next=f"{COUNTS} counts are a whole turn.",
+            "the offset the reading is still in counts", next=f"{COUNTS} counts are a whole turn."
         ),
-        [-1, stop + at_stop],
+        stop + at_stop,
     )

@@ -11,14 +11,11 @@ from .answers03 import (
     draw_broken,
     draw_craig,
     draw_standard,
-    draw_unseen,
     half_to_craig,
     half_to_standard,
     repaired,
     to_craig,
     to_standard,
-    unseen_point,
-    wrong_points,
 )
 from .orders03 import (
     ARGUMENTS,
@@ -39,6 +36,7 @@ from .orders03 import (
     explain_reasons,
     explain_sides,
 )
+from .unseen03 import draw_unseen, unseen_point, wrong_points
 
 __all__ = ["EXERCISES"]
 

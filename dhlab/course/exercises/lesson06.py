@@ -13,16 +13,15 @@ from .answers06 import (
     IN_THE_LOOP,
     OF_LENGTHS,
     STRUCTURES,
-    UPRIGHT,
     draw_unseen,
     explain_lengths,
     explain_structures,
     unseen_pose,
-    wrong_offsets,
     wrong_unseen,
     wrong_zero_poses,
     zero_pose,
 )
+from .offsets06 import UPRIGHT, wrong_offsets
 
 __all__ = ["EXERCISES"]
 

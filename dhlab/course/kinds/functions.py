@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor import catalogue, explain_function
-from ...doctor.programs.cases import where
-from ...doctor.programs.explain import NUMBERS
+from ...doctor.programs.cases import is_long, where
+from ...doctor.programs.explain import AND, NUMBERS
 from ...doctor.programs.running.answers import answers_in_time, single_precision
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
@@ -163,10 +163,21 @@ class Function(Exercise):
                     " small numbers to 0."
                 ),
             )
+        asked = [
+            k for k in range(len(cases)) if k < general or (self._of_rows and is_long(cases[k]))
+        ]
         explained = self._explained(
-            answers[:general], expected[:general], cases[:general], sum(off[:general])
+            [answers[k] for k in asked],
+            [expected[k] for k in asked],
+            [cases[k] for k in asked],
+            sum(off[k] for k in asked),
         )
         return self.slowly(explained)
+
+    @property
+    def _of_rows(self):
+        """Whether it is called with rows of a table."""
+        return self.family.endswith("_transform") or self.family == "forward_kinematics"
 
     def _explained(self, answers, expected, cases, off):
         """The Verdict on a program that is wrong at general numbers, in ``off`` of the calls."""
@@ -194,8 +205,9 @@ class Function(Exercise):
         program that gives other numbers its title and the doctor's place are said, or the place
         alone where that is a sentence and the title is about poses.
         """
-        mistake = finding.mistake
-        place = "; ".join(filter(None, (finding.place, finding.detail)))
+        mistake, place = finding.mistake, finding.place
+        if finding.detail:  # what is said of one mistake alone is not true of two
+            return self._found_several(finding)
         if {mistake, (mistake, place)} & self.words.keys():
             return self.wrong(mistake, place=place)
         if self.family not in NUMBERS:
@@ -205,6 +217,15 @@ class Function(Exercise):
         if mistake in OF_POSES and place:
             return self.told(mistake, Said(place))
         return self.told(mistake, Said(catalogue()[mistake].title, place=place))
+
+    def _found_several(self, finding):
+        """The Verdict on mistakes that only together explain the answers: their titles."""
+        alone = self._found(replace(finding, detail=""))
+        title = catalogue()[finding.mistake].title
+        place = f" ({finding.place})" if finding.place else ""
+        slips = [f"{title}{place}", *finding.detail.split(AND)]
+        headline = f"several slips: {AND.join(map(_within, slips))}"
+        return replace(alone, headline=headline, place="", why="")
 
     def _in_other_units(self, answers, expected):
         """The slip of units that explains poses, with what is said of it; None."""
@@ -255,3 +276,8 @@ class Function(Exercise):
             if R
             else "only the position"
         )
+
+
+def _within(title):
+    """A title as part of a sentence: "The inverse pose" begins small, "T_06" does not."""
+    return title[0].lower() + title[1:] if title[1:2].islower() or title[1:2] == " " else title

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .exercise import Said
 
-__all__ = ["LOOSELY", "Group", "in_other_units", "of_places"]
+__all__ = ["FACTORS", "LOOSELY", "Group", "in_other_units", "of_places"]
 
 LOOSELY = 5e-3  # of the value; of poses rad and m: 1.57 is a rounded 90°, and still in radians
 DEGREES = 180 / np.pi
@@ -27,6 +27,7 @@ SLIPS = {
     "m/s": (("millimetres per second", 1e-3),),
     "rad/s": (("degrees per second", 1 / DEGREES),),
 }
+FACTORS = (1.0, *{factor for slips in SLIPS.values() for _, factor in slips})
 NEXT = {  # by what an answer is in, or by the unit that is asked
     "deg": "np.rad2deg makes degrees of radians. Convert once, and all angles.",
     "rad": "np.deg2rad makes radians of degrees. Convert once, and all angles.",

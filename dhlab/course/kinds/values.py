@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,8 @@ from .drawn import drawn_pose, drawn_row
 from .exercise import Exercise, Said, no_draw
 from .kept import kept, kept_apart
 from .reading import Unreadable, plain
-from .units import LOOSELY, Group, in_other_units, of_places
+from .twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
+from .units import FACTORS, LOOSELY, Group, in_other_units, of_places
 
 __all__ = ["Value"]
 
@@ -115,11 +117,9 @@ class Value(Exercise):
         )
         if unit:
             return self.told(*unit)
-        for mistake, said, value in self.mistakes(**given):
-            if (
-                np.shape(value) == array.shape
-                and not self.differs(array, np.asarray(value, dtype=float)).any()
-            ):
+        known = [*self.mistakes(**given), *self._of_any(expected)]
+        for mistake, said, value in known:
+            if self._is(array, value):
                 return self.told(mistake, said)
         if not array.any():
             return self.told(None, replace(NOTHING, place=self._place(off)))
@@ -128,7 +128,55 @@ class Value(Exercise):
             return self.told("integer-arrays", CUT_OFF)
         if _rounded(array, expected):
             return self.told("pi-rounded", ROUNDED)
-        return self.wrong(headline="these are not the numbers", place=self._place(off))
+        return self._twofold(array, expected, known) or self.wrong(
+            headline="these are not the numbers", place=self._place(off)
+        )
+
+    def _is(self, array, value):
+        """Whether an array is a value."""
+        return (
+            np.shape(value) == array.shape
+            and not self.differs(array, np.asarray(value, dtype=float)).any()
+        )
+
+    def _of_any(self, expected):
+        """The slips that any numbers of a unit may have."""
+        if self.units == "pose":
+            return of_any_pose(expected)
+        named = self.entries and self.units and expected.ndim == 1
+        return of_any_vector(expected, self.entries) if named else ()
+
+    def _twofold(self, array, expected, known):
+        """The Verdict on two slips at once; None where no two explain the numbers."""
+        found = None
+        if self.units == "pose":
+            found = next(under_another(array, known, self._is, FRAMES), None)
+        elif expected.ndim == 1:
+            found = by_entries(array, expected, known, self.differs)
+            found = found or next(under_another(array, known, self._is, SIGNS), None)
+        found = found or self._in_units_of(array, expected, known)
+        if found is None:
+            return None
+        first, second = (self.told(*slip[:2]) for slip in found)
+        after = next((v.next for v in (first, second) if not v.next.startswith("hint(")), "")
+        return self.told(
+            first.mistake or second.mistake,
+            Said(TWO.format(first.headline, second.headline), next=after),
+        )
+
+    def _in_units_of(self, array, expected, known):
+        """A known slip that explains the numbers in other units, and that slip of units; None."""
+        groups = self._groups(expected)
+        for one in known if groups else ():
+            value = np.asarray(one[2], dtype=float)
+            if np.shape(value) != array.shape:
+                continue
+            fits = [~self.differs(array * factor, value) for factor in FACTORS]
+            if np.any(fits, axis=0).all():
+                unit = in_other_units(array, groups, partial(self._is, value=value))
+                if unit:
+                    return one, unit
+        return None
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
         expected = self.expected(variant)
@@ -159,7 +207,8 @@ class Value(Exercise):
         difference = np.asarray(array - value)
         angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
         difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
-        allowed = np.maximum(tolerance * np.abs(value), self.tolerance * (1 + np.abs(value)))
+        size = np.abs(np.where(angles, value - 360 * np.round(value / 360), value))
+        allowed = np.maximum(tolerance * size, self.tolerance * (1 + size))
         return ~(np.abs(difference) <= allowed)
 
     def _place(self, off):

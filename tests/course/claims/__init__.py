@@ -7,8 +7,11 @@ exercise asks for numbers, else as it was handed in.
 """
 
 import re
+from itertools import product
 
-from . import orders, tables, vectors
+import numpy as np
+
+from . import general, orders, tables, vectors
 from .general import GENERAL
 
 CLAIMS = {**vectors.CLAIMS, **tables.CLAIMS, **orders.CLAIMS}
@@ -23,10 +26,41 @@ def sentence(verdict):
 
 def judged(exercise, verdict, answer, variant):
     """Whether what is said of an answer is true of it; None where no predicate knows."""
-    said = sentence(verdict)
-    for pattern, holds in [*CLAIMS.get(exercise.id, ()), *GENERAL]:
+    given = dict(exercise.given(variant)) | {"exercise": exercise, "variant": variant}
+    return holds_of(sentence(verdict), answer, given)
+
+
+def holds_of(said, answer, given):
+    """Whether one sentence is true of an answer; None where no predicate knows."""
+    twofold = re.fullmatch(r"two slips: (.+?); and ((?:in other units: )?.+)", said)
+    if twofold:
+        return _both(answer, given, *_halves(said.removeprefix("two slips: ")))
+    for pattern, holds in [*CLAIMS.get(given["exercise"].id, ()), *GENERAL]:
         found = re.fullmatch(pattern, said)
         if found:
-            given = dict(exercise.given(variant)) | {"exercise": exercise, "variant": variant}
             return bool(holds(answer, given, found.groupdict()))
     return None
+
+
+def _halves(said):
+    """The last "; and " of a sentence divides it; in that of units there are others."""
+    if "; and in other units: " in said:
+        one, _, other = said.partition("; and in other units: ")
+        return one, f"in other units: {other}"
+    one, _, other = said.rpartition("; and ")
+    return one, other
+
+
+def _both(answer, given, one, other):
+    """With one slip taken back, or its numbers put right, the other is all that is wrong."""
+    array, right = np.asarray(answer, dtype=float), general.right_of(given)
+    if other.startswith("in other units"):
+        return any(holds_of(one, fixed, given) for fixed in general.other_readings(array, given))
+    undone = {"every number has the other sign": np.negative, **general.UNDONE}.get(other)
+    if undone is not None and holds_of(one, undone(array), given):
+        return True
+    return any(
+        holds_of(one, np.where(mask, array, right), given)
+        and holds_of(other, np.where(mask, right, array), given)
+        for mask in map(np.array, product((True, False), repeat=array.size))
+    ) if array.ndim == 1 else False  # fmt: skip

@@ -141,3 +141,41 @@ def straight_line_of_a_bend():
     turn = np.arctan(step / seen)
     straight = np.hypot(seen, step) * np.array([np.cos(turn), np.sin(turn)])
     return turn > 0.01 and np.allclose(straight, [seen, step])
+
+
+def same_rows_another_arm():
+    return not np.allclose(_pose(ROWS, CRAIG), _pose(ROWS, STANDARD))
+
+
+def only_standard_ends_with_a_link():
+    """The last a and alpha move the end of standard rows from where the last joint left it; Craig's
+    rows end with the joint.
+    """
+    return STANDARD[2:] == ("Tx", "Rx") and set(CRAIG[2:]) == {"Rz", "Tz"}
+
+
+def product_from_one():
+    T = link(ROWS[0], STANDARD)
+    return np.allclose(np.eye(4) @ T, T) and not (np.zeros((4, 4)) @ T).any()
+
+
+def left_hands_count_backwards():
+    """A quarter turn about z carries x to y, and its transpose carries x to −y."""
+    R = link([np.pi / 2, 0, 0, 0], ("Rz",))[:3, :3]
+    return np.allclose(R[:, 0], [0, 1, 0]) and np.allclose(R.T[:, 0], [0, -1, 0])
+
+
+def one_keeps_its_row():
+    R = link([0.4, 0, 0, 0], ("Rz",))[:3, :3]
+    return R[2, 2] == 1 and np.allclose(R @ [0, 0, 1], [0, 0, 1])
+
+
+def turns_look_alike():
+    """Of turns by a small angle about y, z and x: the minus stands below in that about y alone."""
+    angle, minus = 0.4, []
+    for k in range(3):
+        across = np.cross(np.eye(3)[k], np.eye(3)).T
+        R = np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across
+        i, j = np.argwhere(R < -1e-9)[0]
+        minus.append(i > j)
+    return minus == [False, True, False]

@@ -1,5 +1,7 @@
 """Claims of every exercise: units, shapes, and where an answer is wrong."""
 
+from itertools import product
+
 import numpy as np
 
 FACTORS = {
@@ -64,6 +66,24 @@ def in_units(answer, given, found):
     return (np.abs(scaled - right) <= allowed).all() and off_by(answer, given).any()
 
 
+def other_readings(array, given):
+    """A vector or a pose with some numbers taken for others of their unit."""
+    exercise = given["exercise"]
+    if exercise.units == "pose" or not isinstance(exercise.units, tuple):
+        for factor in FACTORS.values():
+            fixed = array * factor
+            if exercise.units == "pose":
+                fixed = array.copy()
+                fixed[:3, 3] *= factor
+            yield fixed
+        return
+    for mask in product((1, 0), repeat=array.size):
+        for one, other in product(FACTORS.values(), repeat=2):
+            yield np.where(
+                mask, array * [one if "m" in unit else other for unit in exercise.units], array
+            )
+
+
 def these_entries(answer, given, found):
     """Exactly the entries that are named are wrong."""
     exercise, off = given["exercise"], off_by(answer, given)
@@ -100,6 +120,36 @@ def fewer_decimals(answer, given, found):
     )
 
 
+def one_negative(answer, given, found):
+    right = right_of(given)
+    right[given["exercise"].entries.index(found["name"])] *= -1
+    return near(answer, right)
+
+
+def in_places(answer, given, found):
+    names, right = given["exercise"].entries, right_of(given)
+    i, k = names.index(found["one"]), names.index(found["other"])
+    right[[i, k]] = right[[k, i]]
+    return near(answer, right)
+
+
+def arrow_turned(answer, given, found):
+    turned = np.array(answer, dtype=float)
+    turned[:, "xyz".index(found["name"])] *= -1
+    return near(turned, right_of(given))
+
+
+def _block_back(T):
+    T = T.copy()
+    T[:3, :3] = T[:3, :3].T
+    return T
+
+
+UNDONE = {  # a second slip, and what takes it back
+    "the whole 4×4 is transposed": np.transpose,
+    "the rotation block is transposed": _block_back,
+    "the pose is inverted": np.linalg.inv,
+}
 ONE = r"in other units: (?P<what>[^;]+?) in (?P<unit>[^;]+); [a-z ]+ (?:are )?asked"
 BOTH = (
     r"in other units: (?P<what>[θα, and]+) in (?P<unit>[^;]+?), (?P<more>[da, n]+) in"
@@ -125,6 +175,22 @@ GENERAL = [
     (r"these are the right numbers with their decimals cut off", cut_off),
     (r"these are the right numbers, rounded too early", fewer_decimals),
     (r"expected .+, found .+", other_shape),
+    (r"every number has the other sign", lambda a, g, f: near(np.negative(a), right_of(g))),
+    (r"(?P<name>[^;:]+) has the other sign", one_negative),
+    (r"(?P<one>[^;:]+) and (?P<other>[^;:]+) have changed places", in_places),
+    (
+        r"the origin stands in the last row, not the last column",
+        lambda a, g, f: (
+            near(np.asarray(a)[:3, :3], right_of(g)[:3, :3])
+            and near(np.asarray(a)[3], [*right_of(g)[:3, 3], 1])
+            and near(np.asarray(a)[:3, 3], [0, 0, 0])
+        ),
+    ),
+    (r"the (?P<name>[xyz]) arrow points the other way", arrow_turned),
+    *(
+        (said, lambda a, g, f, undone=undone: near(undone(np.asarray(a, dtype=float)), right_of(g)))
+        for said, undone in UNDONE.items()
+    ),
     (r"every number is 0 @ (?P<count>\d+) of .+", lambda a, g, f: not np.any(a)),
     (
         r"every number is 0 @ (?P<names>.+)",

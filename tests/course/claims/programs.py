@@ -287,9 +287,8 @@ def exchanged(p, place):
     orders = list(permutations(STANDARD))
     made = [order for order in orders if p.ordered(*order)]
     right = [order for order in orders if np.allclose(link(ROW, order), link(ROW, p.order))]
-    return (
-        not told
-        or bool(made)
+    return not told or (
+        bool(made)
         and all(order.index(one) < order.index(other) for order in made for one, other in told)
         and all(order.index(one) > order.index(other) for order in right for one, other in told)
     )

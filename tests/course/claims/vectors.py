@@ -307,11 +307,15 @@ TUBE = [
     ),
     (
         r"the step of 53.5 mm does not run along the joint's axis",
-        lambda a, g, f: near(a[1], 0.0535) and near(a[2], 0.2845),
+        lambda a, g, f: near(a[1], 0.0535),
     ),
     (
         r"the piece of 284.5 mm does not run along the joint's axis",
         lambda a, g, f: near(a[1], 0.2845) and right_of(g)[1] == 0,
+    ),
+    (
+        r"θ follows the first piece of the tube, not the straight line",
+        _row_but(lambda r, g, f: {0: g["q2"] + 90}),
     ),
     (r"a and d have changed places", _row_but(lambda r, g, f: {1: r[2], 2: r[1]})),
     (r"θ is q2 alone, .+", _row_but(lambda r, g, f: {0: g["q2"]})),
@@ -400,7 +404,8 @@ def _convention(g):
 
 
 def _unnamed(made):
-    return is_value(lambda g: made(g, _convention(g)))
+    """A point of the reading that the check pose fits, or of the other."""
+    return is_value(lambda g: made(g, _other(_convention(g)) if g.get("other") else _convention(g)))
 
 
 def _other(name):
@@ -416,7 +421,7 @@ def _converted(g, name):
     return rows
 
 
-UNNAMED = [
+OF_A_READING = [
     (
         r"this is the rows' other reading, which the check pose does not fit",
         _unnamed(lambda g, name: walk(g["rows"], g["q"], _other(name))[:3, 3]),
@@ -455,6 +460,24 @@ UNNAMED = [
     (
         r"this is the base's origin, seen from the end",
         _unnamed(lambda g, n: back(walk(g["rows"], g["q"], n))[:3, 3]),
+    ),
+]
+UNNAMED = [
+    *OF_A_READING,
+    *(
+        (
+            pattern + r", in the reading that the check pose does not fit",
+            lambda a, g, f, holds=holds: holds(a, g | {"other": True}, f),
+        )
+        for pattern, holds in OF_A_READING[1:]
+    ),
+    (
+        r"this is the point at q_check, in the reading that the check pose does not fit",
+        is_value(lambda g: walk(g["rows"], g["q_check"], _other(_convention(g)))[:3, 3]),
+    ),
+    (
+        r"this is p_check, the point at q_check; the point at q is asked",
+        is_value(lambda g: g["p_check"]),
     ),
 ]
 
@@ -582,6 +605,17 @@ def _of_a_chain(of):
             (r"α was left in degrees", lambda r, q, f: walk(r * [1, 1, 1, turns[0]], q)),
             (r"θ was left in degrees", lambda r, q, f: walk(r * [turns[0], 1, 1, 1], q)),
             (r"the rows were converted twice", lambda r, q, f: walk(r / turns, q)),
+            (
+                r"this is the pose of frame \{(?P<k>\d)\}, after \d of 6 rows",
+                lambda r, q, f: walk(r[: int(f["k"])], q[: int(f["k"])]),
+            ),
+            (
+                r"row (?P<k>\d)( or row \d)* was left out",
+                lambda r, q, f: walk(
+                    np.delete(r, int(f["k"]) - 1, 0), np.delete(q, int(f["k"]) - 1)
+                ),
+            ),
+            (r"this is np.eye\(4\), the pose before the first row", lambda r, q, f: np.eye(4)),
             (
                 r"the lengths went through np.deg2rad too",
                 lambda r, q, f: walk(np.radians(r) * [turns[0], 1, 1, turns[0]], q),
@@ -946,28 +980,29 @@ BENCH = [
         lambda a, g, f: a[0] == 1 and _whole(a[0] * _turn(g) + a[1] - g["stop"]),
     ),
     (
-        r"the sign is right; in the offset the stop's angle has the other sign",
-        lambda a, g, f: a[0] == -1 and _whole(a[1] - _turn(g) + g["stop"]),
-    ),
-    (
-        r"the sign is right; in the offset the reading has the other sign",
-        lambda a, g, f: a[0] == -1 and _whole(a[1] + _turn(g) - g["stop"]),
-    ),
-    (
         r"the offset is right; the sign is not",
         lambda a, g, f: a[0] == 1 and _whole(-_turn(g) + a[1] - g["stop"]),
     ),
-    (
-        r"the sign is right; the offset leaves the stop's angle out",
-        lambda a, g, f: a[0] == -1 and _whole(a[1] - _turn(g)),
-    ),
-    (
-        r"the sign is right; the offset leaves the reading at the stop out",
-        lambda a, g, f: a[0] == -1 and _whole(a[1] - g["stop"]),
-    ),
-    (
-        r"the sign is right; in the offset the reading is still in counts",
-        lambda a, g, f: a[0] == -1 and _whole(a[1] - g["stop"] - g["at_stop"]),
+    *(
+        (
+            rf"the sign is (?P<sign>right;|not right; and) in the offset {said}",
+            lambda a, g, f, of=of: (
+                a[0] == (-1 if f["sign"] == "right;" else 1)
+                and _whole(a[1] - of(g["stop"], _turn(g), g["at_stop"]))
+            ),
+        )
+        for said, of in (
+            (r"the stop's angle has the other sign", lambda stop, turn, at: turn - stop),
+            (r"the reading has the other sign", lambda stop, turn, at: stop - turn),
+            (r"both parts have the other sign", lambda stop, turn, at: -stop - turn),
+            (r"the stop's angle is left out", lambda stop, turn, at: turn),
+            (r"the reading at the stop is left out", lambda stop, turn, at: stop),
+            (
+                r"the reading is left out, and the stop's angle has the other sign",
+                lambda stop, turn, at: -stop,
+            ),
+            (r"the reading is still in counts", lambda stop, turn, at: stop + at),
+        )
     ),
 ]
 
