@@ -34,7 +34,9 @@ def link_matrices(
     >>> link_matrices("standard", [0.0], [0.1], [0.4], [0.0])[0, :3, 3]
     array([0.4, 0. , 0.1])
     """
-    theta, d = np.broadcast_arrays(np.asarray(theta, dtype=float), np.asarray(d, dtype=float))
+    theta, d = np.asarray(theta, dtype=float), np.asarray(d, dtype=float)
+    if theta.shape != d.shape:  # for a handful of poses the question costs as much as their product
+        theta, d = np.broadcast_arrays(theta, d)
     ct, st = np.cos(theta), np.sin(theta)
     ca, sa = np.cos(alpha), np.sin(alpha)
     A = np.zeros((*theta.shape, 4, 4))

@@ -119,6 +119,7 @@ def _unpacked(node):
     return [node]
 
 
+@cache
 def _plain(source):
     """Magics turned into calls, as IPython does it."""
     if not any(

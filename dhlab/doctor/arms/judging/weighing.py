@@ -65,22 +65,24 @@ def largest(arm, data):
 
 def level_left(arm, data, fitted=0):
     """The noise (m, rad) that an arm leaves; as stated, where it is."""
-    if data.stated:
-        return data.noise
+    return data.noise if data.stated else _level(squares(arm, data), data, fitted)
+
+
+def _level(left, data, fitted):
     share = data.count / max(data.count - fitted, 1)
     return tuple(
         max(float(np.sqrt(total * share / count)), least) if count else least
-        for (total, count), least in zip(squares(arm, data), data.floor)
+        for (total, count), least in zip(left, data.floor)
     )
 
 
-def _misfit_cost(arm, data):
-    """Half of χ²; where no noise is stated, that of the noise which suits the arm best, paid for by
-    how much larger than the digits' it is.
+def _misfit_cost(left, data):
+    """Half of χ² of the squares that are left; where no noise is stated, that of the noise which
+    suits them best, paid for by how much larger than the digits' it is.
     """
     known = data.noise if data.stated else data.floor
     cost = 0.0
-    for (total, count), sigma in zip(squares(arm, data), known):
+    for (total, count), sigma in zip(left, known):
         if count:
             ratio = total / count / sigma**2
             plain = ratio / 2
@@ -120,8 +122,9 @@ def _turn_cost(R, angle):
 def weigh(e, data):
     """The :class:`Weighed` of an Explanation."""
     mended = data if e.changed is None else e.changed
-    level = level_left(e.fit.arm, mended, e.fit.fitted)
-    cost = _misfit_cost(e.fit.arm, mended) + _ends_cost(e, level, data)
+    left = squares(e.fit.arm, mended)
+    level = mended.noise if mended.stated else _level(left, mended, e.fit.fitted)
+    cost = _misfit_cost(left, mended) + _ends_cost(e, level, data)
     length, angle = number_costs(level, data)
     free = sorted((length if c in (D, A) else angle for _, c in e.entries), reverse=True)
     odd = min(e.odd, len(free))
@@ -135,7 +138,7 @@ def weigh(e, data):
 
 def as_it_is(arm, data):
     """What the table costs without any change."""
-    return _misfit_cost(arm, data)
+    return _misfit_cost(squares(arm, data), data)
 
 
 def as_measured(data):

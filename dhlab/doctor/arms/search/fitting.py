@@ -7,13 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from .... import kinematics
 from ....arm import Arm
-from ...mistakes.remade import A, D, with_rows
+from ....fast.plain import Plain
+from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "within", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
 
+ENDS = "base", "tool"
+PARTS = "table", *ENDS, "sign", "coupling"
+AT_ONCE = 2000  # poses, whose frames take 2 MB
 FLAT = 4  # poses; so few leave a base and a tool that are both free long valleys to walk along
 
 
@@ -55,15 +60,51 @@ def misfit(arm, data):
     return fit(placed, data, (), steps=100 if flat else 15)
 
 
-def within(arm, data, chi2):
-    """Whether the misfit of an arm is no larger than ``chi2``: as :func:`misfit` says, and told
-    from the positions alone where these miss by more.
+def misfits(arms, data):
+    """The Fit of each of several arms as it is, like :func:`misfit`."""
+    if data.base_free or data.tool_free:
+        return [misfit(arm, data) for arm in arms]
+    ends = _ends_of(arms, data.q)
+    chi2 = (data.residual(ends) ** 2).sum(axis=(-2, -1)).tolist() if arms else ()
+    return [Fit(arm, one) for arm, one in zip(arms, chi2)]
+
+
+def within(arms, data, chi2):
+    """For each of several arms whether its misfit is no larger than ``chi2``: as :func:`misfit`
+    says, and told from the positions alone where these miss by more.
     """
-    if not data.base_free and not data.tool_free:
-        off = (arm.forward(data.q)[..., :3, 3] - data.p) / data.noise[0]
-        if (off * off).sum() > chi2:
-            return False
-    return misfit(arm, data).chi2 <= chi2
+    if not arms or data.base_free or data.tool_free:
+        return [misfit(arm, data).chi2 <= chi2 for arm in arms]
+    off = (_ends_of(arms, data.q)[..., :3, 3] - data.p) / data.noise[0]
+    near = (off * off).sum(axis=(-2, -1)) <= chi2
+    return [bool(one) and misfit(arm, data).chi2 <= chi2 for one, arm in zip(near, arms)]
+
+
+def _ends_of(arms, q):
+    """The end poses of several arms (k, m, 4, 4), many in one product: of a few poses the steps
+    take longer than the numbers.
+    """
+    kinds, ends = {}, np.empty((len(arms), len(q), 4, 4))
+    for k, arm in enumerate(arms):
+        kinds.setdefault((arm.table.convention, arm.table.joints), []).append(k)
+    together = max(1, AT_ONCE // len(q))
+    for which in kinds.values():
+        for begin in range(0, len(which), together):
+            some = which[begin : begin + together]
+            ends[some] = _ends_of_one_kind([arms[k] for k in some], q)
+    return ends
+
+
+def _ends_of_one_kind(arms, q):
+    convention, slides = arms[0].table.convention, arms[0].table.prismatic
+    rows = np.stack([arm.table.rows for arm in arms])[:, None]
+    base, tool = (np.stack([getattr(arm, end) for arm in arms])[:, None] for end in ENDS)
+    moved = np.stack(
+        [Plain(*(getattr(arm, part) for part in PARTS)).joint_values(q) for arm in arms]
+    )
+    theta, d = rows[..., THETA] + ~slides * moved, rows[..., D] + slides * moved
+    links = kinematics.link_matrices(convention, theta, d, rows[..., A], rows[..., ALPHA])
+    return kinematics.frames(base, links)[..., -1, :, :] @ tool
 
 
 def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):

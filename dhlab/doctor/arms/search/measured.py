@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 from scipy.special import chdtri
 
 __all__ = ["Measured", "limit", "rotation_vectors"]
@@ -55,7 +54,7 @@ def rotation_vectors(R):
     """Rotation vectors (..., 3) of rotation matrices (..., 3, 3).
 
     From the skew part, which is sin(angle) times the axis; near half a turn, where that is small,
-    scipy's way by quaternions.
+    the axis comes from the symmetric part.
     """
     skew = np.stack(
         [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]],
@@ -68,5 +67,17 @@ def rotation_vectors(R):
     vectors = skew * np.where(small, 0.5, angle / np.where(small, 1, twice_sine))[..., None]
     half = twice_cosine < HALF_A_TURN
     if half.any():
-        vectors[half] = Rotation.from_matrix(R[half]).as_rotvec()
+        vectors[half] = _half_turns(R[half], skew[half]) * angle[half, None]
     return vectors
+
+
+def _half_turns(R, skew):
+    """The axes (m, 3) of rotations by nearly half a turn: R + Rᵀ is a multiple of the identity and
+    one of axis · axisᵀ, of which the column with the largest diagonal is taken.
+    """
+    both = R + np.swapaxes(R, -1, -2)
+    both[:, range(3), range(3)] += (1 - np.trace(R, axis1=-2, axis2=-1))[:, None]
+    k = np.arange(len(R)), np.argmax(np.diagonal(both, axis1=-2, axis2=-1), axis=-1)
+    axes = both[k]
+    axes /= np.linalg.norm(axes, axis=-1, keepdims=True)
+    return axes * np.where((axes * skew).sum(-1) < 0, -1.0, 1.0)[:, None]

@@ -10,7 +10,7 @@ from ...mistakes.remade import A, D
 from .angles import STARTS, all_offsets, rounded_angles, turned, turns
 from .data import data_repairs
 from .ends import place_ends
-from .fitting import Fit, fit, misfit
+from .fitting import Fit, fit, misfit, misfits
 from .measured import Measured
 from .repairs import discrete_repairs
 from .signs import entries_of, signs_of_lengths, signs_of_twists
@@ -44,12 +44,10 @@ class Explanation:
 
 def singles(arm, data):
     """Every explanation by one change, fitting or not; the caller keeps those that fit."""
-    for repair in discrete_repairs(arm):
-        found = (
-            fit(place_ends(repair.arm, data), data, repair.free)
-            if repair.free
-            else misfit(repair.arm, data)
-        )
+    repairs = list(discrete_repairs(arm))
+    whole = iter(misfits([repair.arm for repair in repairs if not repair.free], data))
+    for repair in repairs:
+        found = fit(place_ends(repair.arm, data), data, repair.free) if repair.free else next(whole)
         yield Explanation(found, (arm, found.arm), repair.free)
     placed = place_ends(arm, data)
     for i, column in entries_of(arm):

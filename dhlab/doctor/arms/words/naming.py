@@ -98,10 +98,11 @@ def _made_on(right, wrong, data, fitted):
     sample = _sample(wrong, data, slack)
     # a fault that changes nothing is no name for a change
     enough = min(sample.count, OWN * misfit(right, sample).chi2)
+    made = list(faults(right))
     found = [
         fault
-        for fault in faults(right)
-        if within(fault.arm, sample, enough) and not _scaled_to_nothing(fault, wrong)
+        for fault, same in zip(made, within([fault.arm for fault in made], sample, enough))
+        if same and not _scaled_to_nothing(fault, wrong)
     ]
     found.sort(key=lambda fault: _order(fault, wrong, max(slack)))
     return list(
