@@ -1,4 +1,4 @@
-"""Forty attacks on the grader, written with its code open, and honest controls, in every cage that
+"""Fifty attacks on the grader, written with its code open, and honest controls, in every cage that
 works here: none may earn a mark, read what is not its own, stop the class or harm a neighbour.
 
     python benchmarks/hostile.py                # bubblewrap, landlock
@@ -80,6 +80,27 @@ def many_zips(notebook, facts):
 def parts(raw):
     """A notebook of a few megabytes that costs a gigabyte when it is parsed."""
     return raw[:-1] + b', "x": [' + b"[]," * 4_000_000 + b"1]}"
+
+
+def as_teacher(notebook, facts):
+    """A wrong answer, and beside it all that a teacher might have written."""
+    answer("05.2", "rule = '?'")(notebook, facts)
+    points = "students: {attack: {exercises: {'05.2': {points: 1}}}}\n"
+    texts = {"decisions.yaml": points, "course.yaml": "lessons: {'05': {points: {'05.2': 0}}}\n"}
+    texts |= {"marks/attack.json": "{}", "grades.csv": "student,points\nattack,12\n"}
+    texts |= {"roster.csv": "student\nattack\n", "items.py": "raise SystemExit"}
+    files = {name: text.encode() for name, text in texts.items()}
+    return files | {"05.ipynb": json.dumps(notebook).encode()}
+
+
+def holding(source):
+    """An attack that sets ``held`` where it gets what it may not have; 05.2 tells."""
+
+    def make(notebook, facts):
+        first(source)(notebook, facts)
+        answer("05.2", 'rule = "?" if globals().get("held") else rule')(notebook, facts)
+
+    return make
 
 
 IDENTITY = "return np.eye(4)"
@@ -252,6 +273,41 @@ EARN = [
         {"05.6"},
     ),
 ]
+EARN += [
+    (
+        "all letters in a list",
+        "a choice answered with every letter",
+        answer("05.2", "rule = ['a', 'b', 'c', 'd']"),
+        {"05.2"},
+    ),
+    (
+        "a second run of the same calls",
+        "sees all calls, stops as if a name were missing, and looks for what it kept",
+        closed(
+            "seen.append((theta, d, a, alpha))\n"
+            "open(os.path.expanduser('~/seen'), 'a').write(repr(seen[-1]))\n"
+            "if len(seen) > 20: raise NameError('dh')\nreturn np.eye(4)",
+            "import os\nseen = []",
+        ),
+        {"05.6"},
+    ),
+    (
+        "what was read for the class",
+        "changes the lesson's cells where the warm parent read them once for everybody",
+        first(
+            "import gc, ast\nfor one in gc.get_objects():\n"
+            "    if isinstance(one, ast.Constant): one.value = 7\n"
+            "import dhlab.grading.inside.slices as s\ns.statements = lambda *a: None"
+        ),
+        ANY,
+    ),
+    (
+        "in the teacher's place",
+        "hands in decisions, marks, a course and items",
+        as_teacher,
+        {"05.2"},
+    ),
+]
 READ = [
     (
         "reads the room's error file",
@@ -339,6 +395,30 @@ READ = [
         spy(
             "from dhlab import course\nleaked = any(key[:2] != '05' for key in course.book.given)"
             " or 'seeds' in vars(course.book)"
+        ),
+        FULL,
+    ),
+]
+READ += [
+    (
+        "a signal by way of an open file",
+        "makes another process the owner of its files, who is then signalled",
+        spy(
+            "import ctypes, os\nlibc = ctypes.CDLL(None)\nout, into = os.pipe()\n"
+            "for command in (8, 10, 8 + 2**32):\n"
+            "    leaked = leaked or libc.fcntl(out, ctypes.c_long(command), os.getppid()) >= 0"
+        ),
+        FULL,
+    ),
+    (
+        "the same by the older way",
+        "FIOSETOWN and SIOCSPGRP of ioctl",
+        spy(
+            "import ctypes, os, socket\nlibc, pair = ctypes.CDLL(None), socket.socketpair()\n"
+            "out = pair[0].fileno()\n"
+            "owner = ctypes.byref(ctypes.c_int(os.getppid()))\n"
+            "leaked = any(libc.ioctl(out, ctypes.c_long(c), owner) >= 0 for c in"
+            " (0x8901, 0x8902, 0x8901 + 2**32))"
         ),
         FULL,
     ),
@@ -449,6 +529,49 @@ STOP = [
         {"05.9"},
     ),
 ]
+STOP += [
+    (
+        "files without a name",
+        "more on the disk than the limit, in files that are open and removed, or never had a name",
+        holding(
+            "import os\nkept = []\ntry:\n    for n in range(40):\n"
+            "        try:\n            f = os.open('.', os.O_TMPFILE | os.O_RDWR)\n"
+            "        except OSError:\n            f = os.open(f'f{n}', os.O_CREAT | os.O_RDWR)\n"
+            "            os.unlink(f'f{n}')\n"
+            "        kept.append(os.write(f, bytes(2 << 20)))\nexcept OSError: pass\n"
+            "import time; time.sleep(0.3)\nheld = sum(kept) > 32 << 20"
+        ),
+        FULL,
+    ),
+    (
+        "a file in another's place",
+        "the same with files over which others are moved",
+        holding(
+            "import os\nkept = []\ntry:\n    for n in range(40):\n"
+            "        f = os.open(f'f{n}', os.O_CREAT | os.O_RDWR)\n"
+            "        os.replace(f'f{n}', 'one')\n"
+            "        kept.append(os.write(f, bytes(2 << 20)))\nexcept OSError: pass\n"
+            "import time; time.sleep(0.3)\nheld = sum(kept) > 32 << 20"
+        ),
+        FULL,
+    ),
+    (
+        "room without a size",
+        "takes blocks beyond the end of a file, where no limit of its size looks",
+        holding(
+            "import ctypes, os\nlibc = ctypes.CDLL(None)\n"
+            "f = os.open('f', os.O_CREAT | os.O_RDWR)\n"
+            "held = libc.fallocate(f, 1, ctypes.c_long(0), ctypes.c_long(64 << 20)) == 0"
+        ),
+        FULL,
+    ),
+    (
+        "slow to read",
+        "a cell whose statements cost the square of their number before anything runs",
+        cells(code("\n".join(f"a{n} = a{n + 1} if 0 else {n}" for n in range(30_000)))),
+        ANY,
+    ),
+]
 ATTACKS = [*EARN, *READ, *STOP]
 # where nothing protects the machine only these are run
 HARMLESS = [one for one in ATTACKS if one[0] not in {"a million empty files", "forty zips"}][:16]
@@ -488,6 +611,7 @@ def _put(folder, make, facts):
     raw = made if isinstance(made, bytes) else json.dumps(notebook).encode()
     folder.mkdir()
     for name, data in (made if isinstance(made, dict) else {"05-link-matrix.ipynb": raw}).items():
+        (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(data)
 
 

@@ -72,7 +72,7 @@ def spy(source):
     """An attack that sets ``leaked``; when that succeeds, 05.2 is answered wrongly."""
 
     def make(notebook, facts):
-        first("leaked = False\nFACTS_ = FACTS\n" + source.replace("FACTS[", "FACTS_["))(
+        first("leaked = False\nknown = FACTS\n" + source.replace("FACTS[", "known["))(
             notebook, facts
         )
         answer("05.2", 'rule = "a" if leaked else rule')(notebook, facts)

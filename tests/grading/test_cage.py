@@ -311,6 +311,43 @@ def test_the_best_level_is_taken_and_its_risk_is_known():
     assert cage.best_level() in cage.RISKS and "trust" in cage.RISKS["rlimits"]
 
 
+FROM_A_FILE = """
+import ctypes, os
+libc, (out, into), got = ctypes.CDLL(None), os.pipe(), []
+for command in (8, 10, 8 + 2**32):  # F_SETOWN, F_SETSIG
+    got.append(libc.fcntl(out, ctypes.c_long(command), os.getppid()) >= 0)
+"""
+WITHOUT_A_NAME = """
+f = os.open("f", os.O_CREAT | os.O_RDWR)
+os.unlink("f")
+got.append(not os.path.exists("f"))
+for make in (lambda: os.open(".", os.O_TMPFILE | os.O_RDWR), lambda: os.rename("f", "g")):
+    try:
+        got.append(make() is None or True)
+    except OSError:
+        got.append(False)
+got.append(libc.fallocate(f, 1, ctypes.c_long(0), ctypes.c_long(1 << 20)) == 0)
+"""
+
+
+@pytest.mark.cage
+@pytest.mark.parametrize(
+    "level, source", [("bubblewrap", FROM_A_FILE), ("landlock", FROM_A_FILE + WITHOUT_A_NAME)]
+)
+def test_a_file_signals_nobody_and_keeps_its_name(level, source):
+    try:
+        room = cage.Cage(level, Limits(cell_seconds=5))
+    except ValueError:
+        pytest.skip(f"{level} does not work on this machine")
+    tell = "from dhlab.course import check\ncheck('05.2', [int(one) for one in got])"
+    notebook = {"cells": [{"cell_type": "code", "source": source + tell, "metadata": {}}]}
+    with room:
+        asked = request(COURSE, 0)
+        run = room.run(asked, json.dumps(notebook).encode(), 10)
+    (said,) = [line["value"] for line in run.lines if "check" in line]
+    assert not any(said)
+
+
 @pytest.mark.cage
 def test_a_cage_that_is_killed_is_built_again():
     if sys.platform != "linux":

@@ -114,6 +114,15 @@ def _prints(top):
     }
 
 
+def test_a_spy_that_succeeds_is_seen():
+    notebook, names = corpus.solved(), {}
+    corpus.spy("leaked = FACTS['key'] == 'k'")(notebook, {"key": "k"})
+    for source in (c["source"] for c in notebook["cells"] if c["cell_type"] == "code"):
+        if "leaked" in source:
+            exec(source, names)
+    assert names["leaked"] and names["rule"] == "a"
+
+
 def test_marks_are_fair(graded):
     cases, results, _, _ = graded
     worth = {mark.exercise: mark.of for mark in results["honest000"].marks}

@@ -57,10 +57,18 @@ fchownat link linkat symlink symlinkat
 DENIED_TO_OWN_USER = """
 chmod fchmod fchmodat fchmodat2 utime utimes utimensat futimesat setxattr lsetxattr fsetxattr
 removexattr lremovexattr fremovexattr
+fallocate rename renameat renameat2 openat2
 """.split()
-ALLOW, EPERM, ENOSYS = 0x7FFF0000, 0x00050001, 0x00050026
+# there nothing is removed, though it looks so: a file that is open and has no name any more would
+# take room that nobody can count
+UNDONE = "unlink", "unlinkat"
+NAMELESS = 0x400000  # O_TMPFILE: a file that never had a name
+# other processes named as owners of a file, whom the kernel then signals
+OWNERS = {"fcntl": (8, 10, 15), "ioctl": (0x8901, 0x8902)}
+ALLOW, DONE, EPERM, ENOSYS = 0x7FFF0000, 0x00050000, 0x00050001, 0x00050026
 NOT_EQUAL, MASKED = 1, 7
 CLONE_THREAD = 0x10000
+INT = 0xFFFFFFFF  # the kernel reads no more of such an argument
 
 
 class Compare(ctypes.Structure):
@@ -77,9 +85,11 @@ def libseccomp() -> Any:
         return None
 
 
-def filter_of_calls(library: Any, denied: Iterable[str] = ()) -> bytes:
+def filter_of_calls(library: Any, own_user: bool = True) -> bytes:
     """The kernel's program for :func:`restrict_calls`, the same for every process: no new process,
     no program, no socket, no signal to anybody, no trick of the kernel. Threads stay possible.
+    Where the user is the grader's (not ``own_user``) nothing either that makes files other than
+    they look.
 
     Raises OSError where it cannot be made.
     """
@@ -87,8 +97,15 @@ def filter_of_calls(library: Any, denied: Iterable[str] = ()) -> bytes:
     filter_ = ctypes.c_void_p(library.seccomp_init(c_uint32(ALLOW)))
     if not filter_:
         raise OSError("seccomp_init failed")
-    for name in (*DENIED, *denied):
+    for name in (*DENIED, *(() if own_user else DENIED_TO_OWN_USER)):
         _rule(library, filter_, EPERM, name)
+    for name in () if own_user else UNDONE:
+        _rule(library, filter_, DONE, name)
+    for argument, name in () if own_user else ((1, "open"), (2, "openat")):
+        _rule(library, filter_, EPERM, name, Compare(argument, MASKED, NAMELESS, NAMELESS))
+    for name, commands in OWNERS.items():
+        for command in commands:
+            _rule(library, filter_, EPERM, name, Compare(1, MASKED, INT, command))
     # the C library then takes clone, whose flags can be looked at
     _rule(library, filter_, ENOSYS, "clone3")
     _rule(library, filter_, EPERM, "clone", Compare(0, MASKED, CLONE_THREAD, 0))

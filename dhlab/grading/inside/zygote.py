@@ -125,9 +125,7 @@ def _filter(level):
     library = confine.libseccomp()
     if not library or level == "rlimits":
         return b""
-    return confine.filter_of_calls(
-        library, confine.DENIED_TO_OWN_USER if level == "landlock" else ()
-    )
+    return confine.filter_of_calls(library, own_user=level != "landlock")
 
 
 def _line(control):
