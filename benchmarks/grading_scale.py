@@ -1,8 +1,11 @@
 """``dhlab grade`` on 20, 200 and 2,000 copies of a lesson's solution: with one job, with two, and
 over a Dask cluster of two workers on this machine. Plan, marks, feedback and report included.
 
-    python benchmarks/grading_scale.py 05:20,200,2000 06:200
-    python benchmarks/grading_scale.py --ways "1 job,Dask" 05:200
+    python benchmarks/grading_scale.py                      # 05 in all three numbers, 07 with 200
+    python benchmarks/grading_scale.py --ways "1 job,Dask" --minutes 5 05:20,200
+
+It ends within the minutes that it has: a run that would take longer, as the smaller ones of its
+lesson tell, is left out and said so.
 
 Every student has numbers of their own for the programs' inputs; the tasks' numbers are those of
 everybody. Seconds are of processor, of all processes together, the last twentieth of a second left
@@ -22,6 +25,7 @@ import psutil
 from grading import ROOT, Watched
 
 WAYS = {"1 job": ["--jobs", "1"], "2 jobs": ["--jobs", "2"], "Dask": []}
+USUAL = "05:20,200,2000", "07:200"
 INTERVAL = 0.25
 
 
@@ -69,34 +73,56 @@ def graded(lesson, count, way):
         return watched.processor - before, time.perf_counter() - begun, watched.peak / 1e6
 
 
+class Clock:
+    """The minutes that there are, and what a submission took so far, by lesson and way."""
+
+    def __init__(self, minutes):
+        self.end, self.each = time.monotonic() + 60 * minutes, {}
+
+    def allows(self, lesson, count, way):
+        """Whether a run will end in time; of a new lesson, whether any time is left."""
+        known = max((each for key, each in self.each.items() if key[0] == lesson), default=0.0)
+        return time.monotonic() + count * self.each.get((lesson, way), known) < self.end
+
+
 def used(process):
     """Seconds of processor of a process and all below it, so far."""
     root = psutil.Process(process)
     return sum(sum(one.cpu_times()[:4]) for one in [root, *root.children(recursive=True)])
 
 
-def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+def row(lesson, count, way, alone, clock):
+    """One line of the table, and the seconds of processor that each took; None where it was left
+    out.
+    """
+    if not clock.allows(lesson, count, way):
+        print(f"| {lesson} | {count:,} | {way} | left out, for want of time | | | |", flush=True)
+        return None
+    processor, took, memory = graded(lesson, count, way)
+    each, clock.each[lesson, way] = processor / count, took / count
+    dask = f"{each - alone:.3f}" if way == "Dask" and alone else ""
+    print(
+        f"| {lesson} | {count:,} | {way} | {each:.3f} | {dask} | {took:.0f} | {memory:.0f} |",
+        flush=True,
     )
-    parser.add_argument("lessons", nargs="+", metavar="LESSON:COUNT,COUNT")
+    return each
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
+    parser.add_argument("lessons", nargs="*", metavar="LESSON:COUNT,COUNT")
     parser.add_argument("--ways", default=",".join(WAYS))
+    parser.add_argument("--minutes", type=float, default=15)
     options = parser.parse_args()
+    clock = Clock(options.minutes)
     print("| lesson | submissions | how | CPU s each | of these Dask | clock s in all | MB |")
     print("|---|---|---|---|---|---|---|", flush=True)
-    for lesson, _, counts in (asked.partition(":") for asked in options.lessons):
+    for lesson, _, counts in (asked.partition(":") for asked in options.lessons or USUAL):
         for count in map(int, counts.split(",")):
             alone = None
             for way in options.ways.split(","):
-                processor, clock, memory = graded(lesson, count, way)
-                each = processor / count
+                each = row(lesson, count, way, alone, clock)
                 alone = each if way == "1 job" else alone
-                dask = f"{each - alone:.3f}" if way == "Dask" and alone else ""
-                print(
-                    f"| {lesson} | {count} | {way} | {each:.3f} | {dask} | {clock:.0f} |"
-                    f" {memory:.0f} |",
-                    flush=True,
-                )
 
 
 if __name__ == "__main__":
