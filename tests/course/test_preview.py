@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from dhlab.cli.course import preview as verb
+from dhlab.course.building import runs
 from dhlab.course.exercises import exercises
 from dhlab.course.preview import preview
 
@@ -25,12 +26,18 @@ def kinds():
 def test_the_right_answer_of_each_kind_is_right(kinds, key):
     shown = preview(kinds[key])
     assert kinds[key].title in shown and shown.count(f"\u2713 {key}  Right") == 1
+    assert "\nmend " not in shown
 
 
 def test_an_order_and_an_explanation(kinds):
     assert kinds["90.5"].judge(["a", "b"]).status == "right"
     assert "turn about z" in preview(kinds["90.5"])
     assert "names the axis (2)" in preview(kinds["90.6"])
+
+
+def test_a_solution_may_hold_an_exercise_of_each_kind(kinds, monkeypatch):
+    monkeypatch.setattr(runs, "exercises", lambda: kinds)
+    assert [runs._full(key) for key in kinds] == ["right"] * 5 + ["recorded"]
 
 
 def test_every_wrong_answer_is_shown_with_what_is_said_of_it():

@@ -6,7 +6,7 @@ from pathlib import Path
 from nbformat import NotebookNode
 
 from ..exercises import exercises
-from ..kinds import Prediction, PreTest
+from ..kinds import Explain, Prediction, PreTest
 from ..verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT
 from .cellfaults import CALL
 from .faults import refuse
@@ -72,7 +72,7 @@ def refuse_runs(path: Path, solution: NotebookNode, handed_out: NotebookNode) ->
 
 
 def _full(key):
-    return RECORDED if isinstance(exercises()[key], (PreTest, Prediction)) else RIGHT
+    return RECORDED if isinstance(exercises()[key], (Explain, PreTest, Prediction)) else RIGHT
 
 
 def _verdicts(notebook):
