@@ -45,12 +45,12 @@ class Weighed:
 
 def squares(arm, data):
     """((sum of squares, how many numbers) of positions, the same of rotations), m² and rad²."""
-    T = arm.forward(data.q)
-    p = (((T[:, :3, 3] - data.p) ** 2).sum(), data.p.size)
-    if data.R is None:
-        return p, (0.0, 0)
-    turn = rotation_vectors(np.swapaxes(T[:, :3, :3], -1, -2) @ data.R)
-    return p, ((turn**2).sum(), data.p.size)
+    return _counted(data.squares(arm.forward(data.q)), data)
+
+
+def _counted(left, data):
+    of_turns = 0 if data.R is None else data.p.size
+    return (left[0], data.p.size), (left[1], of_turns)
 
 
 def largest(arm, data):
@@ -122,7 +122,7 @@ def _turn_cost(R, angle):
 def weigh(e, data):
     """The :class:`Weighed` of an Explanation."""
     mended = data if e.changed is None else e.changed
-    left = squares(e.fit.arm, mended)
+    left = _counted(e.fit.left, mended) if e.fit.left else squares(e.fit.arm, mended)
     level = mended.noise if mended.stated else _level(left, mended, e.fit.fitted)
     cost = _misfit_cost(left, mended) + _ends_cost(e, level, data)
     length, angle = number_costs(level, data)

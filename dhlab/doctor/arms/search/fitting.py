@@ -14,7 +14,7 @@ from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "misfits", "fit", "jacobian"]
 
 ENDS = "base", "tool"
 PARTS = "table", *ENDS, "sign", "coupling"
@@ -25,13 +25,14 @@ FLAT = 4  # poses; so few leave a base and a tool that are both free long valley
 @dataclass(frozen=True)
 class Fit:
     """A model fitted to measurements: the Arm, its χ², how many numbers were fitted, their values'
-    standard deviations.
+    standard deviations, and, where they are known already, the squares that are left.
     """
 
     arm: Arm
     chi2: float
     fitted: int = 0
     sigma: np.ndarray = None
+    left: tuple = None
 
     def explains(self, data):
         """Whether the misfit is no larger than the noise makes it."""
@@ -64,20 +65,10 @@ def misfits(arms, data):
     """The Fit of each of several arms as it is, like :func:`misfit`."""
     if data.base_free or data.tool_free:
         return [misfit(arm, data) for arm in arms]
-    ends = _ends_of(arms, data.q)
-    chi2 = (data.residual(ends) ** 2).sum(axis=(-2, -1)).tolist() if arms else ()
-    return [Fit(arm, one) for arm, one in zip(arms, chi2)]
-
-
-def within(arms, data, chi2):
-    """For each of several arms whether its misfit is no larger than ``chi2``: as :func:`misfit`
-    says, and told from the positions alone where these miss by more.
-    """
-    if not arms or data.base_free or data.tool_free:
-        return [misfit(arm, data).chi2 <= chi2 for arm in arms]
-    off = (_ends_of(arms, data.q)[..., :3, 3] - data.p) / data.noise[0]
-    near = (off * off).sum(axis=(-2, -1)) <= chi2
-    return [bool(one) and misfit(arm, data).chi2 <= chi2 for one, arm in zip(near, arms)]
+    left = data.squares(_ends_of(arms, data.q))
+    chi2 = left[0] / data.noise[0] ** 2
+    chi2 = chi2 if data.R is None else chi2 + left[1] / data.noise[1] ** 2
+    return [Fit(*each, left=both) for *each, both in zip(arms, chi2.tolist(), zip(*left))]
 
 
 def _ends_of(arms, q):

@@ -36,6 +36,16 @@ class Measured:
         """How many numbers were measured."""
         return self.p.size * (1 if self.R is None else 2)
 
+    def squares(self, T):
+        """The sums of squares that poses (..., m, 4, 4) leave: of positions in m², of rotations in
+        rad².
+        """
+        p = ((T[..., :3, 3] - self.p) ** 2).sum(axis=(-2, -1))
+        if self.R is None:
+            return p, 0.0 * p
+        turn = rotation_vectors(np.swapaxes(T[..., :3, :3], -1, -2) @ self.R)
+        return p, (turn**2).sum(axis=(-2, -1))
+
     def residual(self, T):
         """(m, 3 or 6): predicted minus measured, in units of the noise."""
         position = (T[..., :3, 3] - self.p) / self.noise[0]

@@ -10,7 +10,7 @@ from ...mistakes.changes import Scaled
 from ...mistakes.faults import faults
 from ...mistakes.registry import OTHER, preference, value_mistake
 from ...mistakes.remade import ALPHA, THETA, A, D
-from ..search.fitting import misfit, within
+from ..search.fitting import misfit, misfits
 from ..search.measured import Measured
 from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
@@ -101,8 +101,8 @@ def _made_on(right, wrong, data, fitted):
     made = list(faults(right))
     found = [
         fault
-        for fault, same in zip(made, within([fault.arm for fault in made], sample, enough))
-        if same and not _scaled_to_nothing(fault, wrong)
+        for fault, left in zip(made, misfits([fault.arm for fault in made], sample))
+        if left.chi2 <= enough and not _scaled_to_nothing(fault, wrong)
     ]
     found.sort(key=lambda fault: _order(fault, wrong, max(slack)))
     return list(
