@@ -331,8 +331,8 @@ READING = [
     (
         "searches modules",
         spy(
-            "import sys\nleaked = any(hasattr(m, 'EXERCISES') or hasattr(m, 'RIGHT_ORDERS') for m"
-            " in list(sys.modules.values()))"
+            "import sys\nleaked = any({'EXERCISES', 'RIGHT_ORDERS'} & {*getattr(m, '__dict__', ())}"
+            " for m in list(sys.modules.values()))"
         ),
         FULL,
     ),

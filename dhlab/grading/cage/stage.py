@@ -128,6 +128,9 @@ def bubblewrap_command(
     lock = [
         program,
         "--unshare-pid",
+        # the warm parent is the first process itself: bubblewrap's own would let itself be written
+        # into by who has its user, and would outlive every submission
+        "--as-pid-1",
         "--unshare-net",
         "--unshare-ipc",
         "--unshare-uts",

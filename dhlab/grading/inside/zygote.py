@@ -186,7 +186,7 @@ def _end(child, config):
     for _ in range(500):
         if config["own_processes"]:
             with contextlib.suppress(ProcessLookupError):
-                # everything in this namespace but this process and the first
+                # everything in this namespace but this process, which is the first
                 os.kill(-1, signal.SIGKILL)
         else:
             for process in {child, *_descendants()} if status is None else _descendants():
