@@ -8,10 +8,10 @@ from ...arm import Arm
 from ...geometry.conversion import require_uncoupled
 from ...measure import fit_circles
 from ...table import DHTable
+from ..budget import NAMES, SECONDS, budget_of
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import ALPHA, THETA, A, D, with_parts, with_rows
 from .given import one_in
-from .search.budget import SECONDS, budget_of
 from .search.fitting import fit, misfit
 from .search.measured import Measured, limit
 from .sweeps import EXACT, accused, notes, scatter, sweep
@@ -108,14 +108,17 @@ def _decide(arm, data, sweeps, notes, clock):
     if not repairs:
         headline = "The circles are not those of the table, and no single change explains them."
         return Diagnosis(UNEXPLAINED, headline, notes=(*clock.notes, why, *notes), **known)
-    findings = [name_change(arm, right, data, entries, ends) for right, entries, ends in repairs]
+    part = clock.part("names of what fits", NAMES)
+    findings = [
+        name_change(arm, right, data, part, entries, ends) for right, entries, ends in repairs
+    ]
     where = [f.place or f.detail for f in findings]
     return Diagnosis(
         EXPLAINED,
         f"One mistake explains the circles: {where[0]}.",
         (findings[0],),
         after=_size(repairs[0][0], data),
-        notes=(why, *_the_same(where), *notes),
+        notes=(*clock.notes, why, *_the_same(where), *notes),
         **known,
     )
 

@@ -11,10 +11,10 @@ from ...printing import number
 from ...robots.index import summary
 from ...table import DHTable
 from ...transform import to_xyz_rpy
-from ..diagnosis import AGREES, EXPLAINED, UNEXPLAINED
+from ..budget import CHOICE, SECONDS, budget_of
+from ..diagnosis import AGREES, UNEXPLAINED
 from .given import measured, oddities, one_in, thinned
 from .rebuilding import rebuilt
-from .search.budget import SECONDS, budget_of
 from .search.fitting import misfit
 from .unexplained import all_but_one, of_the_library, right_part, still_right
 from .verdict import decide, explained
@@ -86,7 +86,7 @@ def diagnose(arm, q, poses, *, noise=None, base="fixed", tool="fixed", budget=SE
             answer = _looked_at_again(arm, data, answer, clock)
     finally:
         clock.close()
-    if answer.verdict not in (AGREES, EXPLAINED):
+    if answer.verdict != AGREES:
         answer = replace(answer, notes=clock.notes + answer.notes)
     placed, given = misfit(arm, data).arm, np.asarray(poses, dtype=float)
     if answer.verdict == AGREES and (data.base_free or data.tool_free):
@@ -103,7 +103,8 @@ def _looked_at_again(arm, data, answer, clock):
     if found is None:
         return _of_many(arm, as_given, answer, clock)
     k, rest, ones = found
-    best = ranked(arm, ones, rest)[0].fit.arm if ones else misfit(arm, rest).arm
+    part = clock.part("which of them is likeliest", CHOICE)
+    best = ranked(arm, ones, rest, part)[0].fit.arm if ones else misfit(arm, rest).arm
     off = 1e3 * (best.forward(data.q[k])[:3, 3] - data.p[k])
     where = ", ".join(
         f"{number(-x, 1)} mm in {axis}"
@@ -116,7 +117,7 @@ def _looked_at_again(arm, data, answer, clock):
     )
     if ones:
         return replace(
-            explained(arm, rest, misfit(arm, rest), ones, (said,)),
+            explained(arm, rest, misfit(arm, rest), ones, (said,), clock),
             headline=f"One mistake explains all measurements but number {k + 1}.",
         )
     return replace(
@@ -131,18 +132,18 @@ def _of_many(arm, data, answer, clock):
     the arm rebuilt from the measurements, or what is right all the same.
     """
     at = replace(data, stated=True)
-    model = of_the_library(arm, at)
+    model = of_the_library(arm, at, clock)
     said = answer.notes
     if model is not None:
         name, explanation, mistaken = model
         title = summary(name)["name"]
         said = (*said, f"The measurements fit the {title} as it stands ({name} of the library).")
         if mistaken:
-            return explained(arm, at, misfit(arm, at), [explanation], said)
+            return explained(arm, at, misfit(arm, at), [explanation], said, clock)
     again = rebuilt(arm, data, clock)
     if again is None:
         return replace(answer, notes=said + still_right(arm, at))
-    return replace(again, notes=clock.notes + said + tuple(right_part(misfit(arm, at), at)))
+    return replace(again, notes=said + tuple(right_part(misfit(arm, at), at)))
 
 
 def _ordinal(k):

@@ -54,7 +54,7 @@ def _starts(arm, data, budget):
     for _ in range(DEEP):
         more = []
         for begun in kept:
-            more += budget.within(singles(begun, data), "rebuilding the arm", SHARE)
+            more += singles(begun, data, budget.part("rebuilding the arm", SHARE))
         nearest = _nearest(more)
         if not nearest or nearest[0].chi2 > NEARER * before:
             return

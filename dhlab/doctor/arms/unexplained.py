@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
+from ..budget import CHOICE
 from ..mistakes.themes.models import models
 from .search.fitting import misfit
 from .search.measured import limit, rotation_vectors
@@ -33,15 +34,18 @@ def all_but_one(arm, data, clock):
     m = len(data.q)
     if not FEWEST[data.R is not None] <= m <= MOST_POSES:
         return None
+    part = clock.part("all measurements but one")
     rests = [_without(data, k) for k in range(m)]
-    agreeing = [k for k, rest in enumerate(rests) if misfit(arm, rest).explains(rest)]
+    agreeing = [k for k in part(range(m)) if misfit(arm, rests[k]).explains(rests[k])]
+    if clock.over:
+        return None
     if agreeing:
         return (agreeing[0], rests[agreeing[0]], []) if len(agreeing) == 1 else None
     found = []
-    for k in _suspects(arm, data):
+    for k in _suspects(arm, data, part):
         ones = [
             e
-            for e in clock.within(singles(arm, rests[k]), "all measurements but one")
+            for e in singles(arm, rests[k], part)
             if e.data_fault is None and len(e.entries) <= 1 and e.fit.explains(rests[k])
         ]
         if ones:
@@ -49,13 +53,13 @@ def all_but_one(arm, data, clock):
     return found[0] if len(found) == 1 else None
 
 
-def _suspects(arm, data):
+def _suspects(arm, data, part):
     """The measurements that stand out most from the repairs that fit the others best: one bad
     measurement spoils every fit, but not for all alike.
     """
     sizes = [
         np.linalg.norm(data.residual(e.fit.arm.forward(data.q)), axis=1)
-        for e in singles(arm, data)
+        for e in singles(arm, data, part)
         if e.data_fault is None and len(e.entries) <= 1
     ]
     return list(dict.fromkeys(int(np.argmax(size)) for size in sorted(sizes, key=np.median)[:20]))[
@@ -68,11 +72,11 @@ def _without(data, k):
     return replace(data, q=data.q[keep], p=data.p[keep], R=None if data.R is None else data.R[keep])
 
 
-def of_the_library(arm, data):
+def of_the_library(arm, data, clock):
     """(name, Explanation, whether the table is that of another model) where a model of the library
     fits as it stands; None where none does.
     """
-    known = list(models(arm))
+    known = list(clock.within(models(arm), "the models of the library", CHOICE))
     fits = [(name, misfit(model, data)) for name, model in known]
     name, best = min(fits, key=lambda fit: fit[1].chi2, default=(None, None))
     if best is None or best.arm.table == arm.table or not best.explains(data):

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...printing import number
 from ...transform import trans
+from ..budget import NAMES
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import with_parts
 from ..mistakes.themes.models import which_model
@@ -47,15 +48,15 @@ def decide(arm, data, notes, budget):
         return undecided(data, now, (), notes, budget)
     small = is_small(now, data)
     whole = calibration(arm, now, data) if small else None
-    found = list(budget.within(singles(arm, data), "one mistake"))
-    choice = choose(arm, found, data, now)
+    found = list(singles(arm, data, budget.part("one mistake")))
+    choice = choose(found, data, now, budget)
     few = distinct(data.q) < FEW
     numbers = choice.best is not None and choice.best.explanation.odd >= MANY_NUMBERS
     if (not _settles(choice, whole) or (few and numbers)) and least_needed(
         now.arm, data
     ) > CHEAPEST_PAIR:
-        found += budget.within(pairs(arm, data), "two mistakes", share=FOR_PAIRS)
-        choice = choose(arm, found, data, now)
+        found += pairs(arm, data, budget.part("two mistakes", FOR_PAIRS))
+        choice = choose(found, data, now, budget)
     if _settles(choice, whole):
         return _told(arm, data, now, choice, notes, budget)
     if few and choice.best is not None:
@@ -97,7 +98,7 @@ def _told(arm, data, now, choice, notes, budget):
     if few and rivals_of(explanations[0], explanations[1:], at):
         return undecided(data, now, choice.fitting, notes, budget)
     told = [w.explanation for w in choice.convincing]
-    return explained(arm, at, now, told, (*notes, *_noise_left(best, data)))
+    return explained(arm, at, now, told, (*notes, *_noise_left(best, data)), budget)
 
 
 def _may_be_right(now, best, data):
@@ -154,15 +155,16 @@ def _calibrated(arm, data, whole, now, choice, notes):
     )
 
 
-def explained(arm, data, now, explanations, notes):
+def explained(arm, data, now, explanations, notes, budget):
     """The Diagnosis from everything that fits: the simplest first, snapped to round numbers, named;
     the others noted.
     """
-    explanations = ranked(arm, explanations, data)
+    part = budget.part("names of what was found", NAMES)
+    explanations = ranked(arm, explanations, data, part)
     best = explanations[0]
-    findings = named(best, data)
+    findings = named(best, data, part)
     if len(findings) == 1 and best.data_fault is None:
-        findings[0], same = with_equivalents(findings[0], best, explanations[1:], data)
+        findings[0], same = with_equivalents(findings[0], best, explanations[1:], data, part)
         notes += same
     others = rivals_of(best, explanations[1:], data)
     words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
@@ -175,7 +177,7 @@ def explained(arm, data, now, explanations, notes):
         pose = telling_pose([best.fit.arm, *(e.fit.arm for e in others)])
         notes += (
             "Another explanation fits these poses as well: "
-            + "; ".join(named(e, data)[0].message.split(". ")[0] for e in others[:3])
+            + "; ".join(named(e, data, part)[0].message.split(". ")[0] for e in others[:3])
             + ".",
         )
     return Diagnosis(

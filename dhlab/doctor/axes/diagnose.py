@@ -7,9 +7,9 @@ import numpy as np
 from ...geometry.procedure.inputs import axes_from
 from ...transform import require_pose
 from ..arms.given import measured, one_in, thinned
-from ..arms.search.budget import SECONDS, budget_of
 from ..arms.search.measured import limit
-from ..diagnosis import AGREES, EXPLAINED
+from ..budget import SECONDS, budget_of
+from ..diagnosis import AGREES
 from .chain import Chain
 from .pairs import pairs
 from .search import everything, explanations, misfit
@@ -87,7 +87,7 @@ def diagnose_axes(axes, end, q, poses, *, noise=None, name="", budget=SECONDS):
         answer = (_without_level if noise is None else _decided)(sheet, data, few, name, clock)
     finally:
         clock.close()
-    if answer.verdict not in (AGREES, EXPLAINED):
+    if answer.verdict != AGREES:
         answer = replace(answer, notes=clock.notes + answer.notes)
     given = np.asarray(poses, dtype=float)
     return replace(answer, compared=(arm, data.q, given[:: one_in(len(given))]))

@@ -4,12 +4,12 @@ one, and what is wrong with it in words.
 
 import contextlib
 import inspect
-import time
 from dataclasses import replace
 
 import numpy as np
 
 from ...transform import pose_fault
+from ..budget import Budget
 from ..catalogue import catalogue
 from ..diagnosis import EXPLAINED, UNEXPLAINED, Diagnosis
 from ..finding import find
@@ -107,7 +107,7 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
             f" {convention!r}; say whose link matrix f computes"
         )
     task = Task(kind, arm, _names(f, arm), convention)
-    task.started = time.process_time()
+    task.clock = Budget(SECONDS)
     if is_stub(f):
         return Diagnosis(UNEXPLAINED, "Nothing is written in this function yet.")
     try:
@@ -158,7 +158,7 @@ def _diagnosed(f, task):
 
 def _two_slips(here):
     """Two slips that explain the answers of a program that knows its rows, as time allows."""
-    left = SECONDS - (time.process_time() - here.task.started)
+    left = here.task.clock.left
     if left > 0 and _knows_its_rows(here.task):
         with contextlib.suppress(OutOfTime):
             return limited(left, explained, here)
@@ -178,7 +178,7 @@ def _as_arm(diagnosis, here, f, mistakes):
 def _of_its_arm(here, f, mistakes):
     """What explains the answers as those of another arm, where the program knows its rows."""
     task = here.task
-    left = SECONDS - (time.process_time() - task.started)
+    left = task.clock.left
     if not _knows_its_rows(task) or left < LEAST / 2 or pose_fault(here.array) is not None:
         return ()
     from .search.itsarm import STEP, as_its_arm, is_a_chain  # with scipy, which nothing else needs
@@ -228,7 +228,7 @@ def _with_lines(diagnosis, f, task, bent=False):
         (task.arguments(case), task.right(case))
         for case in [*task.simple, *(case for cases in task.calls for case in cases)]
     ]
-    left = SECONDS - task.kept - (time.process_time() - task.started)
+    left = task.clock.left - task.kept
     lines, steps, whole, better = lines_to_change(
         f, calls, EXACT, max(left, LEAST), task.arm if task.is_chain else None
     )
@@ -250,7 +250,7 @@ def _half(better, task, bent):
     With ``bent`` the answers were no poses, so that they were not looked at as an arm's.
     """
     for lines, g in better[:HALVES]:
-        if time.process_time() - task.started > SECONDS - LEAST / 2:
+        if task.clock.left < LEAST / 2:
             return None
         try:
             here, _ = _answers(g, task)

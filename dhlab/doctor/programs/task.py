@@ -60,7 +60,7 @@ class Task:
     def __init__(self, kind, arm=None, names=("rows", "q"), convention="standard"):
         self.kind, self.arm, self.lists, self.convention = kind, arm, False, convention
         self.plain = True  # whether rows and q are all there is to the arm
-        self.started = 0.0  # s of the processor, when the program was first looked at
+        self.clock = None  # a Budget, from when the program is first looked at
         self.kept = 0.0  # s that are kept for the last thing that is tried
         self.names = ROW if kind == "dh_transform" else names
         if kind == "dh_transform":

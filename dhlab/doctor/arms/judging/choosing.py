@@ -4,6 +4,7 @@ weighed against the table as it is, against explaining nothing, and against each
 
 from dataclasses import dataclass, replace
 
+from ...budget import CHOICE
 from ..search.fitting import fit, misfit
 from ..search.measured import limit
 from ..words.ranking import snapped, taken_over
@@ -33,10 +34,12 @@ class Choice:
         return self.convincing[0] if self.convincing else None
 
 
-def choose(arm, explanations, data, now):
+def choose(explanations, data, now, budget):
     """The :class:`Choice` from many explanations, fitting or not."""
     rough = sorted((weigh(e, data) for e in explanations), key=_order)
-    settled = [_settled(w, data) for w in rough[:LOOKED_AT] if _may_fit(w, data)]
+    near = [w for w in rough[:LOOKED_AT] if _may_fit(w, data)]
+    part = budget.part("a closer look at what may fit", CHOICE)
+    settled = [_settled(w, data) for w in part(near)]
     fitting = sorted((w for w in settled if _fits(w, data)), key=_order)
     if any(w.explanation.data_fault is None for w in fitting):
         fitting = [w for w in fitting if w.explanation.data_fault is None]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ....printing import number
+from ...budget import CHOICE, NAMES
 from ...diagnosis import UNDECIDED, Diagnosis
 from ..given import distinct
 from ..words.ranking import differs, named, telling_pose
@@ -23,8 +24,9 @@ def undecided(data, now, fitting, notes, budget):
     before, kinds = largest(now.arm, data), distinct(data.q)
     better = [w for w in fitting if w.cost < as_it_is(now.arm, data)]
     candidates = _unlike(better, data)
-    listed = budget.within(candidates, "names of what fits", share=0.75)
-    fits = tuple(_as_one(w, data) for w in listed)
+    words = "names of what fits"
+    part = budget.part(words, NAMES)
+    fits = tuple(_as_one(w, data, part) for w in budget.within(candidates, words, CHOICE))
     said = (*notes, *_as_it_stands(before, data), *_needed(kinds, data))
     pose = telling_pose([now.arm, *(w.explanation.fit.arm for w in candidates)])
     return Diagnosis(
@@ -63,9 +65,9 @@ def _unlike(fitting, data):
     return chosen
 
 
-def _as_one(w, data):
+def _as_one(w, data, part):
     """The Finding of a candidate; two mistakes are put into one line."""
-    first, *more = named(w.explanation, replace(data, noise=w.level))
+    first, *more = named(w.explanation, replace(data, noise=w.level), part)
     if not more:
         return first
     other = "; ".join(part for part in (more[0].place, more[0].detail) if part)

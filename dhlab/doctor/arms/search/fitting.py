@@ -12,9 +12,9 @@ from ....arm import Arm
 from ....fast.plain import Plain
 from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .ends import place_ends, rigid
-from .measured import limit
+from .measured import limit, rotation_vectors
 
-__all__ = ["Fit", "misfit", "misfits", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
 
 ENDS = "base", "tool"
 PARTS = "table", *ENDS, "sign", "coupling"
@@ -62,13 +62,15 @@ def misfit(arm, data):
 
 
 def misfits(arms, data):
-    """The Fit of each of several arms as it is, like :func:`misfit`."""
+    """The Fit of each of several arms as it is, like :func:`misfit`: one by one, as they are asked
+    for, where an end is free.
+    """
     if data.base_free or data.tool_free:
-        return [misfit(arm, data) for arm in arms]
+        return (misfit(arm, data) for arm in arms)
     left = data.squares(_ends_of(arms, data.q))
     chi2 = left[0] / data.noise[0] ** 2
     chi2 = chi2 if data.R is None else chi2 + left[1] / data.noise[1] ** 2
-    return [Fit(*each, left=both) for *each, both in zip(arms, chi2.tolist(), zip(*left))]
+    return (Fit(*each, left=both) for *each, both in zip(arms, chi2.tolist(), zip(*left)))
 
 
 def _ends_of(arms, q):
@@ -96,6 +98,27 @@ def _ends_of_one_kind(arms, q):
     theta, d = rows[..., THETA] + ~slides * moved, rows[..., D] + slides * moved
     links = kinematics.link_matrices(convention, theta, d, rows[..., A], rows[..., ALPHA])
     return kinematics.frames(base, links)[..., -1, :, :] @ tool
+
+
+def within(arm, data, chi2):
+    """Whether the misfit of an arm is no larger than ``chi2``: as :func:`misfit` says, and told
+    from the positions alone where these miss by more, or where both ends are free from the turns
+    between two poses, which no end changes.
+    """
+    if not data.base_free and not data.tool_free:
+        off = (arm.forward(data.q)[..., :3, 3] - data.p) / data.noise[0]
+        if (off * off).sum() > chi2:
+            return False
+    if data.base_free and data.tool_free and data.R is not None:
+        most = np.sqrt(2 * chi2) * data.noise[1]  # what two residuals together may turn at most
+        if np.abs(_turned(arm.forward(data.q)[..., :3, :3]) - _turned(data.R)).max() > most:
+            return False
+    return misfit(arm, data).chi2 <= chi2
+
+
+def _turned(R):
+    """The angles (m,) between the first rotation and each."""
+    return np.linalg.norm(rotation_vectors(np.swapaxes(R[:1], -1, -2) @ R), axis=-1)
 
 
 def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):

@@ -21,17 +21,23 @@ __all__ = ["pairs"]
 KEEP = 24  # how many of the best starts of two angles are fitted to the end
 
 
-def pairs(arm, data):
-    """Explanations by two changes, the promising ones fitted to the end."""
+def pairs(arm, data, part):
+    """Explanations by two changes, the promising ones fitted to the end. ``part`` hands out what is
+    tried, as long as there is time.
+    """
+    yield from part(_two_by_two(arm, data, part))
+
+
+def _two_by_two(arm, data, part):
     first = [
         Explanation(f := misfit(repair.arm, data), (arm, f.arm))
-        for repair in discrete_repairs(arm)
+        for repair in part(discrete_repairs(arm))
         if not repair.free
     ]
-    yield from _two_entries(arm, data)
+    yield from _two_entries(arm, data, part)
     looked_at = _Ends(data)
-    for one in first:
-        yield from _then_an_entry(one, data)
+    for one in part(first):
+        yield from _then_an_entry(one, data, part)
         for end in ("base", "tool"):
             freed = replace(data, **{f"{end}_free": True})
             if (
@@ -42,8 +48,8 @@ def pairs(arm, data):
                 found = misfit(one.chain[1], freed)
                 yield Explanation(found, (*one.chain, found.arm), ends=(end,))
     yield from _entry_and_end(arm, data)
-    for one in first:
-        for repair in discrete_repairs(one.chain[1]):
+    for one in part(first):
+        for repair in part(discrete_repairs(one.chain[1])):
             if not repair.free and looked_at.fit(repair.arm):
                 found = misfit(repair.arm, data)
                 yield Explanation(found, (*one.chain, found.arm))
@@ -128,14 +134,14 @@ def _base_motions(arm, data):
     return np.linalg.qr(moves.reshape(-1, 6))[0]
 
 
-def _then_an_entry(one, data):
+def _then_an_entry(one, data, part):
     """A discrete change and then one entry."""
     if data.R is None and data.tool_free:
         return
     arm = one.fit.arm
     ends = data.base_free or data.tool_free
     enough = limit(3 * len(data.q)) * (30 if ends else 2)
-    for entry, turn, left in turns(arm, data):
+    for entry, turn, left in part(turns(arm, data)):
         if left < enough and _worth_a_fit(
             begun := turned(arm, entry, turn), data, 300 if ends else 30
         ):
@@ -147,7 +153,7 @@ def _then_an_entry(one, data):
             yield Explanation(found, (*one.chain, found.arm), (entry,))
 
 
-def _two_entries(arm, data):
+def _two_entries(arm, data, part):
     """Two entries: lengths by linear least squares, angles from closed forms, an angle and then a
     length.
     """
@@ -161,7 +167,7 @@ def _two_entries(arm, data):
         yield _in_turn(arm, placed, data, (lengths[j], lengths[k]))
     if data.R is None and data.tool_free:
         return
-    for begun, both in _two_angles(placed, data):
+    for begun, both in _two_angles(placed, data, part):
         yield _in_turn(arm, begun, data, both)
     for entry, turn, _ in sorted(turns(placed, data), key=lambda item: item[2])[:6]:
         begun = turned(placed, entry, turn)
@@ -169,13 +175,13 @@ def _two_entries(arm, data):
             yield _in_turn(arm, begun, data, (entry, length))
 
 
-def _two_angles(placed, data):
+def _two_angles(placed, data, part):
     """Where to begin with two angles: one all round, the other in closed form; at most two starts a
     pair.
     """
     starts = []
-    for entry in entries_of(placed, (THETA, ALPHA)):
-        for start in STARTS:
+    for entry in part(entries_of(placed, (THETA, ALPHA))):
+        for start in part(STARTS):
             begun = turned(placed, entry, start)
             starts += [
                 (left, begun, entry, other, turn)

@@ -14,7 +14,7 @@ def entries_of(arm, columns=range(4)):
     return [(i, column) for i in range(len(arm)) for column in columns]
 
 
-def signs_of_twists(arm, data):
+def signs_of_twists(arm, data, part):
     """Arms with other signs of several alphas (their lengths' signs open), the two that fit best:
     by rotation, with a free base by position.
     """
@@ -27,7 +27,7 @@ def signs_of_twists(arm, data):
     ):  # lost signs leave no negative number
         return []
     trials = []
-    for pattern in range(1, 2 ** len(twisted)):
+    for pattern in part(range(1, 2 ** len(twisted))):
         rows = arm.table.rows
         rows[twisted[[(pattern >> k) & 1 == 1 for k in range(len(twisted))]], ALPHA] *= -1
         trial = with_rows(arm, rows)

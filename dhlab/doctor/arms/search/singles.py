@@ -42,8 +42,14 @@ class Explanation:
         return len(self.chain) - 1 + (self.data_fault is not None)
 
 
-def singles(arm, data):
-    """Every explanation by one change, fitting or not; the caller keeps those that fit."""
+def singles(arm, data, part):
+    """Every explanation by one change, fitting or not; the caller keeps those that fit. ``part``
+    hands out what is tried, as long as there is time.
+    """
+    yield from part(_one_by_one(arm, data, part))
+
+
+def _one_by_one(arm, data, part):
     repairs = list(discrete_repairs(arm))
     whole = iter(misfits([repair.arm for repair in repairs if not repair.free], data))
     for repair in repairs:
@@ -53,7 +59,7 @@ def singles(arm, data):
     for i, column in entries_of(arm):
         for found in _entry_fits(placed, data, i, column):
             yield Explanation(found, (arm, found.arm), ((i, column),))
-    for twisted in [arm, *signs_of_twists(arm, data)]:
+    for twisted in [arm, *signs_of_twists(arm, data, part)]:
         if twisted is not arm:
             found = misfit(twisted, data)
             yield Explanation(found, (arm, found.arm))

@@ -10,7 +10,7 @@ from ...mistakes.changes import Scaled
 from ...mistakes.faults import faults
 from ...mistakes.registry import OTHER, preference, value_mistake
 from ...mistakes.remade import ALPHA, THETA, A, D
-from ..search.fitting import misfit, misfits
+from ..search.fitting import misfit, misfits, within
 from ..search.measured import Measured
 from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
@@ -28,7 +28,7 @@ OWN = 0.1  # share of a change's misfit that a mistake may leave to be its name
 TURNED = 0.5  # degrees; a base that is turned less is only shifted
 
 
-def name_change(wrong, right, data, entries=(), ends=()):
+def name_change(wrong, right, data, part, entries=(), ends=()):
     """The Finding for a change that makes a wrong arm right.
 
     Parameters
@@ -37,6 +37,9 @@ def name_change(wrong, right, data, entries=(), ends=()):
         Before and after the change.
     data : Measured
         Says whether base and tool are free, and how exact the fitted numbers are.
+    part : callable
+        Hands out the mistakes that are tried, as long as there is time; then a change is named by
+        what stood there and what should.
     entries, ends : tuples
         (row, column) of the entries that were fitted; "base" or "tool".
 
@@ -45,9 +48,10 @@ def name_change(wrong, right, data, entries=(), ends=()):
     Finding
         Its ``look_alikes`` are the other mistakes that give the same poses.
     """
-    alike = _made_on(right, wrong, data, bool(entries))
+    alike = _made_on(right, wrong, data, bool(entries), part)
     if right.table.convention != wrong.table.convention:
-        alike += _made_on(right.to(wrong.table.convention), wrong, data, bool(entries))
+        other = right.to(wrong.table.convention)
+        alike += _made_on(other, wrong, data, bool(entries), part)
     own = (
         _by_offsets(wrong, right, entries)
         if len(entries) > 1
@@ -88,7 +92,7 @@ def name_every_change(wrong, right, entries):
 # ---- every mistake, tried
 
 
-def _made_on(right, wrong, data, fitted):
+def _made_on(right, wrong, data, fitted, part):
     """Every mistake of the catalogue that, made on the right arm, gives the wrong one as far as was
     measured: (mistake, joint, parameter, place, detail), simplest first.
     """
@@ -98,18 +102,25 @@ def _made_on(right, wrong, data, fitted):
     sample = _sample(wrong, data, slack)
     # a fault that changes nothing is no name for a change
     enough = min(sample.count, OWN * misfit(right, sample).chi2)
-    made = list(faults(right))
-    found = [
-        fault
-        for fault, left in zip(made, misfits([fault.arm for fault in made], sample))
-        if left.chi2 <= enough and not _scaled_to_nothing(fault, wrong)
-    ]
+    tried = _within(part(faults(right)), sample, enough)
+    found = [fault for fault in tried if not _scaled_to_nothing(fault, wrong)]
     found.sort(key=lambda fault: _order(fault, wrong, max(slack)))
     return list(
         dict.fromkeys(
             (f.mistake, f.joint, f.parameter, _place(f.joint, f.parameter), "") for f in found
         )
     )
+
+
+def _within(tried, sample, enough):
+    """Those of the faults tried whose arm leaves no more than ``enough``: with ends that are fixed
+    all at once, which takes next to no time.
+    """
+    if sample.base_free or sample.tool_free:
+        return [fault for fault in tried if within(fault.arm, sample, enough)]
+    made = list(tried)
+    left = misfits([fault.arm for fault in made], sample)
+    return [fault for fault, each in zip(made, left) if each.chi2 <= enough]
 
 
 def _sample(arm, data, noise):

@@ -29,12 +29,13 @@ NEAR_ROUND = 5.0  # standard deviations within which a shift may be none
 WORSE_ROUND = 12.0  # χ² that a rounder base or tool may cost
 
 
-def ranked(arm, explanations, data):
+def ranked(arm, explanations, data, part):
     """The explanations, snapped to round numbers: fewest mistakes first, then fewest numbers that
-    nobody would have guessed, then the smaller misfit.
+    nobody would have guessed, then the smaller misfit. ``part`` hands out as many as there is time
+    for.
     """
     return sorted(
-        (snapped(e, data) for e in explanations),
+        (snapped(e, data) for e in part(explanations, least=1)),
         key=lambda e: (
             e.changes,
             e.odd + 6 * len(e.ends),
@@ -64,8 +65,8 @@ def _not_signs(arm, repaired):
     return int((np.abs(np.abs(arm.table.rows) - np.abs(repaired.table.rows)) > 1e-9).sum())
 
 
-def named(explanation, data):
-    """The findings of an explanation, one a mistake."""
+def named(explanation, data, part):
+    """The findings of an explanation, one a mistake; ``part`` as for :func:`name_change`."""
     if explanation.data_fault is not None:
         return [name_data_fault(explanation.data_fault, explanation.fit.arm)]
     chain, findings = explanation.chain, []
@@ -78,17 +79,17 @@ def named(explanation, data):
             else tuple(entries)
         )
         ends = explanation.ends if last and not own else ()
-        found = name_change(wrong, right, data, own, ends)
+        found = name_change(wrong, right, data, part, own, ends)
         findings.append(replace(found, repair=chain[-1]))
     return findings
 
 
-def with_equivalents(finding, best, others, data):
+def with_equivalents(finding, best, others, data, part):
     """The finding with the names of the other repairs that make the same arm, and a note on those
     of a single number.
     """
     tables, names, notes = [best.fit.arm.table.rows], [*finding.look_alikes], []
-    for other in others:
+    for other in part(others):
         if (
             len(tables) > MOST_EQUIVALENTS
             or other.changes > best.changes
@@ -102,7 +103,7 @@ def with_equivalents(finding, best, others, data):
             np.allclose(repaired.table.rows, rows, atol=5 * max(data.noise)) for rows in tables
         ) or differs(best.fit.arm, repaired, data):
             continue
-        same = name_change(wrong, repaired, data, other.entries)
+        same = name_change(wrong, repaired, data, part, other.entries)
         tables.append(repaired.table.rows)
         names += [same.mistake, *same.look_alikes]
         if _touched(wrong, repaired) == 1:

@@ -2,7 +2,6 @@
 and in what that arm's table differs.
 """
 
-import contextlib
 from dataclasses import replace
 
 import numpy as np
@@ -14,12 +13,13 @@ from ...arms.search.fitting import misfit
 from ...arms.search.pairs import pairs
 from ...arms.search.singles import singles
 from ...arms.words.ranking import named, ranked
-from ..running.deadline import OutOfTime, limited
+from ...budget import NAMES, Budget
 
 __all__ = ["STEP", "as_its_arm", "is_a_chain"]
 
 STEP = 0.7  # rad or m: of each joint alone, for its axis
 
+SEARCH = 0.85  # of the time; the names of what is found take little
 FEW = 6  # calls for the search; what is found must hold in all
 NOISE = (1e-8, 1e-8)  # m and rad; the answers of a program are exact
 
@@ -104,19 +104,14 @@ def as_its_arm(answers, arm, q, seconds, mistakes=1):
     data = measured(arm, q[:FEW], answers[:FEW], NOISE, "fixed", "fixed")
     whole = measured(arm, q, answers, NOISE, "fixed", "fixed")
     search = singles if mistakes == 1 else pairs
-    fitting = []
-
-    def look():
-        for explanation in search(arm, data):
-            if _fits(explanation, data, whole):
-                fitting.append(explanation)
-
-    with contextlib.suppress(OutOfTime):  # long stretches of the search bring nothing
-        limited(seconds, look)
+    clock = Budget(seconds)
+    found = search(arm, data, clock.part("its arm", SEARCH))
+    fitting = [explanation for explanation in found if _fits(explanation, data, whole)]
     if not fitting:
         return ()
-    best = min(ranked(arm, fitting, data), key=lambda e: _moves_an_end(e, arm))
-    return tuple(_on_the_way_back(best, data, arm))
+    part = clock.part("its name", NAMES)
+    best = min(ranked(arm, fitting, data, part), key=lambda e: _moves_an_end(e, arm))
+    return tuple(_on_the_way_back(best, data, arm, part))
 
 
 def _moves_an_end(explanation, arm):
@@ -136,9 +131,9 @@ def _fits(explanation, data, whole):
     return explanation.fit.explains(data) and misfit(explanation.fit.arm, whole).explains(whole)
 
 
-def _on_the_way_back(explanation, data, arm):
+def _on_the_way_back(explanation, data, arm, part):
     its = explanation.chain[-1]
     right = arm.forward(data.q)
     data = replace(data, p=right[:, :3, 3], R=right[:, :3, :3])
     back = replace(explanation, chain=explanation.chain[::-1], fit=misfit(arm, data))
-    return named(back, data) if its is not arm else []
+    return named(back, data, part) if its is not arm else []

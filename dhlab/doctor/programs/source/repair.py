@@ -2,12 +2,12 @@
 or two, until it is right in every call.
 """
 
-import time
 from functools import cached_property
 from itertools import chain, combinations, product
 
 import numpy as np
 
+from ...budget import Budget
 from ..running.deadline import OutOfTime, limited
 from .constants import fitted_numbers
 from .edits import changes_of
@@ -47,7 +47,7 @@ def repaired(text, tried, seconds, arm=None):
         both; and then single ones that make more of the
         answers right, with the functions that they make, the best first.
     """
-    search = _Search(text, tried, time.process_time() + seconds, arm)
+    search = _Search(text, tried, Budget(seconds), arm)
     try:
         with np.errstate(all="ignore"):
             found = (
@@ -63,8 +63,8 @@ def repaired(text, tried, seconds, arm=None):
 
 
 class _Search:
-    def __init__(self, text, tried, end, arm=None):
-        self.text, self.tried, self.end = text, tried, end
+    def __init__(self, text, tried, clock, arm=None):
+        self.text, self.tried, self.clock = text, tried, clock
         self.changes, self.better = changes_of(text, arm), []
         self.felt, self.far, self.others, self.bent = [], [], [], []
         self.answers = {}
@@ -75,11 +75,10 @@ class _Search:
         """
         self.tried.look_at(self.pivot)
         before = self._made((), self.tried.score) or 0
-        now = time.process_time()
-        halfway = now + SINGLES * (self.end - now)
+        kept = (1 - SINGLES) * self.clock.left
         scored = []
         for change in self.changes:
-            if time.process_time() > halfway:
+            if self.clock.left < kept:
                 break
             near, score, few = self._made(change, self._looked_at, (False, UNFELT, None))
             if score is None and self._made(change, self.tried.all_right, False):
@@ -212,7 +211,7 @@ class _Search:
         """
 
         def deviation(edits):
-            if time.process_time() > self.end:
+            if self.clock.left < 0:
                 raise OutOfTime
             if not _are_apart(edits, beside):
                 return None
@@ -260,7 +259,7 @@ class _Search:
 
     def _are_right(self, first, second):
         """The two changes, as :func:`_together` has them, if they make all right."""
-        if time.process_time() > self.end:
+        if self.clock.left < 0:
             raise OutOfTime
         changes = _together(first, second, self.text)
         edits = tuple(edit for change in changes for edit in change)

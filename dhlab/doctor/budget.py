@@ -1,16 +1,21 @@
-"""How long a search may take: processor time, counted inside the search, and where it stands."""
+"""How long an answer may take: processor time, asked for wherever the work loops; and where it
+stands.
+"""
 
 import sys
 import time
+from functools import partial
 
 import numpy as np
 
-from ....printing import number
+from ..printing import number
 
-__all__ = ["SECONDS", "Budget", "budget_of"]
+__all__ = ["CHOICE", "NAMES", "SECONDS", "Budget", "budget_of"]
 
 SECONDS = 10.0  # of processor time, unless told
-SEARCH = 0.65  # share of it for the search; the rest is for putting what was found into words
+# shares of it, until which is searched, and what was found is fitted once more and named; the rest
+# is for the step that was begun
+SEARCH, CHOICE, NAMES = 0.65, 0.75, 0.9
 SILENT = 2.0  # a search that takes no longer says nothing on its way
 EVERY = 0.5  # seconds between two words
 
@@ -37,7 +42,7 @@ def budget_of(seconds, where):
 
 
 class Budget:
-    """Processor time that a search may take; asked between two steps, since neither signals nor
+    """Processor time that an answer may take; asked between two steps, since neither signals nor
     threads are had everywhere.
 
     Parameters
@@ -69,13 +74,30 @@ class Budget:
         """Whether the time for searching is used up."""
         return self.spent >= SEARCH * self.seconds
 
-    def within(self, items, doing, share=SEARCH):
-        """The items one by one, as long as there is time, or a share of it; ``doing`` says in words
-        what is tried.
+    @property
+    def left(self):
+        """Seconds of processor time that are left."""
+        return self.seconds - self.spent
+
+    def part(self, doing, share=SEARCH):
+        """What hands out the items of any loop, as :meth:`within` does: for a search that loops in
+        many places.
+
+        Examples
+        --------
+        >>> of = Budget(10.0).part("one mistake")
+        >>> [x * y for x in of((2, 3)) for y in of((5, 7))]
+        [10, 14, 15, 21]
+        """
+        return partial(self.within, doing=doing, share=share)
+
+    def within(self, items, doing, share=SEARCH, least=0):
+        """The items one by one, ``least`` of them at any rate, then as long as there is time, or a
+        share of it; ``doing`` says in words what is tried.
         """
         for count, item in enumerate(items):
             spent = self.spent
-            if spent >= share * self.seconds:
+            if count >= least and spent >= share * self.seconds:
                 self.cut_short.append(doing)
                 return
             if self._shown and spent > self._said:
