@@ -12,8 +12,7 @@ from ..budget import NAMES
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import with_parts
 from ..mistakes.themes.models import which_model
-from .given import distinct
-from .judging.agreement import FEW, agreement
+from .judging.agreement import agreement, are_few
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small
 from .judging.choosing import choose, least_needed
 from .judging.undecided import may_be_noise, undecided
@@ -50,7 +49,7 @@ def decide(arm, data, notes, budget):
     whole = calibration(arm, now, data) if small else None
     found = list(singles(arm, data, budget.part("one mistake")))
     choice = choose(found, data, now, budget)
-    few = distinct(data.q) < FEW
+    few = are_few(now, data)
     numbers = choice.best is not None and choice.best.explanation.odd >= MANY_NUMBERS
     if (not _settles(choice, whole) or (few and numbers)) and least_needed(
         now.arm, data
@@ -92,7 +91,7 @@ def _told(arm, data, now, choice, notes, budget):
     as_good = [w for w in choice.fitting if w.cost <= best.cost + RIVAL]
     at = data if data.stated else replace(data, noise=best.level)
     explanations = [w.explanation for w in as_good]
-    few = distinct(data.q) < FEW
+    few = are_few(now, data)
     if few and (explanations[0].odd >= MANY_NUMBERS or _may_be_right(now, best, data)):
         return undecided(data, now, choice.fitting, notes, budget)
     if few and rivals_of(explanations[0], explanations[1:], at):

@@ -12,7 +12,7 @@ from ..search.fitting import jacobian
 from ..search.signs import entries_of
 from .weighing import level_left
 
-__all__ = ["Agreement", "FEW", "agreement", "only_scatter", "possible", "too_free"]
+__all__ = ["Agreement", "FEW", "agreement", "are_few", "only_scatter", "possible", "too_free"]
 
 CHANCE = 0.006  # how often right data may be doubted
 CHANCE_OF_FEW = 0.05  # the same where too few poses would show a mistake
@@ -51,7 +51,7 @@ def agreement(now, data):
     spare = _kinds(data) - now.fitted
     if spare <= 0 or too_free(now, data):
         return Agreement(False, data.noise, shown=False)
-    few = distinct(data.q) < FEW
+    few = are_few(now, data)
     chance = CHANCE_OF_FEW if few else CHANCE
     if data.stated:
         return Agreement(not _doubted(now, data, data.noise, np.inf, chance), data.noise)
@@ -63,6 +63,11 @@ def agreement(now, data):
         data, spare = replace(data, R=None), spare // 2  # rotations without noise tell no scatter
     agrees = plausible and not few and not _doubted(now, data, level, spare, 3 * CHANCE)
     return Agreement(agrees, level)
+
+
+def are_few(now, data):
+    """Whether poses, the free ends paid for, are too few to tell what the noise is."""
+    return _kinds(data) - now.fitted < FEW * (3 if data.R is None else 6)
 
 
 def too_free(now, data):

@@ -9,7 +9,7 @@ from ...budget import CHOICE, NAMES
 from ...diagnosis import UNDECIDED, Diagnosis
 from ..given import distinct
 from ..words.ranking import differs, named, telling_pose
-from .agreement import FEW, possible, too_free
+from .agreement import FEW, are_few, possible, too_free
 from .weighing import as_it_is, largest
 
 __all__ = ["may_be_noise", "undecided"]
@@ -21,7 +21,7 @@ def undecided(data, now, fitting, notes, budget):
     """The Diagnosis that names no mistake: what fits (Weighed, the cheapest first), and what to
     measure next.
     """
-    before, kinds = largest(now.arm, data), distinct(data.q)
+    before, kinds, few = largest(now.arm, data), distinct(data.q), are_few(now, data)
     better = [w for w in fitting if w.cost < as_it_is(now.arm, data)]
     candidates = _unlike(better, data)
     words = "names of what fits"
@@ -31,7 +31,7 @@ def undecided(data, now, fitting, notes, budget):
     pose = telling_pose([now.arm, *(w.explanation.fit.arm for w in candidates)])
     return Diagnosis(
         UNDECIDED,
-        _headline(kinds, len(fits), may_be_noise(before, data), data, too_free(now, data)),
+        _headline(kinds, len(fits), may_be_noise(before, data), data, few, too_free(now, data)),
         before=before,
         notes=said,
         next_pose=pose,
@@ -39,13 +39,13 @@ def undecided(data, now, fitting, notes, budget):
     )
 
 
-def _headline(kinds, fits, may_be_right, data, free):
+def _headline(kinds, fits, may_be_right, data, few, free):
     what = ("pose" if data.R is not None else "position") + ("s" if kinds > 1 else "")
     if data.base_free or data.tool_free:
         what += " with a free " + " and ".join(
             end for end in ("base", "tool") if getattr(data, f"{end}_free")
         )
-    if kinds >= FEW and not free:
+    if not few and not free:
         return "A little more misfit than the noise makes, and nothing that is sure to be wrong."
     if fits:
         return f"{kinds} {what} cannot tell: each of these fits."
