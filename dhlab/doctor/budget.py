@@ -72,7 +72,11 @@ class Budget:
     @property
     def over(self):
         """Whether the time for searching is used up."""
-        return self.spent >= SEARCH * self.seconds
+        return self.past(SEARCH)
+
+    def past(self, share):
+        """Whether a share of the time is used up."""
+        return self.spent >= share * self.seconds
 
     @property
     def left(self):
@@ -97,7 +101,7 @@ class Budget:
         """
         for count, item in enumerate(items):
             spent = self.spent
-            if count >= least and spent >= share * self.seconds:
+            if count >= least and self.past(share):
                 self.cut_short.append(doing)
                 return
             if self._shown and spent > self._said:

@@ -5,10 +5,10 @@ together.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from ..arms.search.measured import limit
 from .chain import Chain
+from .fitting import least
 from .search import Explanation, explanations
 
 __all__ = ["Pair", "pairs"]
@@ -62,8 +62,8 @@ def pairs(sheet, data, singles, clock):
             for second in explanations(first.chain, data, clock)
             if second.change.joint != first.change.joint
         ]
-        for second in _unlike(more, SECONDS):
-            pair = _together(sheet, first, second, data)
+        for second in clock.within(_unlike(more, SECONDS), "two axes at once"):
+            pair = _together(sheet, first, second, data, clock)
             key = frozenset(part.change.joint for part in pair.parts)
             if pair.explains(data) and (
                 key not in found or pair.score(data) < found[key].score(data)
@@ -80,7 +80,7 @@ def _unlike(singles, most):
     return list(kept.values())[:most]
 
 
-def _together(sheet, first, second, data):
+def _together(sheet, first, second, data, clock):
     """The two, all their numbers fitted at once."""
     n = len(first.x)
 
@@ -89,13 +89,8 @@ def _together(sheet, first, second, data):
 
     x = np.concatenate([first.x, second.x])
     if len(x):
-        fit = least_squares(
-            lambda x: data.residual(chain_of(x).forward(data.q)).ravel(),
-            x,
-            x_scale="jac",
-            max_nfev=25,
-        )
-        x, covariance = fit.x, np.linalg.pinv(fit.jac.T @ fit.jac)
+        fit = least(lambda x: data.residual(chain_of(x).forward(data.q)), x, clock, 25)
+        x, covariance = fit.x, fit.covariance
     else:
         covariance = np.zeros((0, 0))
     chain = chain_of(x)

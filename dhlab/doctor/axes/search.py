@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from ..arms.search.measured import limit
 from .chain import Around, Chain, about
 from .changes import Change, changes_of_axis, changes_of_end
+from .fitting import least
 
 __all__ = ["Explanation", "explanations", "misfit", "everything"]
 
@@ -60,14 +60,16 @@ def explanations(chain, data, clock):
     around = Around.of(chain, data.q)
     changes = [c for i in range(len(chain.letters)) for c in changes_of_axis(chain, i)]
     changes += changes_of_end(chain)
-    found = [_fitted(chain, c, data, around) for c in changes if not c.free]
+    none = clock.within([c for c in changes if not c.free], "one axis at a time", least=2)
+    found = [_fitted(chain, c, data, around, clock) for c in none]
     enough = any(e.explains(data) for e in found)
     asked = [c for c in changes if c.free == 1 or (c.free and not enough)]
-    found += [_fitted(chain, c, data, around) for c in clock.within(asked, "one axis at a time")]
+    asked = clock.within(asked, "one axis at a time")
+    found += [_fitted(chain, c, data, around, clock) for c in asked]
     return sorted(found, key=lambda e: e.score(data))
 
 
-def _fitted(chain, change, data, around):
+def _fitted(chain, change, data, around, clock):
     def residual(x):
         return data.residual(
             _poses(change.apply(chain, np.asarray(x)), change, data, around)
@@ -77,10 +79,9 @@ def _fitted(chain, change, data, around):
         chi2 = float((residual(()) ** 2).sum())
         return Explanation(change, change.apply(chain, ()), chi2, np.zeros(0), np.zeros((0, 0)))
     starts = sorted(change.starts, key=lambda x: (residual(x) ** 2).sum())[:FITTED_FROM]
-    fits = [least_squares(residual, x, x_scale="jac", max_nfev=40) for x in starts]
-    best = min(fits, key=lambda fit: fit.cost)
-    covariance = np.linalg.pinv(best.jac.T @ best.jac)
-    return Explanation(change, change.apply(chain, best.x), 2 * best.cost, best.x, covariance)
+    best = min((least(residual, x, clock, 40) for x in starts), key=lambda fit: fit.chi2)
+    chain = change.apply(chain, best.x)
+    return Explanation(change, chain, best.chi2, best.x, best.covariance)
 
 
 def _poses(changed, change, data, around):
@@ -106,7 +107,7 @@ def everything(starts, data, clock):
         if best is not None and clock.over:
             clock.cut_short.append("all axes together")
             break
-        found = _all_fitted(start, data)
+        found = _all_fitted(start, data, clock)
         if best is None or found[1] < best[1]:
             best = found
         if best[1] <= limit(data.count - best[2]):
@@ -114,7 +115,7 @@ def everything(starts, data, clock):
     return best
 
 
-def _all_fitted(start, data):
+def _all_fitted(start, data, clock):
     n = len(start.letters)
     lines = [c for i in range(n) for c in [_line(start, i)] if c is not None]
     end = [c for c in changes_of_end(start) if c.free == 6]
@@ -127,20 +128,19 @@ def _all_fitted(start, data):
             chain = change.apply(chain, part)
         return chain
 
-    fit = least_squares(
-        lambda x: data.residual(chain_of(x).forward(data.q)).ravel(),
+    fit = least(
+        lambda x: data.residual(chain_of(x).forward(data.q)),
         np.zeros(sum(change.free for change in parts)),
-        x_scale="jac",
-        max_nfev=30,
+        clock,
+        30,
     )
-    covariance = np.linalg.pinv(fit.jac.T @ fit.jac)
     moved, first = set(), 0
     for change, part in zip(parts, np.split(fit.x, cuts)):
         block = slice(first, first + change.free)
         first += change.free
-        if part @ np.linalg.pinv(covariance[block, block]) @ part > SHOWS**2:
+        if part @ np.linalg.pinv(fit.covariance[block, block]) @ part > SHOWS**2:
             moved.add(change.joint)
-    return chain_of(fit.x), 2 * fit.cost, len(fit.x), moved
+    return chain_of(fit.x), fit.chi2, len(fit.x), moved
 
 
 def _line(chain, i):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
-from .evidence.branches import added_at_joints, turned_at_joints
+from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
 from .joints import FLANGE, MAYBE
 
 __all__ = [
@@ -161,7 +161,31 @@ def with_added(table, source):
             signs[k] = -1
             notes.append(f"joint {k + 1} counts against its axis, as the program has it")
     table = replace(table, signs=tuple(signs), notes=(*table.notes, *notes))
-    return replace(table, rows=tuple(rows), roles=roles)
+    return _with_slides(replace(table, rows=tuple(rows), roles=roles), source)
+
+
+def _with_slides(table, source):
+    """The table whose joints slide where the program moves their d."""
+    if "P" in table.kinds or not table.roles or not {"theta", "d"} <= set(table.roles):
+        return table
+    kinds, notes = [kind or "R" for kind in table.kinds or [""] * len(table.rows)], []
+    for k, counts in sliding_at_joints(source.code).items():
+        if k is None or not 0 <= k < len(kinds):
+            raise ValueError(
+                "recognise_table: the program moves d and not theta at some joint; which rows"
+                " slide? Write q3 into column d of the third row if it is that one"
+            )
+        held = [cell for cell, role in zip(table.rows[k], table.roles) if role == "d"]
+        if not counts and any(cell.value for cell in held):
+            raise ValueError(
+                f"recognise_table: row {k + 1} has a d of its own, and the program puts q in its"
+                " place; does it count? Write 0 there, or add it up in the program"
+            )
+        kinds[k] = "P"
+        notes.append(f"joint {k + 1} slides, as the program moves its d")
+    if not notes:
+        return table
+    return replace(table, kinds=tuple(kinds), notes=(*table.notes, *notes))
 
 
 def labelled(table, grid, source):

@@ -350,3 +350,52 @@ def test_noise_never_crashes():
             except ValueError as error:
                 fault = str(error)
             assert fault is None or fault.startswith(("recognise_table", "expected")), said
+
+
+LINK = """
+def link(theta, d, a, alpha):
+    ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return np.array([[ct, -st*ca, st*sa, a*ct], [st, ct*ca, -ct*sa, a*st],
+                     [0, sa, ca, d], [0, 0, 0, 1]])
+rows = [[0, 0.3, 0.1, 1.5], [0, 0, 0.4, 0], [0, {d}, 0, 0]]
+for i, (theta, d, a, alpha) in enumerate(rows):
+"""
+IN_ONE = """    if i == 2:
+        T = T @ link(theta, {moved}, a, alpha)
+    else:
+        T = T @ link(theta + q[i], d, a, alpha)
+"""
+CHOSEN = """    T = T @ (link(theta, q[i], a, alpha) if i == 2 else link(theta + q[i], d, a, alpha))
+"""
+ASSIGNED = """    if i == 2:
+        d += q[i]
+    else:
+        theta += q[i]
+    T = T @ link(theta, d, a, alpha)
+"""
+
+
+@pytest.mark.parametrize(
+    "d, text",
+    [
+        ("0", IN_ONE.format(moved="q[i]")),
+        ("0.2", IN_ONE.format(moved="d + q[i]")),
+        ("0", CHOSEN),
+        ("0.2", ASSIGNED),
+    ],
+)
+def test_a_joint_that_slides_in_one_branch_alone_slides(d, text):
+    arm = dh.recognise_table(LINK.format(d=d) + text).arm
+    assert arm.table.joints == "RRP" and arm.table.d[2] == float(d)
+
+
+@pytest.mark.parametrize(
+    "d, text, words",
+    [
+        ("0.2", IN_ONE.format(moved="q[i]"), "row 3 has a d of its own"),
+        ("0", IN_ONE.format(moved="q[i]").replace("i == 2", "kind[i] == 'P'"), "which rows slide"),
+    ],
+)
+def test_a_branch_that_leaves_open_which_joint_slides_is_asked_about(d, text, words):
+    with pytest.raises(ValueError, match=words):
+        dh.recognise_table(LINK.format(d=d) + text)

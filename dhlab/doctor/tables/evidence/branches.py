@@ -1,10 +1,12 @@
-"""What a program adds to theta at single joints: ``if joint == 1: theta = theta - pi/2``, or
-``dh(q[1] - pi/2, d[1], a[1], alpha[1])`` beside the arrays.
+"""What a program does at single joints: adds to theta, ``if joint == 1: theta = theta - pi/2`` or
+``dh(q[1] - pi/2, d[1], a[1], alpha[1])`` beside the arrays; or slides, ``if i == 2: T = T @ dh(0,
+q[i], a[i], alpha[i])``.
 """
 
 import re
+from collections import Counter
 
-__all__ = ["added_at_joints", "turned_at_joints"]
+__all__ = ["added_at_joints", "sliding_at_joints", "turned_at_joints"]
 
 CONDITION = r"if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
@@ -33,7 +35,13 @@ ASSIGNED = re.compile(
 )
 # dh(a[1], alpha[1], d[1], -q[1])
 TURNED = re.compile(r"[(,]\s*-\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]")
-FROM_ZERO = r"\bfor\s+{0}\b(?:\s*,\s*\w+)?\s+in\s+(?:range|enumerate)\s*\([^,\n]*:"
+MOVING = re.compile(r"\b(?:theta|th|q)\w*\s*[\[(]\s*[A-Za-z_]\w*\s*[\])]")  # of any joint: q[i]
+CALL = re.compile(r"(?<!def )\b(\w+)\s*\(((?:[^()\n]|\([^()\n]*\))*)\)")
+COMMA = re.compile(r",(?![^(\[]*[)\]])")
+SET = re.compile(r"^\s*d\w*(?:\[\w+\]|\(\w+\))?\s*(\+?=)(?!=)([^\n;]*)", re.MULTILINE)
+BEFORE = re.compile(rf"{CONDITION}[ \t]*[:{{]?[ \t]*\n?[^\n]*$")
+BEHIND = re.compile(rf"\s+{CONDITION}\s+else\b")
+FROM_ZERO = r"\bfor\s+{0}\b(?:\s*,\s*(?:\w+|\([\w, ]*\)))?\s+in\s+(?:range|enumerate)\s*\([^,\n]*:"
 STARTS = r"\b{0}\s*=\s*(\d+)(?![\d.])"
 
 
@@ -79,6 +87,46 @@ def turned_at_joints(code):
     lines = [line for line in code.split("\n") if line.count(",") >= 3]
     found = (match for line in lines for match in TURNED.finditer(line))
     return [int(match[2]) - (match[1] == "(") for match in found]
+
+
+def sliding_at_joints(code):
+    r"""{row, counted from 0, or None where it is not told: whether its own d counts}, of the joints
+    whose variable moves d, beside others whose variable turns.
+
+    Examples
+    --------
+    >>> sliding_at_joints(
+    ...     "for i in range(3):\n  if i == 2: T = T @ dh(0, q[i], a[i], b[i])\n"
+    ...     "  else: T = T @ dh(q[i], d[i], a[i], b[i])\n"
+    ... )
+    {2: False}
+    """
+    moved = {}
+    for call in CALL.finditer(code):
+        args = COMMA.split(call[2])
+        place = next((k for k, arg in enumerate(args) if MOVING.search(arg)), None)
+        if len(args) >= 4 and place is not None:
+            moved.setdefault((call[1], len(args)), []).append((_branch(call, code), place, args))
+    found = {}
+    for calls in moved.values():
+        usual = {place for branch, place, _ in calls if not branch}
+        usual = usual or {Counter(place for _, place, _ in calls).most_common(1)[0][0]}
+        for branch, place, args in calls:
+            if place not in usual or len(usual) > 1:
+                found[_of(branch, code)] = "+" in args[place]
+    for one in SET.finditer(code):
+        if MOVING.search(one[2]):
+            found[_of(_branch(one, code), code)] = "+" in one[1] + one[2]
+    return found
+
+
+def _branch(match, code):
+    """The condition ``name == number`` of the branch in which something stands, or None."""
+    return BEFORE.search(code[: match.start()]) or BEHIND.match(code[match.end() :])
+
+
+def _of(branch, code):
+    return _row(branch[1], branch[2], code) if branch else None
 
 
 def _row(name, number, code):
