@@ -116,8 +116,8 @@ class Budget:
             return ()
         tried = ", ".join(dict.fromkeys(self.cut_short))
         said = (
-            f"Not everything was tried in {number(self.seconds, 1)} s ({tried}): this is the best"
-            " so far; more time (budget=, --budget) may find more."
+            f"Not everything was tried ({tried}), with {number(self.seconds, 1)} s in all: this is"
+            " the best so far; more time (budget=, --budget) may find more."
         )
         return (said,)
 

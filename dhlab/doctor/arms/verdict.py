@@ -12,11 +12,11 @@ from ..budget import NAMES
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import with_parts
 from ..mistakes.themes.models import which_model
-from .judging.agreement import agreement, are_few
+from .judging.agreement import agreement, are_few, only_scatter, possible
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small
 from .judging.choosing import choose, least_needed
 from .judging.undecided import may_be_noise, undecided
-from .judging.weighing import as_it_is, largest
+from .judging.weighing import as_it_is, largest, level_left
 from .search.fitting import misfit
 from .search.measured import limit
 from .search.pairs import pairs
@@ -62,7 +62,7 @@ def decide(arm, data, notes, budget):
         return undecided(data, now, choice.fitting, notes, budget)
     if whole and whole.cost + CLEAR < as_it_is(now.arm, data) and explains_better(whole, data):
         return _calibrated(arm, data, whole, now, choice, notes)
-    if few or (data.stated and now.chi2 <= limit(data.count)):
+    if few or _may_be_scatter(now, data):
         return undecided(data, now, choice.fitting, notes, budget)
     words = "No one or two mistakes explain these measurements."
     return Diagnosis(UNEXPLAINED, words, before=largest(now.arm, data), notes=notes)
@@ -78,6 +78,17 @@ def _as_it_stands(arm, data):
     far = TOOLS * data.reach * np.vstack([np.eye(3), -np.eye(3)])
     others = [misfit(with_parts(arm, tool=arm.tool @ trans(x)), data) for x in far]
     return min([now, *others], key=lambda one: one.chi2)
+
+
+def _may_be_scatter(now, data):
+    """Whether the table as it is leaves no more than noise now and then does: too much for a clean
+    bill, too little to say that something is wrong.
+    """
+    if data.stated:
+        return now.chi2 <= limit(data.count)
+    level = level_left(now.arm, data, now.fitted)
+    plausible = all(s <= most for s, most in zip(level, possible(data)))
+    return plausible and only_scatter(now, data, level)
 
 
 def _settles(choice, whole):
@@ -166,8 +177,7 @@ def explained(arm, data, now, explanations, notes, budget):
         findings[0], same = with_equivalents(findings[0], best, explanations[1:], data, part)
         notes += same
     others = rivals_of(best, explanations[1:], data)
-    words = "One mistake explains" if len(findings) == 1 else "Two mistakes together explain"
-    headline, pose = f"{words} the measurements.", None
+    headline, pose = f"{_words(len(findings))} the measurements.", None
     model = which_model(findings[0].mistake, arm, best.fit.arm)
     if model is not None:
         headline, note = model
@@ -188,6 +198,12 @@ def explained(arm, data, now, explanations, notes, budget):
         notes + _weak(data),
         pose,
     )
+
+
+def _words(count):
+    if count == 1:
+        return "One mistake explains"
+    return f"{'Two' if count == 2 else count} mistakes together explain"
 
 
 def _weak(data):

@@ -61,16 +61,20 @@ def least_needed(placed, data):
 
 def _may_fit(w, data):
     """Whether a settled fit can come within the noise, from what the rough one leaves."""
-    most = possible(data)
+    most = possible(_mended(w, data))
     return data.stated or all(s < 10 * m for s, m in zip(w.level, most) if s > 0)
+
+
+def _mended(w, data):
+    """The measurements as an explanation takes them."""
+    return data if w.explanation.changed is None else w.explanation.changed
 
 
 def _settled(w, data):
     """The same explanation, fitted once more where its noise was not known before, and made round;
     weighed again.
     """
-    e = w.explanation
-    mended = data if e.changed is None else e.changed
+    e, mended = w.explanation, _mended(w, data)
     if not data.stated:
         e = _refitted(e, replace(mended, noise=w.level))
         mended = replace(mended, noise=weigh(e, data).level)
@@ -90,13 +94,12 @@ def _refitted(e, data):
 
 def _fits(w, data):
     """Whether what is left is no more than noise, and anything is left at all."""
-    e = w.explanation
-    mended = data if e.changed is None else e.changed
+    e, mended = w.explanation, _mended(w, data)
     left = data.count - e.fit.fitted
     if left <= 0:
         return False
     if data.stated:
         return e.fit.chi2 <= limit(left)
-    return all(s <= most for s, most in zip(w.level, possible(data))) and only_scatter(
+    return all(s <= most for s, most in zip(w.level, possible(mended))) and only_scatter(
         e.fit, replace(mended, noise=w.level), w.level
     )

@@ -70,8 +70,11 @@ def _as_one(w, data, part):
     first, *more = named(w.explanation, replace(data, noise=w.level), part)
     if not more:
         return first
-    other = "; ".join(part for part in (more[0].place, more[0].detail) if part)
-    return replace(first, detail=f"{first.detail or first.place}, and {more[0].mistake} ({other})")
+    others = [
+        f"{one.mistake} ({'; '.join(word for word in (one.place, one.detail) if word)})"
+        for one in more
+    ]
+    return replace(first, detail=f"{first.detail or first.place}, and {', and '.join(others)}")
 
 
 def _as_it_stands(apart, data):

@@ -44,4 +44,6 @@ def _of_measured(change, data):
         return
     for joint, place, repair in change.undo(data.q.shape[1]):
         q, p, R = repair(data.q, data.p, data.R)
-        yield joint, change.of, place, replace(data, q=q, p=p, R=R)
+        larger = np.linalg.norm(p) / (np.linalg.norm(data.p) or 1.0)
+        reach = data.reach * (larger or 1.0)
+        yield joint, change.of, place, replace(data, q=q, p=p, R=R, reach=reach)

@@ -15,7 +15,7 @@ from ..search.measured import Measured
 from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
 from .numbers import name_number
 
-__all__ = ["name_change", "name_data_fault", "name_every_change"]
+__all__ = ["name_change", "name_changes", "name_data_fault", "name_every_change"]
 
 # poses without zeros or right angles, at which two arms that agree are one arm for all practical
 # purposes
@@ -28,8 +28,9 @@ OWN = 0.1  # share of a change's misfit that a mistake may leave to be its name
 TURNED = 0.5  # degrees; a base that is turned less is only shifted
 
 
-def name_change(wrong, right, data, part, entries=(), ends=()):
-    """The Finding for a change that makes a wrong arm right.
+def name_changes(wrong, right, data, part, entries=(), ends=()):
+    """The Findings for a change that makes a wrong arm right: one, where one mistake makes it, else
+    one for each thing in which the arms differ.
 
     Parameters
     ----------
@@ -45,8 +46,8 @@ def name_change(wrong, right, data, part, entries=(), ends=()):
 
     Returns
     -------
-    Finding
-        Its ``look_alikes`` are the other mistakes that give the same poses.
+    tuple of Finding
+        Their ``look_alikes`` are the other mistakes that give the same poses.
     """
     alike = _made_on(right, wrong, data, bool(entries), part)
     if right.table.convention != wrong.table.convention:
@@ -58,13 +59,28 @@ def name_change(wrong, right, data, part, entries=(), ends=()):
         else _by_value(wrong, right, entries, ends)
     )
     names = [own] if own and not alike else alike + ([own] if own else [])
+    several = () if names else _by_everything(wrong, right)
+    if len(several) > 1:
+        return several
     if not names:
         names = _by_difference(wrong, right)
+    if own and len(entries) == 1 and _of_another_number(names[0], own):
+        names = [own, *(name for name in names if name != own)]
     mistake, joint, parameter, place, detail = names[0]
     same = [name[0] for name in names[1:]] + _same_as_ends(wrong, entries)
     others = tuple(dict.fromkeys(name for name in same if name != mistake))
     detail = detail or difference_text(wrong, right)
-    return Finding(mistake, joint, parameter, place, detail, right, others)
+    return (Finding(mistake, joint, parameter, place, detail, right, others),)
+
+
+def _of_another_number(name, own):
+    """Whether a name is that of a number of the table, and another one than was fitted."""
+    return name[1] is not None and name[2] in COLUMNS and name[1:3] != own[1:3]
+
+
+def name_change(*given, **options):
+    """The first Finding of :func:`name_changes`."""
+    return name_changes(*given, **options)[0]
 
 
 def name_data_fault(fault, arm):
@@ -223,9 +239,23 @@ def _by_end(wrong, right, end):
     return value_mistake(moved), None, end, end, end_text(wrong, right, end)
 
 
+def _by_everything(wrong, right):
+    """A Finding for each number and each sense that differs, where nothing else does."""
+    if coupling_texts(wrong, right) or any(
+        not np.allclose(getattr(wrong, end), getattr(right, end)) for end in ("base", "tool")
+    ):
+        return ()
+    return name_every_change(wrong, right, map(tuple, _changed(wrong, right)))
+
+
+def _changed(wrong, right):
+    """The (row, column) of every number that differs."""
+    return np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
+
+
 def _by_difference(wrong, right):
     """A change that the catalogue does not know: named by the kind of the entries that differ."""
-    changed = np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
+    changed = _changed(wrong, right)
     if len(changed):
         own = _by_number(wrong, right, tuple(changed[0]))
         rows = ", ".join(f"row {r + 1}, {COLUMNS[c]}" for r, c in changed)

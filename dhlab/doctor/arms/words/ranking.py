@@ -11,7 +11,7 @@ from ...mistakes.remade import A, D, with_parts, with_rows
 from ..search.fitting import Fit, fit, misfit
 from ..search.measured import Measured, limit
 from .differences import coupling_texts, difference_text
-from .naming import name_change, name_data_fault
+from .naming import name_change, name_changes, name_data_fault
 
 __all__ = [
     "differs",
@@ -66,7 +66,7 @@ def _not_signs(arm, repaired):
 
 
 def named(explanation, data, part):
-    """The findings of an explanation, one a mistake; ``part`` as for :func:`name_change`."""
+    """The findings of an explanation, one a mistake; ``part`` as for :func:`name_changes`."""
     if explanation.data_fault is not None:
         return [name_data_fault(explanation.data_fault, explanation.fit.arm)]
     chain, findings = explanation.chain, []
@@ -79,8 +79,8 @@ def named(explanation, data, part):
             else tuple(entries)
         )
         ends = explanation.ends if last and not own else ()
-        found = name_change(wrong, right, data, part, own, ends)
-        findings.append(replace(found, repair=chain[-1]))
+        found = name_changes(wrong, right, data, part, own, ends)
+        findings += [replace(one, repair=chain[-1]) for one in found]
     return findings
 
 
@@ -122,7 +122,9 @@ def snapped(explanation, data):
     arm, start = explanation.fit.arm, explanation.chain[0]
     rows = arm.table.rows
     for entry, sigma in zip(explanation.entries, explanation.fit.sigma):
-        rows[entry] = _round(rows[entry], start.table.rows, entry, max(4 * sigma, 1e-8))
+        slack, old = max(4 * sigma, 1e-8), start.table.rows[entry]
+        stays = len(explanation.entries) > 2 and abs(rows[entry] - old) <= slack
+        rows[entry] = old if stays else _round(rows[entry], start.table.rows, entry, slack)
     made_round = with_rows(arm, rows)
     found = (
         fit(made_round, data, ())

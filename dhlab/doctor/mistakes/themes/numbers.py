@@ -114,7 +114,8 @@ def lengths_made_positive():
 
 @mistake("length-unit", preference=UNITS)
 def length_unit():
-    for factor in (1000, 1e-3, 10, 0.1, 100, 0.01, INCH, 1 / INCH):
+    inches = [factor for unit in (1, 1e2, 1e3) for factor in (unit * INCH, 1 / INCH / unit)]
+    for factor in (1000, 1e-3, 10, 0.1, 100, 0.01, *inches):
         both, in_programs = scaled(d=factor, a=factor), "" if factor in (1000, 1e-3) else None
         yield RowChange(both, rows=(ALL,), place="all lengths", argument=in_programs)
     for name in LENGTHS:
