@@ -162,7 +162,10 @@ class Diagnosis:
         for note in self.notes:
             yield "Note", note
         if self.next_pose is not None:
-            yield "Measure", f"{self._pose_to_measure()} would tell them apart"
+            told_apart = (
+                " would tell them apart" if self.fits or self.findings else ", then ask again"
+            )
+            yield "Measure", self._pose_to_measure() + told_apart
 
     def _pose_to_measure(self):
         slides = (
