@@ -82,3 +82,19 @@ def test_an_unlucky_right_table_is_not_said_to_be_wrong(seed):
     q, T = measured(right, seed)
     answer = diagnose(right, q, T, budget=0.5)
     assert answer.verdict in ("agrees", "undecided") and "sure to be wrong" in answer.headline
+
+
+@pytest.mark.parametrize("order", [[1, 0, 2], [0, 2, 1]])
+def test_three_points_whose_columns_are_exchanged_are_no_base_that_is_turned(order):
+    q, T = measured(table(HOBBY), 4, m=3)
+    answer = diagnose(table(HOBBY), q, T[:, order, 3], noise=5e-4)
+    assert answer.findings[0].mistake == "columns-misread"
+
+
+def test_half_a_turn_is_not_told_from_itself():
+    right = table(SCARA, "RRPR")
+    q, T = measured(right, 5)
+    mirror = np.diag([1, -1, 1])
+    T[:, :3, :3], T[:, 1, 3] = mirror @ T[:, :3, :3] @ mirror, -T[:, 1, 3]
+    (finding,) = diagnose(right, q, T).findings
+    assert finding.mistake == "other-hand" and "alpha" not in finding.detail

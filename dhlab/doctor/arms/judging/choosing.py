@@ -4,6 +4,8 @@ weighed against the table as it is, against explaining nothing, and against each
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ...budget import CHOICE
 from ..search.fitting import fit, misfit
 from ..search.measured import limit
@@ -41,12 +43,23 @@ def choose(explanations, data, now, budget):
     part = budget.part("a closer look at what may fit", CHOICE)
     settled = [_settled(w, data) for w in part(near)]
     fitting = sorted((w for w in settled if _fits(w, data)), key=_order)
-    if any(w.explanation.data_fault is None for w in fitting):
-        fitting = [w for w in fitting if w.explanation.data_fault is None]
-    convincing = [w for w in fitting if w.cost <= least_needed(now.arm, data)]
+    of_the_arm = [w.cost for w in fitting if w.explanation.data_fault is None]
+    most = (
+        min(of_the_arm, default=np.inf) - AS_GOOD
+    )  # measurements are blamed where that is far cheaper
+    fitting = [w for w in fitting if w.explanation.data_fault is None or w.cost < most]
+    needed = least_needed(now.arm, data)
+    convincing = [w for w in fitting if w.cost <= needed and _leaves_enough(w, data)]
     if convincing:
         convincing = [w for w in convincing if w.cost <= convincing[0].cost + AS_GOOD]
     return Choice(tuple(fitting), tuple(convincing))
+
+
+def _leaves_enough(w, data):
+    """Whether a base or a tool that was fitted leaves as many measured numbers as it takes: three
+    points are carried to three others by many a wrong one.
+    """
+    return not w.explanation.ends or data.count >= 2 * w.explanation.fit.fitted
 
 
 def _order(w):

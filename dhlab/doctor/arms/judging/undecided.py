@@ -6,6 +6,7 @@ import numpy as np
 
 from ....printing import number
 from ...budget import CHOICE, NAMES
+from ...catalogue import catalogue
 from ...diagnosis import UNDECIDED, Diagnosis
 from ..given import distinct
 from ..words.ranking import differs, named, telling_pose
@@ -70,11 +71,13 @@ def _as_one(w, data, part):
     first, *more = named(w.explanation, replace(data, noise=w.level), part)
     if not more:
         return first
-    others = [
-        f"{one.mistake} ({'; '.join(word for word in (one.place, one.detail) if word)})"
-        for one in more
-    ]
-    return replace(first, detail=f"{first.detail or first.place}, and {', and '.join(others)}")
+    others = ", and ".join(map(_titled, more))
+    return replace(first, detail=f"{first.detail or first.place}, and {others}")
+
+
+def _titled(finding):
+    where = "; ".join(word for word in (finding.place, finding.detail) if word)
+    return f"{catalogue()[finding.mistake].title} ({where})"
 
 
 def _as_it_stands(apart, data):

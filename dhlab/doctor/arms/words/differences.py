@@ -6,7 +6,15 @@ from ....printing import number
 from ....table import COLUMNS
 from ...mistakes.remade import ALPHA, THETA
 
-__all__ = ["coupling_texts", "difference_text", "end_text", "moved_by", "number_text", "wrapped"]
+__all__ = [
+    "changed_numbers",
+    "coupling_texts",
+    "difference_text",
+    "end_text",
+    "moved_by",
+    "number_text",
+    "wrapped",
+]
 
 MOST_SHOWN = 8
 
@@ -18,7 +26,7 @@ def difference_text(wrong, right):
     if wrong.table.joints != right.table.joints:
         return f"the joints are {right.table.joints}"
     was, should = wrong.table.rows, right.table.rows
-    changed = np.argwhere(np.abs(was - should) > 1e-9)
+    changed = changed_numbers(wrong, right)
     if len(changed) > MOST_SHOWN:
         return f"{len(changed)} numbers of the table change"
     parts = [f"{COLUMNS[c]}{i + 1} {number_text(was[i, c], should[i, c], c)}" for i, c in changed]
@@ -32,6 +40,13 @@ def difference_text(wrong, right):
         if not np.allclose(getattr(wrong, end), getattr(right, end), atol=1e-9) and not parts
     ]
     return "; ".join(parts)
+
+
+def changed_numbers(wrong, right):
+    """The (row, column) of every number that differs, angles by more than whole turns."""
+    apart = wrong.table.rows - right.table.rows
+    apart[:, [THETA, ALPHA]] = wrapped(apart[:, [THETA, ALPHA]])
+    return np.argwhere(np.abs(apart) > 1e-9)
 
 
 def coupling_texts(wrong, right):

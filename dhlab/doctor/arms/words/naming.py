@@ -12,7 +12,15 @@ from ...mistakes.registry import OTHER, preference, value_mistake
 from ...mistakes.remade import ALPHA, THETA, A, D
 from ..search.fitting import misfit, misfits, within
 from ..search.measured import Measured
-from .differences import coupling_texts, difference_text, end_text, moved_by, number_text, wrapped
+from .differences import (
+    changed_numbers,
+    coupling_texts,
+    difference_text,
+    end_text,
+    moved_by,
+    number_text,
+    wrapped,
+)
 from .numbers import name_number
 
 __all__ = ["name_change", "name_changes", "name_data_fault", "name_every_change"]
@@ -245,17 +253,12 @@ def _by_everything(wrong, right):
         not np.allclose(getattr(wrong, end), getattr(right, end)) for end in ("base", "tool")
     ):
         return ()
-    return name_every_change(wrong, right, map(tuple, _changed(wrong, right)))
-
-
-def _changed(wrong, right):
-    """The (row, column) of every number that differs."""
-    return np.argwhere(np.abs(wrong.table.rows - right.table.rows) > 1e-9)
+    return name_every_change(wrong, right, map(tuple, changed_numbers(wrong, right)))
 
 
 def _by_difference(wrong, right):
     """A change that the catalogue does not know: named by the kind of the entries that differ."""
-    changed = _changed(wrong, right)
+    changed = changed_numbers(wrong, right)
     if len(changed):
         own = _by_number(wrong, right, tuple(changed[0]))
         rows = ", ".join(f"row {r + 1}, {COLUMNS[c]}" for r, c in changed)
