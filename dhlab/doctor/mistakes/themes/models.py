@@ -77,8 +77,13 @@ def _alike(a, b):
     )
 
 
-@cache
 def _loaded(makers, joints):
-    asked = [name for name in robots() if makers is None or summary(name)["maker"] in makers]
-    arms = [(name, load(name)) for name in asked]
-    return tuple((name, arm) for name, arm in arms if arm.table.joints == joints)
+    """One arm after the other, so that who asks may stop in between."""
+    for name in robots():
+        if makers is None or summary(name)["maker"] in makers:
+            arm = _arm(name)
+            if arm.table.joints == joints:
+                yield name, arm
+
+
+_arm = cache(load)
