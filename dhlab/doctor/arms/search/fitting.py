@@ -101,14 +101,9 @@ def _ends_of_one_kind(arms, q):
 
 
 def within(arm, data, chi2):
-    """Whether the misfit of an arm is no larger than ``chi2``: as :func:`misfit` says, and told
-    from the positions alone where these miss by more, or where both ends are free from the turns
-    between two poses, which no end changes.
+    """Whether the misfit of an arm is no larger than ``chi2``: as :func:`misfit` says, and where
+    both ends are free first from the turns between two poses, which no end changes.
     """
-    if not data.base_free and not data.tool_free:
-        off = (arm.forward(data.q)[..., :3, 3] - data.p) / data.noise[0]
-        if (off * off).sum() > chi2:
-            return False
     if data.base_free and data.tool_free and data.R is not None:
         most = np.sqrt(2 * chi2) * data.noise[1]  # what two residuals together may turn at most
         if np.abs(_turned(arm.forward(data.q)[..., :3, :3]) - _turned(data.R)).max() > most:
