@@ -7,22 +7,25 @@ import numpy as np
 __all__ = ["foretold_pairs"]
 
 CLOSE = 1e-11  # of squares, to what is compared
-BLOCKS = (np.s_[:3, :3], np.s_[:3, 3], np.s_[3, :])  # of a pose: each may follow a law of its own
+OF_A_POSE = (np.s_[..., :3, :3], np.s_[..., :3, 3], np.s_[..., 3, :])  # each may follow a law of its own
+WHOLE = (np.s_[...],)  # of anything else
 
 
 def foretold_pairs(before, answers, right):
     """The pairs of changes that are foretold to make the answers right.
 
-    Two changes of factors of a product, L A M B R, give P_1 T⁻¹ P_2 with the answers P_1 and P_2 to
-    each and T to none; two of terms of a sum P_1 + P_2 - T; two of factors of a number P_1 P_2 / T.
+    Two changes of factors of a product of poses, L A M B R, give P_1 T⁻¹ P_2 with the answers P_1
+    and P_2 to each and T to none; two of terms of a sum P_1 + P_2 - T; two of factors of a number
+    P_1 P_2 / T. What is no pose (a Jacobian, a vector) is no product of factors with inverses, and
+    is compared as a whole.
 
     Parameters
     ----------
-    before : array (m, 4, 4)
-        The answers to m calls as the program stands.
-    answers : array (N, m, 4, 4)
+    before : array (m, ...)
+        The answers to m calls as the program stands: poses (m, 4, 4), or what else it gives.
+    answers : array (N, m, ...)
         With each of N changes.
-    right : array (m, 4, 4)
+    right : array (m, ...)
 
     Returns
     -------
@@ -37,26 +40,28 @@ def foretold_pairs(before, answers, right):
     >>> foretold_pairs((A @ B)[None], answers, (C @ D)[None])
     array([[0, 2]])
     """
-    N = len(answers)
+    N, are_poses = len(answers), right.shape[1:] == (4, 4)
     fits = np.ones((N, N), dtype=bool)
-    needed = list(_needed(before, answers, right))
-    for block in BLOCKS:
-        there = answers[(..., *block)].reshape(N, -1)
+    needed = list(_needed(before, answers, right, are_poses))
+    for block in OF_A_POSE if are_poses else WHOLE:
+        there = answers[block].reshape(N, -1)
         close = np.zeros((N, N), dtype=bool)
         for wanted in needed:
-            close |= _close(wanted[(..., *block)].reshape(N, -1), there)
+            close |= _close(wanted[block].reshape(N, -1), there)
         fits &= close | close.T
     return np.argwhere(np.triu(fits, 1))
 
 
-def _needed(before, answers, right):
-    """By each law, what the other change must give for both to be right, (N, m, 4, 4)."""
+def _needed(before, answers, right, are_poses):
+    """By each law, what the other change must give for both to be right, as the answers are."""
     yield right + before - answers
     with np.errstate(all="ignore"):
         touched = ~np.isclose(answers, before, rtol=1e-9, atol=1e-12)
         scaled = right * before / answers
         usable = touched & (np.abs(answers) > 1e-9) & (np.abs(before) > 1e-9)
         yield np.where(usable, scaled, right + before - answers)
+    if not are_poses:
+        return
     sound = np.abs(np.linalg.det(answers)).min(axis=1) > 1e-9
     inverses = np.linalg.inv(np.where(sound[:, None, None, None], answers, np.eye(4)))
     product = before @ inverses @ right
