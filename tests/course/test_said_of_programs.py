@@ -38,3 +38,86 @@ def slide_of_the_joint_before(frames, T_end, sliding):
 def test_a_jacobian_that_is_not_square_is_judged():
     for variant in range(3):
         assert E["08.2"].judge(slide_of_the_joint_before, variant).status == "wrong"
+
+
+def jacobian(column, done=lambda cols: np.array(cols).T):
+    """A program of 08.2 made of ``column(i, frames, p, slides)``."""
+
+    def f(frames, T_end, sliding):
+        p = T_end[:3, 3]
+        return done([column(i, frames, p, sliding) for i in range(len(sliding))])
+
+    return f
+
+
+def swung(z, lever, slides):
+    return np.hstack([z, 0 * z] if slides else [np.cross(z, lever), z])
+
+
+def at(i, frames):
+    return frames[i][:3, 2], frames[i][:3, 3]
+
+
+def right_column(i, frames, p, sliding):
+    z, o = at(i, frames)
+    return swung(z, p - o, sliding[i])
+
+
+def column_before(i, frames, p, sliding):
+    z, o = at(i - 1, frames)
+    return swung(z, p - o, sliding[i])
+
+
+def column_by_star(i, frames, p, sliding):
+    z, o = at(i, frames)
+    return np.hstack([z, 0 * z] if sliding[i] else [z * (p - o), z])
+
+
+def column_turned_back(i, frames, p, sliding):
+    return right_column(i, frames, p, sliding) * [1, 1, 1, -1, -1, -1]
+
+
+def column_slid_along_x(i, frames, p, sliding):
+    slid = np.hstack([frames[i][:3, 0], np.zeros(3)])
+    return slid if sliding[i] else right_column(i, frames, p, sliding)
+
+
+def column_without_o(i, frames, p, sliding):
+    return swung(frames[i][:3, 2], p, sliding[i])
+
+
+def as_rows(cols):
+    return np.array(cols).reshape(6, len(cols))
+
+
+JACOBIANS = [  # (exercise, program, what must be said, what must not)
+    ("08.2", slide_of_the_joint_before, "sliding is asked of the joint before", "differ"),
+    ("08.2", jacobian(column_before), "joint 1 has the last frame's", "differ"),
+    ("08.2", jacobian(column_by_star), "np.cross(z, p − o) belongs", "@"),
+    ("08.2", jacobian(column_turned_back), "ω has the other sign", "error"),
+    ("08.2", jacobian(column_slid_along_x), "v is wrong in the columns of the sliding", "1, 2"),
+    ("08.2", jacobian(right_column, as_rows), ".T does", "differ"),
+    ("08.2", jacobian(right_column, lambda c: np.rad2deg(c).T), "in degrees", "differ"),
+    ("08.2", jacobian(right_column, lambda c: np.array(c[:1]).T), "return inside", "Print"),
+    ("08.11", jacobian(column_without_o), "o was not taken off", "pen"),
+]
+
+
+@pytest.mark.parametrize("key, f, said, unsaid", JACOBIANS)
+def test_what_is_said_of_a_jacobian(key, f, said, unsaid):
+    verdict = str(E[key].judge(f, 1))
+    assert said in verdict and unsaid not in verdict, verdict
+
+
+@pytest.mark.parametrize("kinds", [(0, 1), (1, 1), (0, 0)])
+def test_the_columns_that_are_named_are_the_wrong_ones(kinds):
+    """Of sliding or turning joints, asked of the program's own numbers."""
+    spoil = [1 + 0.1 * kinds[0], 1 + 0.1 * kinds[1]]
+
+    def f(frames, T_end, sliding):
+        return E["08.2"].answer(frames, T_end, sliding) * np.where(sliding, *spoil[::-1])
+
+    place = E["08.2"].judge(f, 1).place
+    if any(kinds):
+        assert ("every column" in place) == all(kinds)
+        assert ("of the sliding joints, and in no others" in place) == (kinds == (0, 1))

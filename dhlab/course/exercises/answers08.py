@@ -15,6 +15,7 @@ from ..kinds import Known, Mistakes, Said
 
 __all__ = [
     "COLUMN_LINES",
+    "NOT_TO_THE_PEN",
     "PEN",
     "draw_bend",
     "draw_frames",
@@ -30,6 +31,11 @@ __all__ = [
 PEN = Said(
     "the lever does not run to the tip of the pen: ω is right, v is not",
     next="Which of the inputs knows of the pen: frames or T_end?",
+)
+NOT_TO_THE_PEN = (  # of the levers that the doctor knows, by its places
+    "o alone, the end does not enter",
+    "o × z: the velocity of a point at the base's origin",
+    "to the next origin, not to the end",
 )
 
 

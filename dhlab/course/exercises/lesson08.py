@@ -1,9 +1,10 @@
 """Lesson 08, first sitting, beyond forward kinematics: the Jacobian, singularities."""
 
 from ...doctor.programs.wrong.jacobians import geometric_jacobian
-from ..kinds import Choice, Function, Option, Order, Prediction, Value
+from ..kinds import Choice, Option, Order, Prediction, Value
 from .answers08 import (
     COLUMN_LINES,
+    NOT_TO_THE_PEN,
     PEN,
     draw_bend,
     draw_frames,
@@ -12,6 +13,7 @@ from .answers08 import (
     to_the_flange,
     wrong_columns,
 )
+from .programs08 import Jacobian
 from .speeds08 import Speeds, draw_hand_speed, joint_speeds, wrong_speeds
 
 __all__ = ["EXERCISES"]
@@ -44,7 +46,7 @@ EXERCISES = [
             " link, and the lever runs from the axis to the end.",
         ),
     ),
-    Function(
+    Jacobian(
         id="08.2",
         title="The geometric Jacobian",
         points=3,
@@ -65,7 +67,7 @@ EXERCISES = [
             ),
         ),
     ),
-    Function(
+    Jacobian(
         id="08.11",
         title="The smallest fix: a pen in the hand",
         points=1,
@@ -76,7 +78,7 @@ EXERCISES = [
         shape=(6, 5),
         handed_out=to_the_flange,
         sparing=True,
-        words={"lever-arm-wrong": PEN},
+        words={("lever-arm-wrong", place): PEN for place in NOT_TO_THE_PEN},
         praise="The lever runs to the tip of the pen, wherever the last frame may be.",
         hints=(
             "It was right until the pen was mounted. Which of the three inputs knows of the pen?",

@@ -37,6 +37,10 @@ OF_POSES = frozenset(  # mistakes whose titles are about poses and tables
         "wrong-frame-compared",
     )
 )
+OF_OTHERS = {  # by family: mistakes whose titles are about other programs than these
+    "jacobian": OF_POSES
+    | {"columns-misread", "elementwise-product", "error-sign", "joint-reversed"}
+}
 ONE_AT_A_TIME = "Give one argument at a time, the other three 0: which move does it make?"
 OF_LINKS = {  # where the catalogue tells of tables that are misread or measured wrongly
     "alpha-value": Said("alpha does not turn as it should", next=ONE_AT_A_TIME),
@@ -197,7 +201,7 @@ class Function(Exercise):
             )
         return self.wrong(
             headline="the answers differ from the right ones",
-            place=f"{off} of {len(cases)} calls; {self._parts(answers, expected)}",
+            place=f"{off} of {len(cases)} calls; {self.parts(answers, expected, cases)}",
         )
 
     def _found(self, finding):
@@ -214,7 +218,7 @@ class Function(Exercise):
             of_link = OF_LINKS.get(mistake) if len(self.names) == len(COLUMNS) else None
             said = of_link or OF_PROGRAMS.get(mistake)
             return self.wrong(mistake, place=replace(said, place=place) if said else place)
-        if mistake in OF_POSES and place:
+        if mistake in OF_OTHERS.get(self.family, OF_POSES) and place:
             return self.told(mistake, Said(place))
         return self.told(mistake, Said(catalogue()[mistake].title, place=place))
 
@@ -255,13 +259,11 @@ class Function(Exercise):
             else ""
         )
 
-    def _parts(self, answers, expected):
-        """Which block of the pose is wrong."""
+    def parts(
+        self, answers: Sequence[NDArray], expected: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> str:
+        """Which block of the pose is wrong, or which numbers of a vector are."""
         difference = np.abs(np.array(answers) - np.array(expected)).max(axis=0)
-        if len(self.shape) == 2 and self.shape != (4, 4):
-            return "wrong in column " + ", ".join(
-                str(j + 1) for j in np.flatnonzero(difference.max(axis=0) > 1e-9)
-            )
         if self.shape != (4, 4):
             return (
                 f"numbers {', '.join(str(k + 1) for k in np.flatnonzero(difference > 1e-9))} differ"

@@ -222,6 +222,8 @@ def _other_shape(array, shape, case, names):
     elif shape == (4, 4) and array.size in (3, 9) and array.ndim <= 2:
         mistake = "pose-incomplete"
         do = f"This is the {'position' if array.size == 3 else 'rotation'} alone, perhaps."
+    elif len(shape) == 2 and array.size == shape[0] != shape[1]:
+        do = f"One column comes back of {shape[1]}: is the return inside the loop?"
     elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
         do = (
             "It comes back inside a list: return it alone."

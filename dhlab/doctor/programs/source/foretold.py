@@ -7,7 +7,11 @@ import numpy as np
 __all__ = ["foretold_pairs"]
 
 CLOSE = 1e-11  # of squares, to what is compared
-OF_A_POSE = (np.s_[..., :3, :3], np.s_[..., :3, 3], np.s_[..., 3, :])  # each may follow a law of its own
+OF_A_POSE = (
+    np.s_[..., :3, :3],
+    np.s_[..., :3, 3],
+    np.s_[..., 3, :],
+)  # each may follow a law of its own
 WHOLE = (np.s_[...],)  # of anything else
 
 

@@ -106,6 +106,14 @@ _ALL = [
         "the base's axis for every joint",
         _with(axes=lambda frames: 0 * frames[:-1, :3, 2] + frames[0, :3, 2]),
     ),
+    (
+        "jacobian-axis-off-by-one",
+        "axis and origin are those of the joint before, and joint 1 has the last frame's",
+        _with(
+            lambda frames: np.roll(frames, 1, axis=0)[:-1, :3, 2],
+            lambda frames, p: p - np.roll(frames, 1, axis=0)[:-1, :3, 3],
+        ),
+    ),
     ("cross-product-reversed", "", _with(levers=lambda frames, p: -_levers(frames, p))),
     (
         "lever-arm-wrong",
@@ -145,7 +153,7 @@ _ALL = [
     ),
     (
         "elementwise-product",
-        "z * (p − o) where z × (p − o) belongs",
+        "z * (p − o), entry by entry, where np.cross(z, p − o) belongs",
         lambda frames, T_end, sliding: np.vstack(
             [
                 np.where(
@@ -172,6 +180,18 @@ _ALL = [
         _with(columns=lambda z, lever, sliding: _columns(z, lever, np.ones_like(sliding))),
     ),
     (
+        "joint-index-off-by-one",
+        "sliding is asked of the joint before",
+        lambda frames, T_end, sliding: geometric_jacobian(frames, T_end, np.roll(sliding, 1)),
+    ),
+    (
+        "joint-index-off-by-one",
+        "sliding is asked of the joint before, and joint 1 never slides",
+        lambda frames, T_end, sliding: geometric_jacobian(
+            frames, T_end, [False, *np.asarray(sliding, dtype=bool)[:-1]]
+        ),
+    ),
+    (
         "prismatic-column-wrong",
         "turning and sliding have changed places",
         _with(columns=lambda z, lever, sliding: _columns(z, lever, np.logical_not(sliding))),
@@ -183,12 +203,31 @@ _ALL = [
     ),
     (
         "prismatic-column-wrong",
+        "v should be z, not −z",
+        _with(columns=_slid(lambda z, lever: -z, lambda z: 0 * z)),
+    ),
+    (
+        "prismatic-column-wrong",
+        "v should be the joint's own z: the z of the next frame stands there",
+        lambda frames, T_end, sliding: np.where(
+            sliding,
+            np.vstack([_next_axes(frames).T, 0 * _next_axes(frames).T]),
+            geometric_jacobian(frames, T_end, sliding),
+        ),
+    ),
+    (
+        "prismatic-column-wrong",
+        "v should be z as the base sees it: (0, 0, 1) is z in its own frame",
+        _with(columns=_slid(lambda z, lever: 0 * z + [0.0, 0.0, 1.0], lambda z: 0 * z)),
+    ),
+    (
+        "prismatic-column-wrong",
         "v and ω have changed places",
         _with(columns=_slid(lambda z, lever: 0 * z, lambda z: z)),
     ),
     (
         "prismatic-column-wrong",
-        "ω should be 0: a slide turns nothing",
+        "v should be z: a slide has no lever",
         _with(columns=_slid(np.cross, lambda z: 0 * z)),
     ),
     (
@@ -242,7 +281,7 @@ _ALL = [
         _with(axes=lambda frames: frames[:-1, :3, 3]),
     ),
     ("angular-part-missing", "", _after(lambda J, *rest: _halved(J, 0.0))),
-    ("joint-reversed", "every column", _after(lambda J, *rest: -J)),
+    ("joint-reversed", "every number has the other sign", _after(lambda J, *rest: -J)),
     ("error-sign", "ω has the other sign", _after(lambda J, *rest: _halved(J, -1.0))),
     (
         "degrees-for-radians",
@@ -250,6 +289,12 @@ _ALL = [
         _after(lambda J, *rest: J / DEG),
     ),
     ("degrees-for-radians", "ω in degrees", _after(lambda J, *rest: _halved(J, DEG))),
+    ("degrees-for-radians", "all numbers in degrees", _after(lambda J, *rest: J * DEG)),
+    (
+        "columns-misread",
+        "reshape(6, n) does not turn a list of columns round: .T does",
+        _after(lambda J, *rest: J.T.reshape(J.shape)),
+    ),
     (
         "joint-index-off-by-one",
         "the columns come in reverse order",
