@@ -315,13 +315,15 @@ def _ending_early(ends):
     [
         lambda before, step, after: after < 1e-3,
         lambda before, step, after: after < 1e-5,
+        lambda before, step, after: before < 1e-4,
         lambda before, step, after: step < 1e-4,
         lambda before, step, after: after > before,
     ],
 )
 def test_a_loop_that_ends_before_its_steps_are_done_is_refused(ends):
     verdict = LESSON["08.6"].judge(_ending_early(ends))
-    assert verdict.status == "wrong" and "special case" in verdict.headline
+    assert verdict.status == "wrong" and "right at general numbers" in verdict.headline
+    assert "Exactly `steps` steps" in verdict.next
     assert LESSON["08.6"].judge(_ending_early(lambda *sizes: False)).status == "right"
 
 

@@ -4,10 +4,14 @@ sentence fits the answer that it is said of.
 
 import numpy as np
 import pytest
+from right_ways_08 import frames_of
+from scipy.spatial.transform import Rotation
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.source.foretold import foretold_pairs
+from dhlab.doctor.programs.wrong.branches import branches
+from dhlab.doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
 
 E = exercises()
 PROGRAMS = [key for key, e in E.items() if isinstance(e, Function)]
@@ -121,3 +125,55 @@ def test_the_columns_that_are_named_are_the_wrong_ones(kinds):
     if any(kinds):
         assert ("every column" in place) == all(kinds)
         assert ("of the sliding joints, and in no others" in place) == (kinds == (0, 1))
+
+
+# ---- 08.4, 08.6, 08.8
+
+
+def turn_of(R):
+    return Rotation.from_matrix(R).as_rotvec()
+
+
+def position_by_the_tool(T, T_goal):
+    R, R_goal = T[:3, :3], T_goal[:3, :3]
+    return np.hstack([R.T @ (T_goal[:3, 3] - T[:3, 3]), turn_of(R_goal @ R.T)])
+
+
+def loop(step, onward=lambda q, dq: q + dq):
+    def solve(rows, T_goal, q, damping, steps):
+        for _ in range(steps):
+            frames = np.array(frames_of(rows, q))
+            J = geometric_jacobian(frames, frames[-1], [False] * 6)
+            q = onward(q, step(J, pose_error(frames[-1], T_goal), damping))
+        return q
+
+    return solve
+
+
+def damped(J, e, damping):
+    return J.T @ np.linalg.solve(J @ J.T + damping**2 * np.eye(6), e)
+
+
+def by_chance(T):
+    return np.random.default_rng().uniform(-2, 2, (8, 6))
+
+
+SOLVERS = [
+    ("08.4", position_by_the_tool, "the turn is right; the position is", "Rᵀ R"),
+    (
+        "08.6",
+        loop(lambda J, e, k: np.linalg.solve(J @ J.T + k**2 * np.eye(6), e)),
+        "Jᵀ is",
+        "differ",
+    ),
+    ("08.6", loop(lambda J, e, k: damped(J, e, 0.05)), "0.05 in every call", "differ"),
+    ("08.6", loop(damped, lambda q, dq: dq), "q = dq forgets", "differ"),
+    ("08.8", by_chance, "draws random numbers", "np.eye(4)"),
+    ("08.8", lambda T: np.rad2deg(branches(T)) + 360, "in degrees; radians", "forward"),
+]
+
+
+@pytest.mark.parametrize("key, f, said, unsaid", SOLVERS)
+def test_what_is_said_of_a_solver(key, f, said, unsaid):
+    verdict = str(E[key].judge(f, 1))
+    assert said in verdict and unsaid not in verdict, verdict

@@ -17,7 +17,6 @@ from .answers08 import general, random_pose
 
 __all__ = [
     "EARLY",
-    "FRAME",
     "STEPS",
     "Reaches",
     "a_way_to",
@@ -26,6 +25,7 @@ __all__ = [
     "draw_two_poses",
     "draw_ur5e",
     "explain_steps",
+    "in_other_axes",
     "in_the_tools_axes",
     "wrong_ways",
 ]
@@ -38,6 +38,25 @@ FRAME = Said(
         "Rᵀ R_goal is the turn as the tool sees it; R_goal Rᵀ is the same turn as the base sees it."
     ),
 )
+
+
+_OF_POSITION = {
+    f"the position is in the {whose} axes": Said(
+        f"the turn is right; the position is written in the {whose} axes",
+        next="Which of the two differences, p_goal − p or its product with a transpose, is in the"
+        " base's axes?",
+        why="p and p_goal are written in the base, and so is their difference.",
+    )
+    for whose in ("tool's", "goal's")
+}
+
+
+def in_other_axes(of: str = "") -> dict:
+    """What is said of pose errors in other axes, by mistake and place; ``of`` stands before the
+    place where the error is a part of the program.
+    """
+    mistake = "orientation-error-frame"
+    return {mistake: FRAME, **{(mistake, of + place): x for place, x in _OF_POSITION.items()}}
 
 
 def draw_two_poses(rng: np.random.Generator) -> tuple:
@@ -68,11 +87,12 @@ def draw_task(rng: np.random.Generator) -> tuple:
 
 
 def _near_and_far():
-    """Tasks that begin near the goal, and one in which a step leads further away and the next ones
-    back: a loop that ends before its steps are done is wrong there.
+    """Tasks that begin near the goal and, strongly damped, come little nearer with each step, and
+    one in which a step leads further away and the next ones back: a loop that ends before its steps
+    are done is wrong there.
     """
     rows, _, q, *_ = draw_task(np.random.default_rng(8))
-    for off, damping in ((3e-4, 0.1), (3e-6, 0.1), (1.2, 0.02)):
+    for off, damping in ((3e-4, 1.0), (3e-5, 1.0), (3e-6, 1.0), (1.2, 0.02)):
         yield rows, product(rows, q + off * np.array([1, -1, 1, 1, -1, 1])), q, damping, 4
 
 
@@ -199,7 +219,10 @@ class Reaches(Value):
             return self.wrong(
                 headline=words, next="The orientation is right. What of the position?"
             )
-        return self.wrong(headline=words)
+        return self.wrong(
+            headline=words,
+            next="Are these the joint values after enough steps? Make more, or start elsewhere.",
+        )
 
 
 def _off(q, T_goal):

@@ -8,7 +8,6 @@ from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
 from ..kinds import Choice, Function, Option, Order, Prediction, Said
 from .answers08b import (
     EARLY,
-    FRAME,
     STEPS,
     Reaches,
     a_way_to,
@@ -17,10 +16,11 @@ from .answers08b import (
     draw_two_poses,
     draw_ur5e,
     explain_steps,
+    in_other_axes,
     in_the_tools_axes,
     wrong_ways,
 )
-from .programs08b import MISREAD, UNDAMPED, Program
+from .programs08b import MISREAD, OTHER_STEPS, Program
 
 __all__ = ["EXERCISES"]
 
@@ -36,7 +36,7 @@ EXERCISES = [
         handed_out=in_the_tools_axes,
         sparing=True,
         words={
-            "orientation-error-frame": FRAME,
+            **in_other_axes(),
             (
                 "orientation-error-frame",
                 "the orientation is R_goalᵀ R, the way back in the goal's axes",
@@ -95,10 +95,12 @@ EXERCISES = [
         family="inverse_kinematics",
         shape=(6,),
         read=wrapped,
+        angles=True,
         tolerance=1e-7,
-        more=UNDAMPED,
+        more=OTHER_STEPS,
+        if_special="Exactly `steps` steps are asked: does the loop end before they are done?",
         words={
-            "orientation-error-frame": FRAME,
+            **in_other_axes("the pose error: "),
             "jacobian-not-renewed": Said(
                 "what belongs to q is not made anew in every step",
                 next="After q = q + dq, the frames, the Jacobian and the error are others.",
@@ -246,6 +248,7 @@ EXERCISES = [
         family="branches",
         shape=(8, 6),
         read=in_order,
+        angles=True,
         tolerance=1e-6,
         more=MISREAD,
         places={

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from ...doctor.programs.wrong.branches import branches, in_order
 from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
-from ...doctor.programs.wrong.solvers import chain, wrapped
+from ...doctor.programs.wrong.solvers import chain, damped_step, wrapped
 from ..kinds import Function, Known, Said
 from ..verdict import Verdict
 
-__all__ = ["MISREAD", "UNDAMPED", "Program"]
+__all__ = ["MISREAD", "OTHER_STEPS", "Program"]
 
 # of the calls: steps of the plain inverse leap near a singularity, and there rounding makes two
 # right versions differ
@@ -58,20 +58,27 @@ def _near(a, b):
     return np.shape(a) == np.shape(b) and np.abs(wrapped(a - b)).max() < NEAR
 
 
-# ---- 08.6: damped least squares without the damping
+# ---- 08.6: other steps than those of damped least squares
 
 
-def _undamped(rows, T_goal, q, damping, steps):
-    for _ in range(steps):
-        frames = chain(rows, q)
-        q = q + np.linalg.solve(
-            geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool)),
-            pose_error(frames[-1], T_goal),
-        )
-    return wrapped(q)
+def _stepping(step, onward=lambda q, dq: q + dq):
+    """A solver by ``step(J, e, damping)``; ``onward(q, dq)`` is the next q."""
+
+    def solve(rows, T_goal, q, damping, steps):
+        for _ in range(steps):
+            frames = chain(rows, q)
+            J = geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool))
+            q = onward(q, step(J, pose_error(frames[-1], T_goal), damping))
+        return wrapped(q)
+
+    return solve
 
 
-UNDAMPED = (
+def _typed_in(number):
+    return _stepping(lambda J, e, damping: damped_step(J, e, number))
+
+
+OTHER_STEPS = (
     (
         "damping-missing",
         Said(
@@ -79,7 +86,32 @@ UNDAMPED = (
             why="Near a singularity the plain inverse asks for enormous joint steps.",
             next="Add damping**2 times the unit matrix to what you invert.",
         ),
-        _undamped,
+        _stepping(lambda J, e, damping: np.linalg.solve(J, e)),
+    ),
+    (
+        "damping-sides-mixed",
+        Said(
+            "Jᵀ is missing before the inverse",
+            why="(J Jᵀ + λ² 1)⁻¹ e is no step of the joints yet: Jᵀ makes one of it.",
+            next="dq is J.T @ what you have.",
+        ),
+        _stepping(lambda J, e, damping: np.linalg.solve(J @ J.T + damping**2 * np.eye(len(J)), e)),
+    ),
+    (
+        "step-not-accumulated",
+        Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
+        _stepping(damped_step, lambda q, dq: dq),
+    ),
+    *(
+        (
+            "damping-taken-for-free",
+            Said(
+                f"the damping is {number:g} in every call, whatever is handed in",
+                next="Use the argument damping.",
+            ),
+            _typed_in(number),
+        )
+        for number in (0.01, 0.02, 0.03, 0.05, 0.1, 0.2, 0.5, 1.0)
     ),
 )
 

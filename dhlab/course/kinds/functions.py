@@ -41,6 +41,10 @@ OF_OTHERS = {  # by family: mistakes whose titles are about other programs than 
     "jacobian": OF_POSES
     | {"columns-misread", "elementwise-product", "error-sign", "joint-reversed"}
 }
+IN_DEGREES = Said(
+    "the answers are in degrees; radians are asked",
+    next="np.deg2rad makes radians of degrees. Convert once, and all angles.",
+)
 ONE_AT_A_TIME = "Give one argument at a time, the other three 0: which move does it make?"
 OF_LINKS = {  # where the catalogue tells of tables that are misread or measured wrongly
     "alpha-value": Said("alpha does not turn as it should", next=ONE_AT_A_TIME),
@@ -70,7 +74,9 @@ class Function(Exercise):
     ``family`` names the wrong versions that the doctor compares with; ``handed_out`` is the broken
     program of a "smallest fix", which is no attempt as long as it is unchanged; ``read(answer)`` is
     the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``:
-    it may call dhlab's own kinematics, which otherwise earns nothing when it is graded.
+    it may call dhlab's own kinematics, which otherwise earns nothing when it is graded;
+    ``if_special`` is the next step of a program that is wrong in special calls alone; ``angles``:
+    the answers are angles, in radians.
     """
 
     answer: Callable
@@ -82,6 +88,11 @@ class Function(Exercise):
     shape: tuple = (4, 4)
     read: Callable = np.asarray
     library: bool = False
+    if_special: str = (
+        "Look for a special case in the program: an if, a division, or a rounding of small numbers"
+        " to 0."
+    )
+    angles: bool = False
     tolerance: float = 1e-9
 
     @kept_apart
@@ -127,12 +138,23 @@ class Function(Exercise):
                 "the program answers as it did when it was handed out",
                 next="If you have changed something, it makes no difference: look elsewhere.",
             )
-        verdict = self._compared(answers, cases, general, tolerance)
+        verdict = self._in_degrees(given, cases) or self._compared(
+            answers, cases, general, tolerance
+        )
         return (
             verdict
             if verdict.status == RIGHT or verdict.mistake
             else self._told_where(verdict, answer, cases)
         )
+
+    def _in_degrees(self, given, cases):
+        """The Verdict on angles that are right as degrees; None."""
+        if self.angles and all(
+            np.allclose(self.read(np.deg2rad(one)), self.answer(*case), rtol=0, atol=NEAR)
+            for one, case in zip(given, cases)
+        ):
+            return self.told(None, IN_DEGREES)
+        return None
 
     def _told_where(self, verdict, f, cases):
         """The Verdict, with the lines in which something must change, where trying finds them."""
@@ -162,10 +184,7 @@ class Function(Exercise):
                 headline=f"right at general numbers, wrong {'where ' if place else 'in a special '}"
                 f"{place or 'case'}",
                 place=self._call(wrong[0]),
-                next=(
-                    "Look for a special case in the program: an if, a division, or a rounding of"
-                    " small numbers to 0."
-                ),
+                next=self.if_special,
             )
         asked = [
             k for k in range(len(cases)) if k < general or (self._of_rows and is_long(cases[k]))

@@ -9,6 +9,8 @@ from itertools import combinations
 
 import numpy as np
 
+from .wrong.products import product
+
 __all__ = ["general_row", "general_chain", "is_long", "where", "SPECIAL"]
 
 HALF = np.pi / 2
@@ -113,8 +115,8 @@ def where(kind, wrong, right):
     Parameters
     ----------
     kind : str
-        ``"dh_transform"``, ``"craig_transform"`` or ``"forward_kinematics"``; nothing is known of
-        others.
+        ``"dh_transform"``, ``"craig_transform"``, ``"forward_kinematics"`` or
+        ``"inverse_kinematics"``; nothing is known of others.
     wrong, right : sequences of tuples
         The arguments of the calls.
 
@@ -183,4 +185,10 @@ _OF_CHAINS = {
     "a joint value is 0": lambda rows, q: (q == 0).any(),
     "a length is negative": lambda rows, q: (rows[:, 1:3] < 0).any(),
 }
+_OF_TASKS = {
+    "the start is near the goal": lambda rows, T_goal, q, *how: (
+        np.abs(product(rows, q) - T_goal).max() < 0.01
+    )
+}
 _TRAITS = {"dh_transform": _OF_ROWS, "craig_transform": _OF_ROWS, "forward_kinematics": _OF_CHAINS}
+_TRAITS["inverse_kinematics"] = _OF_TASKS

@@ -13,6 +13,7 @@ __all__ = ["answers_in_time", "call_all", "single_precision"]
 
 SECONDS = 8  # of the processor, for all calls of a function together
 SINGLE = {"float32", "single", "float16", "half", "f4"}
+RANDOM = {"random", "rand", "randn", "randint", "uniform", "default_rng"}
 LEAST = 3  # calls; a program that is right in three general ones is right in general
 
 
@@ -122,6 +123,14 @@ def call_all(f, cases, shape, names, run=None):
         for answer, case in zip(called.answers, cases, strict=True)
     ]
     if not np.array_equal(arrays[0], _as_array(called.again, shape, cases[0], names)):
+        if not RANDOM.isdisjoint(_names_in(f)):
+            raise CallFault(
+                "the function draws random numbers: called twice with the same, it gives another"
+                " answer",
+                shown(cases[0], names),
+                "Begin at places that you choose, or give the generator a seed inside the"
+                " function.",
+            )
         raise CallFault(
             "the second call with the same numbers gives another answer",
             shown(cases[0], names),
