@@ -118,12 +118,14 @@ def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
     )
     return (
         f"the axis of joint {before} is where it must be, that of joint {joint} is not: {lead} from"
-        f" the one to the other{lengths}{_hidden(right, before)}"
+        f" the one to the other{lengths}{_hidden(arm, right, before)}"
     )
 
 
-def _hidden(right, before):
-    """Of parallel axes that end with this joint's: a step along them moves none of them."""
+def _hidden(arm, right, before):
+    """Of parallel axes that end with this joint's: a step along them moves none of them. Said where
+    such a step is what is wrong.
+    """
     table = right.table
     shift = 1 if table.convention == "standard" else 0  # alpha between axes i and i + 1, from 1
     parallel = [abs(np.sin(table.alpha[i - shift])) < SAME for i in range(1, len(table))]
@@ -132,5 +134,17 @@ def _hidden(right, before):
         first -= 1
     if first == before or parallel[before - 1] or table.prismatic[first - 1 : before].any():
         return ""
+    if not _a_step_mends(arm, right, first, before):
+        return ""
     rows = f"{first} {'and' if before == first + 1 else 'to'} {before}"
     return f"; axes {rows} are parallel: a wrong d in any of these rows shows only here"
+
+
+def _a_step_mends(arm, right, first, before):
+    """Whether another d in these rows, from 1, brings the axis behind them to its place."""
+    if arm.table.convention != right.table.convention:
+        return False
+    rows, along = arm.table.rows * IN_DEGREES, np.s_[first - 1 : before]
+    rows[before - 1, 1] += right.table.d[along].sum() - arm.table.d[along].sum()
+    joint = equivalent(right, _with_rows(arm, rows)).joint
+    return joint is None or joint > before + 1

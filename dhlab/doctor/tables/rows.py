@@ -8,7 +8,7 @@ from ...arm import Arm
 from ..finding import find
 from ..mistakes.faults import faults
 from ..mistakes.registry import preference
-from ..mistakes.remade import with_parts
+from ..mistakes.remade import D, with_parts
 
 __all__ = ["explain_rows", "wrong_tables"]
 
@@ -46,6 +46,7 @@ def explain_rows(given, right, q):
         fault
         for fault in faults(Arm(right.table), typed=True)
         if np.abs(_posed(right, fault).forward(q) - poses).max() <= 1e-8
+        and not _slid_elsewhere(fault.arm.table, given.table)
     ]
     if not fitting:
         return None
@@ -69,6 +70,16 @@ def _best(fitting, given, right):
     best = min(fitting, key=lambda fault: (*fit(fault), fault.row > 0, preference(fault.mistake)))
     same = (f for f in fitting if f.mistake == best.mistake and f.row and fit(f) == fit(best))
     return best if best.row else next(same, best)
+
+
+def _slid_elsewhere(wrong, given):
+    """Whether a wrong table becomes the given one by steps along parallel axes that other rows
+    hold: the place of its mistake is not true of the given one.
+    """
+    off = np.abs(wrong.rows - given.rows) > 1e-9
+    return (
+        wrong.convention == given.convention and off[:, D].any() and not np.delete(off, D, 1).any()
+    )
 
 
 def _written_alike(a, b):

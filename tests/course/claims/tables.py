@@ -160,7 +160,16 @@ def another_arm(answer, given, found):
         and _lengths_alone(arm, right) == bool(found.get("turned"))
         and (not found.get("lengths") or _angles_equal(arm, right))
         and (not found.get("first") or _hidden_steps(right, first, found))
+        and (not found.get("first") or _step_mends(arm, right, first, found))
     )
+
+
+def _step_mends(arm, right, joint, found):
+    """The axis that is off comes to its place with another d alone."""
+    rows, k = degrees_of(arm), int(found["last"]) - 1
+    lacks = (degrees_of(right) - rows)[int(found["first"]) - 1 : k + 1, 1].sum()
+    rows[k, 1] += lacks
+    return _first_axis_off(with_rows(arm, rows), right) != joint
 
 
 def _hidden_steps(right, joint, found):
@@ -366,7 +375,8 @@ def _twice(answer, given, found):
     for one, other in ((i, j), (j, i)):
         tried.append(rows.copy())
         tried[-1][one, 1] += rows[other, 1]
-    return any(same(arm, with_rows(right, r), 1e-5) for r in tried)
+    stands = (degrees_of(arm)[[i, j], 1] != 0).all()
+    return stands and any(same(arm, with_rows(right, r), 1e-5) for r in tried)
 
 
 def _given_a_length(answer, given, found):

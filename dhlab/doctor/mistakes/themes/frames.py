@@ -1,6 +1,6 @@
 """Frames: axes that were placed wrongly, and axes turned round by half."""
 
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
@@ -30,6 +30,7 @@ def antiparallel_taken_for_parallel():
 @mistake("parallel-offset-in-both-rows")
 def parallel_offset_in_both_rows():
     yield ArmChange(_counted_twice, "d")
+    yield ArmChange(_counted_twice_further, "d", only="typed")
     yield ArmChange(_sum_in_both, "d", only="typed")
 
 
@@ -41,6 +42,17 @@ def _counted_twice(arm):
                 rows = arm.table.rows
                 rows[target, D] = rows[source, D]
                 yield target + 1, f"rows {i + 1} and {i + 2}", with_rows(arm, rows)
+
+
+def _counted_twice_further(arm):
+    """The same, where rows of parallel axes stand between the two."""
+    for i, k in combinations(range(len(arm)), 2):
+        if k > i + 1 and all(_parallel(arm, j) for j in range(i, k)):
+            for source, target in ((i, k), (k, i)):
+                if arm.table.d[source] and not arm.table.d[target]:
+                    rows = arm.table.rows
+                    rows[target, D] = rows[source, D]
+                    yield target + 1, f"rows {i + 1} and {k + 1}", with_rows(arm, rows)
 
 
 def _sum_in_both(arm):
