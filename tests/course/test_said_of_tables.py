@@ -5,6 +5,8 @@ import pytest
 from claims import judged
 
 from dhlab.course.exercises import exercises
+from dhlab.course.exercises.answers09 import AR4, MAKERS, PIPER
+from dhlab.geometry.procedure.frames import assign_frames
 
 E = exercises()
 DEG = [180 / np.pi, 1, 1, 180 / np.pi]
@@ -34,3 +36,62 @@ def test_what_is_said_of_steps_along_parallel_axes(key, entries, said, unsaid):
     verdict = E[key].judge(answer, 0)
     assert said in verdict.place and unsaid not in str(verdict), verdict
     assert judged(E[key], verdict, answer, 0), verdict
+
+
+def sheet(key, change):
+    """The right arm's axes at its zero, changed, as an arm."""
+    axes, end = {"09.2": AR4, "09.4": PIPER}[key]
+    lines = [(np.array(point, dtype=float), np.array(z, dtype=float)) for point, z in axes]
+    change(lines)
+    return assign_frames(lines, end=end)
+
+
+def exchanged(lines):
+    lines[4], lines[2] = lines[2], lines[4]
+
+
+def both_reversed(lines):
+    for k in (3, 4):
+        lines[k] = lines[k][0], -lines[k][1]
+
+
+def written_round(lines):
+    lines[4] = lines[4][::-1]
+
+
+def last_in_millimetres(lines):
+    for k in (4, 5):
+        lines[k] = 1000 * lines[k][0], lines[k][1]
+
+
+def moved_point(lines):
+    lines[4] = lines[4][0] + [0, 0, 0.05], lines[4][1]
+
+
+@pytest.mark.parametrize("key", ["09.2", "09.4"])
+@pytest.mark.parametrize(
+    "change, said",
+    [
+        (exchanged, "the lines of joints 3 and 5 have changed places"),
+        (both_reversed, "the directions of joints 4 and 5 are reversed"),
+        (written_round, "point and direction of joint 5 have changed places"),
+        (last_in_millimetres, "the points of joints 5 and 6 in millimetres"),
+        (moved_point, "that of joint 5 is not: look at its point"),
+    ],
+)
+def test_of_a_sheet_lines_are_told_and_not_rows(key, change, said):
+    answer = sheet(key, change)
+    verdict = E[key].judge(answer, 0)
+    assert said in str(verdict) and "row" not in str(verdict), verdict
+    assert judged(E[key], verdict, answer, 0), verdict
+
+
+@pytest.mark.parametrize("key, axes", [("09.2", AR4[0]), ("09.4", PIPER[0]), ("09.4", PIPER)])
+def test_a_sheet_is_not_an_arm_yet(key, axes):
+    verdict = E[key].judge(axes, 0)
+    assert "not yet an arm" in verdict.headline and "dh.assign_frames" in verdict.next
+
+
+def test_the_doctor_is_asked_about_the_arm_of_the_cell():
+    rows = [*MAKERS[:5], [*MAKERS[5][:3], 180]]
+    assert "about ours first" in E["09.3"].judge(rows, 0).next

@@ -2,6 +2,7 @@
 axes of three arms, half a conversion, the post-test.
 """
 
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -66,6 +67,7 @@ MILLIMETRES = {
 def wrong_axes(axes: list, end: NDArray) -> Mistakes:
     """Arms from axes with one slip each."""
     yield from _wrong_lines(axes, end)
+    yield from _two_lines(axes, end)
     last = end.copy()
     last[:3, 3] = axes[-1][0]
     yield (
@@ -94,7 +96,7 @@ def _wrong_lines(axes, end):
             "joint-reversed",
             Said(
                 f"the direction of joint {k + 1} is reversed",
-                next="Which way does the sheet's arrow point? A joint turns by the right hand.",
+                next="A joint turns by the right hand. Which way is this one to count?",
             ),
             assign_frames(_with(axes, k, (point, np.negative(z))), end=end),
         )
@@ -121,6 +123,47 @@ def _wrong_lines(axes, end):
                 Said(f"the {name} of the point on axis {k + 1} has the other sign"),
                 assign_frames(_with(axes, k, (mirrored, z)), end=end),
             )
+
+
+def _two_lines(axes, end):
+    """Two lines exchanged or reversed, one written the other way round, some in millimetres."""
+    for k, (point, z) in enumerate(axes):
+        yield (
+            "columns-misread",
+            Said(
+                f"point and direction of joint {k + 1} have changed places",
+                next="Write each axis as (point, direction).",
+            ),
+            assign_frames(_with(axes, k, (z, point)), end=end),
+        )
+    for i, k in combinations(range(len(axes)), 2):
+        exchanged = _with(_with(axes, i, axes[k]), k, axes[i])
+        yield (
+            "joint-index-off-by-one",
+            Said(
+                f"the lines of joints {i + 1} and {k + 1} have changed places",
+                next=f"About which of the two lines does joint {i + 1} turn?",
+            ),
+            assign_frames(exchanged, end=end),
+        )
+        (p, u), (r, v) = axes[i], axes[k]
+        reversed_both = _with(_with(axes, i, (p, np.negative(u))), k, (r, np.negative(v)))
+        yield (
+            "joint-reversed",
+            Said(
+                f"the directions of joints {i + 1} and {k + 1} are reversed",
+                next="A joint turns by the right hand. Which way are these two to count?",
+            ),
+            assign_frames(reversed_both, end=end),
+        )
+    for first in range(1, len(axes)):
+        some = [*axes[:first], *((np.multiply(point, 1000), z) for point, z in axes[first:])]
+        joints = ("joint 6", "joints 5 and 6", f"joints {first + 1} to 6")[min(5 - first, 2)]
+        yield (
+            "length-unit",
+            f"in other units: the points of {joints} in millimetres; metres are asked",
+            assign_frames(some, end=end),
+        )
 
 
 def _with(axes, k, axis):
@@ -176,7 +219,7 @@ def unrepaired() -> Mistakes:
         "alpha-value",
         Said(
             "this is still the arm of the maker's table",
-            next="Ask dh.diagnose about sheet first: which number does it name?",
+            next="Ask dh.diagnose about ours first: which number does it name?",
         ),
         Arm(DHTable.craig(typed, angle="deg"), sign=load("ar4").sign),
     )

@@ -9,6 +9,7 @@ from ...geometry.procedure.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
+from ..kinds.sheets import OfAxes
 from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
@@ -60,7 +61,7 @@ EXERCISES = [
             " Every pose agrees."
         ),
     ),
-    Table(
+    OfAxes(
         id="09.2",
         title="Two axes of an AR4",
         points=2,
@@ -236,7 +237,7 @@ EXERCISES = [
             ),
         ),
     ),
-    Table(
+    OfAxes(
         id="09.4",
         practice=True,
         title="Six axes and a flange",

@@ -99,11 +99,13 @@ def _same_angles(arm, right):
     return arm.table.convention == right.table.convention and np.allclose(turns, turns.round())
 
 
-def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
-    """The first joint whose axis is not where it must be, and which numbers lead to it."""
+def where(arm: Arm, right: Arm, q: NDArray[np.float64], of_rows: bool = True) -> str:
+    """The first joint whose axis is not where it must be, and which numbers of the table lead to
+    it; ``of_rows``: whether the table was written, not made of axes.
+    """
     turned = np.abs(arm.forward(q) - right.forward(q))[:, :3, :3].max() > SAME
     lengths = "" if turned else "; the rotation is right at every pose"
-    if lengths and _same_angles(arm, right):
+    if lengths and of_rows and _same_angles(arm, right):
         lengths += ", so look at the lengths"
     joint = equivalent(right, arm).joint
     if not joint:
@@ -111,15 +113,15 @@ def where(arm: Arm, right: Arm, q: NDArray[np.float64]) -> str:
     if joint == 1:
         return f"the axis of joint 1 is not where it must be{lengths}"
     before = joint - 1
+    here = f"the axis of joint {before} is where it must be, that of joint {joint} is not"
+    if not of_rows:
+        return f"{here}: look at its point and its direction{lengths}"
     lead = (
         f"row {before} leads"
         if arm.table.convention == "standard"
         else f"θ and d of row {before} lead, with a and α of row {joint},"
     )
-    return (
-        f"the axis of joint {before} is where it must be, that of joint {joint} is not: {lead} from"
-        f" the one to the other{lengths}{_hidden(arm, right, before)}"
-    )
+    return f"{here}: {lead} from the one to the other{lengths}{_hidden(arm, right, before)}"
 
 
 def _hidden(arm, right, before):

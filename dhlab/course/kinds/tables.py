@@ -149,9 +149,9 @@ class Table(Exercise):
         unit = in_table_units(arm, right, q)
         if unit:
             return self.told(*unit)
-        for mistake, said, wrong in self._mistaken(variant):
-            if max(apart(wrong, arm, q)) <= SAME:
-                return self.told(mistake, said)
+        known = self.known(arm, q, variant)
+        if known:
+            return known
         finding = explain_rows(arm, right, q)
         if finding:
             return self.found(finding, right.table.convention)
@@ -159,6 +159,13 @@ class Table(Exercise):
             headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
             place=where(arm, right, q),
         )
+
+    def known(self, arm: Arm, q: NDArray[np.float64], variant: int) -> Verdict | None:
+        """The Verdict on an arm that the exercise's own mistakes make; None."""
+        for mistake, said, wrong in self._mistaken(variant):
+            if max(apart(wrong, arm, q)) <= SAME:
+                return self.told(mistake, said)
+        return None
 
     @cached_property
     def _mistaken(self):

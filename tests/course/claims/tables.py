@@ -206,6 +206,12 @@ ANOTHER = [
     (OFF + r"the axis of joint (?P<joint>1) is not where it must be" + LENGTHS, another_arm),
     (
         OFF
+        + r"the axis of joint \d is where it must be, that of joint (?P<joint>\d) is not: look at"
+        r" its point and its direction" + LENGTHS,
+        another_arm,
+    ),
+    (
+        OFF
         + r"the axis of joint \d is where it must be, that of joint (?P<joint>\d) is not: .+ lead"
         r".* from the one to the other" + LENGTHS,
         another_arm,
@@ -830,6 +836,45 @@ def _axis_slip(answer, g, f):
     return np.allclose(mine[j, :3], ours[j, :3], atol=1e-7) and not np.allclose(mine[j], ours[j])
 
 
+def _two_axes(turned):
+    """All axes of the arm at q = 0 are in place but two, which are the right ones, turned."""
+
+    def holds(answer, g, f):
+        arm, right = arm_of(answer, g)
+        zero, (i, k) = np.zeros(len(right)), (int(f["one"]) - 1, int(f["other"]) - 1)
+        mine, ours = lines(arm, zero), lines(right, zero)
+        ours[[i, k]] = turned(ours[i].copy(), ours[k].copy())
+        return np.allclose(mine, ours, atol=1e-7) and not same(arm, right)
+
+    return holds
+
+
+def _written_round(answer, g, f):
+    """One axis goes through the point that is the direction of the right one, towards a point that
+    lies on that.
+    """
+    arm, right = arm_of(answer, g)
+    zero, j = np.zeros(len(right)), int(f["joint"]) - 1
+    mine, ours = lines(arm, zero), lines(right, zero)
+    (u, m), (v, w) = np.split(mine[j], 2), np.split(ours[j], 2)
+    u_on_ours = np.cross(np.cross(u, v), w)  # u times a number lies on the line (v, w)
+    through = np.allclose(np.cross(v, u), m, atol=1e-7)
+    others = [k for k in range(len(right)) if k != j]
+    return (
+        through
+        and np.allclose(u_on_ours, 0, atol=1e-7)
+        and np.allclose(mine[others], ours[others], atol=1e-7)
+    )
+
+
+def _last_points(answer, g, f):
+    arm, right = arm_of(answer, g)
+    zero, first = np.zeros(len(right)), int(f["first"]) - 1
+    mine, ours = lines(arm, zero), lines(right, zero)
+    ours[first:, 3:] *= 1000
+    return np.allclose(mine, ours, atol=1e-4)
+
+
 def _end_only(answer, g, f):
     arm, right = arm_of(answer, g)
     zero = np.zeros(len(right))
@@ -851,7 +896,16 @@ def _thousand(points, end):
     return holds
 
 
+BOTH_JOINTS = r"joints (?P<one>\d) and (?P<other>\d)"
 SHEET = [
+    (rf"the lines of {BOTH_JOINTS} have changed places", _two_axes(lambda a, b: [b, a])),
+    (rf"the directions of {BOTH_JOINTS} are reversed", _two_axes(lambda a, b: [-a, -b])),
+    (r"point and direction of joint (?P<joint>\d) have changed places", _written_round),
+    (
+        r"in other units: the points of joints? (?P<first>\d)(?: (?:and|to) 6)? in millimetres; .+",
+        _last_points,
+    ),
+    (r"these are joint axes, not yet an arm", lambda a, g, f: np.shape(a[0]) == (2, 3)),
     (r"the direction of joint (?P<joint>\d) is (?P<slip>reversed|another one)", _axis_slip),
     (r"axis (?P<joint>\d) goes through the point that axis \d was given(?P<slip>)", _axis_slip),
     (r"the [xyz] of the point on axis (?P<joint>\d) has the other sign(?P<slip>)", _axis_slip),
