@@ -6,7 +6,9 @@ from claims import judged
 
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.answers09 import AR4, MAKERS, PIPER
+from dhlab.doctor.programs.wrong.products import product
 from dhlab.geometry.procedure.frames import assign_frames
+from dhlab.robots import load
 
 E = exercises()
 DEG = [180 / np.pi, 1, 1, 180 / np.pi]
@@ -95,3 +97,35 @@ def test_a_sheet_is_not_an_arm_yet(key, axes):
 def test_the_doctor_is_asked_about_the_arm_of_the_cell():
     rows = [*MAKERS[:5], [*MAKERS[5][:3], 180]]
     assert "about ours first" in E["09.3"].judge(rows, 0).next
+
+
+def repaired(key, **more):
+    """The right table of a repair with more entries changed."""
+    rows = np.array(changed(key))
+    for name, value in more.items():
+        rows[int(name[-1]) - 1, ("theta", "d", "a", "alpha").index(name[:-1])] = value
+    return rows.tolist()
+
+
+@pytest.mark.parametrize("key", ["07.3", "07.6"])
+def test_of_two_changes_the_right_one_is_kept(key):
+    mended = repaired(key, alpha5=90)
+    verdict = E[key].judge(mended, 0)
+    assert verdict.place == "row 5, alpha was right before"
+    assert verdict.next == "Put this one back, and keep the other change."
+    neither = np.array(E[key].given(0)["rows"])
+    neither[4, 3], neither[0, 2] = 90, 0.2
+    verdict = E[key].judge(neither.tolist(), 0)
+    assert "were right before" in verdict.place and "keep" not in verdict.next
+    for answer in (mended, neither.tolist()):
+        assert judged(E[key], E[key].judge(answer, 0), answer, 0)
+
+
+def test_an_offset_is_looked_for_where_it_is_not_0():
+    rows, q = load("irb120").table.rows, np.deg2rad(E["06.10"].given(0)["q"])
+    rows[1, 0] = 0
+    assert "is θ not 0" in E["06.10"].judge(product(rows, q), 0).next
+    twice = np.array(load("irb120").table.rows) / DEG
+    for values, said in ((q, "the rows were"), (np.deg2rad(q), "the rows and q were")):
+        headline = E["06.10"].judge(product(twice, values), 0).headline
+        assert headline == f"{said} converted twice"

@@ -142,6 +142,15 @@ def wrong_unseen(q: list[float]) -> Mistakes:
             rows / IN_DEGREES[0] ** LENGTHS,
             q_rad,
         ),
+        (
+            "converted-to-radians-twice",
+            Said(
+                "the rows and q were converted twice",
+                next="Run the cell that makes irb120 once more, then convert once.",
+            ),
+            rows / IN_DEGREES,
+            np.deg2rad(q_rad),
+        ),
         ("degrees-in-sin-cos", "the rows were left in degrees", rows * IN_DEGREES, q_rad),
         ("degrees-in-sin-cos", "rows and q were left in degrees", rows * IN_DEGREES, q),
         ("degrees-in-sin-cos", "q was left in degrees", rows, q),
@@ -172,7 +181,10 @@ def wrong_unseen(q: list[float]) -> Mistakes:
         alone[k, 0] = 0
         yield (
             "offset-missing",
-            Said(f"the offset of joint {k + 1} was left out", next="Which rows have a θ?"),
+            Said(
+                f"the offset of joint {k + 1} was left out",
+                next="In which rows of irb120 is θ not 0?",
+            ),
             product(alone, q_rad),
         )
     yield from _of_the_chain(rows, q_rad)

@@ -42,11 +42,8 @@ class Repair(Table):
             if abs(broken.rows[i, k] - right.table.rows[i, k]) < SAME
         ]
         if len(changed) > 1:
-            return self.wrong(
-                headline=f"{len(changed)} entries are changed, and one change is enough",
-                place=f"{'; '.join(was_right)} right before",
-                next="Put these back. Which entry does the evidence point at?",
-            )
+            left = np.abs(table.rows - right.table.rows) > SAME
+            return self._several(changed, was_right, left.sum() == len(was_right))
         if was_right:
             return self.wrong(
                 headline="this entry was right before you changed it",
@@ -63,9 +60,22 @@ class Repair(Table):
                 next=(
                     "You are nearly there, and what is left is noise. Round as the question says."
                     if missing[0] < NOISY * missing[1]
-                    else "How much does the evidence say is missing, and with which sign?"
+                    else "How much does the evidence say is missing, and with which sign? Add it to"
+                    " the number that was handed out."
                 ),
             ),
+        )
+
+    def _several(self, changed, was_right, mended):
+        """The Verdict on more changes than the one that is enough; ``mended``: it is among them."""
+        several = len(was_right) > 1
+        back = "Put these back" if several else "Put this one back"
+        return self.wrong(
+            headline=f"{len(changed)} entries are changed, and one change is enough",
+            place=f"{'; '.join(was_right)} {'were' if several else 'was'} right before",
+            next=f"{back}, and keep the other change."
+            if mended
+            else f"{back}. Which entry does the evidence point at?",
         )
 
 

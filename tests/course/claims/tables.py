@@ -793,7 +793,7 @@ def _right_entry(answer, g, f):
 REPAIR = [
     (
         r"(?P<count>\d+) entries are changed, and one change is enough @"
-        r" (?P<places>.+) right before",
+        r" (?P<places>.+) (?:was|were) right before",
         _was_right,
     ),
     (r"this entry was right before you changed it @ (?P<places>.+)", _was_right),

@@ -624,6 +624,10 @@ def _of_a_chain(of):
             (r"rows and q were left in degrees", lambda r, q, f: walk(r * turns, np.degrees(q))),
             (r"q was left in degrees", lambda r, q, f: walk(r, np.degrees(q))),
             (r"q was converted twice", lambda r, q, f: walk(r, np.radians(q))),
+            (
+                r"the rows and q were converted twice",
+                lambda r, q, f: walk(r / turns, np.radians(q)),
+            ),
             (r"both offsets were left out", lambda r, q, f: walk(r * [0, 1, 1, 1], q)),
             (r"both offsets were added twice", lambda r, q, f: walk(r * [2, 1, 1, 1], q)),
             (
