@@ -4,6 +4,7 @@ sentence fits the answer that it is said of.
 
 import numpy as np
 import pytest
+from claims import programs
 from right_ways_08 import frames_of
 from scipy.spatial.transform import Rotation
 
@@ -12,6 +13,7 @@ from dhlab.course.kinds import Function
 from dhlab.doctor.programs.source.foretold import foretold_pairs
 from dhlab.doctor.programs.wrong.branches import branches
 from dhlab.doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
+from dhlab.transform import inverse, rot_x, rot_z, trans_x, trans_z
 
 E = exercises()
 PROGRAMS = [key for key, e in E.items() if isinstance(e, Function)]
@@ -177,3 +179,60 @@ SOLVERS = [
 def test_what_is_said_of_a_solver(key, f, said, unsaid):
     verdict = str(E[key].judge(f, 1))
     assert said in verdict and unsaid not in verdict, verdict
+
+
+# ---- 05, 06, 07, 09
+
+
+def with_d_for_a(theta, d, a, alpha):
+    return rot_z(theta) @ trans_z(d) @ trans_x(d) @ rot_x(alpha)
+
+
+def with_theta_for_alpha(theta, d, a, alpha):
+    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(theta)
+
+
+def not_written_yet(alpha):
+    return None
+
+
+def with_nothing(theta, d, a, alpha):
+    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ not_written_yet(alpha)
+
+
+def seen_from_the_end(theta, d, a, alpha):
+    return inverse(rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha))
+
+
+def the_other_conventions(theta, d, a, alpha):
+    return rot_x(alpha) @ trans_x(a) @ rot_z(theta) @ trans_z(d)
+
+
+def both_converted(rows, q):
+    T = np.eye(4)
+    for (offset, d, a, alpha), x in zip(rows, q):
+        theta, alpha = offset + np.deg2rad(x), np.deg2rad(alpha)
+        T = T @ rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)
+    return T
+
+
+MOVES = [
+    ("05.4", with_d_for_a, "d is used where a belongs", "entries"),
+    ("05.4", with_theta_for_alpha, "theta is used where alpha belongs", "differ"),
+    ("05.4", with_nothing, "is None or a single number", "4×4"),
+    ("05.4", seen_from_the_end, "T_ab is frame b written in frame a", "T_06"),
+    ("05.6", the_other_conventions, "the matrix of the other convention", "joins on the right"),
+    ("05.7", the_other_conventions, "the matrix of the other convention", "joins on the right"),
+    ("07.2", both_converted, "Converted to radians twice", "offset"),
+]
+
+
+@pytest.mark.parametrize("key, f, said, unsaid", MOVES)
+def test_what_is_said_of_moves_and_products(key, f, said, unsaid):
+    verdict = str(E[key].judge(f, 1))
+    assert said in verdict and unsaid not in verdict, verdict
+
+
+@pytest.mark.parametrize("f", [with_d_for_a, with_theta_for_alpha])
+def test_the_number_that_is_named_is_used_for_the_other(f):
+    assert programs.judged(E["05.4"].judge(f, 1), f, "dh_transform")

@@ -11,7 +11,7 @@ from ...doctor.programs.wrong.links import standard
 from ..kinds import Function, Known, Said
 from .orders03 import ARGUMENTS
 
-__all__ = ["ClosedForm", "OF_THE_MATRIX", "from_a_blog"]
+__all__ = ["ClosedForm", "OF_THE_MATRIX", "TYPED", "from_a_blog"]
 
 
 def from_a_blog(theta: float, d: float, a: float, alpha: float) -> NDArray:
@@ -131,4 +131,12 @@ OF_THE_MATRIX = {
     "standard-rows-in-craig-matrix": X_FIRST,
     "mirror": LEFT_HANDED,
     "sin-cos-exchanged": SIN_COS,
+}
+
+TYPED = {  # of a matrix that is typed entry by entry, in which no moves stand
+    "standard-rows-in-craig-matrix": Said(
+        "this is the matrix of the other convention, in which the x moves come before the z moves",
+        next="Of standard rows the last column is a cos θ, a sin θ, d. What stands there in yours?",
+        place="the last column is a, −d sin α, d cos α",
+    )
 }

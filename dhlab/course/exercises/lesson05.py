@@ -17,7 +17,7 @@ from .answers05 import (
     wrong_origins,
     wrong_slides,
 )
-from .closed05 import OF_THE_MATRIX, ClosedForm, from_a_blog
+from .closed05 import OF_THE_MATRIX, TYPED, ClosedForm, from_a_blog
 
 __all__ = ["EXERCISES"]
 
@@ -168,7 +168,7 @@ EXERCISES = [
         family="dh_transform",
         sparing=True,
         praise="The same matrix, in closed form.",
-        words=OF_THE_MATRIX,
+        words=OF_THE_MATRIX | TYPED,
         hints=(
             (
                 "First column: the x arrow after the turn by θ. Last column: a times that arrow,"
@@ -191,7 +191,7 @@ EXERCISES = [
         sparing=True,
         handed_out=from_a_blog,
         praise="One sign. It hides whenever α is 0, and also at θ = ±90°.",
-        words=OF_THE_MATRIX,
+        words=OF_THE_MATRIX | TYPED,
         hints=(
             "Compare the third column with that of your dh_closed.",
             (
@@ -256,8 +256,8 @@ EXERCISES = [
             ),
             "positions": Option(
                 "compare the positions only, that is what counts",
-                "α never enters the position of its own link: half of the matrix would go"
-                " untested.",
+                "α never enters the position of its own link: the nine numbers of the rotation"
+                " would go untested.",
                 "only-zero-pose-checked",
             ),
             "general": Option(

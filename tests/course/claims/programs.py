@@ -189,6 +189,17 @@ def columns(p, place):
     return p.fits(read)
 
 
+def used_for(p, place):
+    given, wanted = (NAMES.index(name) for name in place.split()[::4][:2])
+
+    def used(rows, q):
+        rows[:, 0] += q
+        rows[:, wanted] = rows[:, given]
+        return rows, 0 * q
+
+    return p.fits(used)
+
+
 def another_joint(p, place):
     step = {"before": 1, "after": -1}.get(place.split(",")[0].split()[-1], 0)
     if "this joint's q" in place:
@@ -317,6 +328,7 @@ CLAIMS = {
         ["theta"] if "about z" in place or place.startswith("theta turns") else ["theta", "alpha"],
         lambda x: -x,
     ),
+    "one-number-for-another": used_for,
     "alpha-sign": lambda p, place: p.has(["alpha"], lambda x: -x),
     "length-sign": lambda p, place: p.has(lengths(place), lambda x: -x),
     # of a chain no number is named: "a negative length"

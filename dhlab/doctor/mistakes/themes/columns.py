@@ -126,6 +126,19 @@ def _q_in(column):
     return change
 
 
+@mistake("one-number-for-another")
+def one_number_for_another():
+    for given, wanted in ((1, 2), (2, 1), (0, 3), (3, 0)):
+        place = f"{NAMES[given]} is used where {NAMES[wanted]} belongs"
+        yield Slip("arguments", place, _used_for(given, wanted))
+
+
+def _used_for(given, wanted):
+    """One number used in two places: its own, and that of another."""
+    order = tuple(given if k == wanted else k for k in range(4))
+    return lambda *row: tuple(row[k] for k in order)
+
+
 def _joint_columns_swapped(n):
     for i, j in combinations(range(n), 2):
         order = [j if k == i else i if k == j else k for k in range(n)]

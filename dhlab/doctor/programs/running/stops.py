@@ -41,6 +41,12 @@ _WORDS = (
     ),
     (
         "ValueError",
+        r"does not have enough dimensions \(has 0",
+        "One of the two is None or a single number: does every function that is called there return"
+        " its matrix?",
+    ),
+    (
+        "ValueError",
         r"matmul|not aligned|broadcast together|dot:",
         "These two have shapes that cannot be combined: print both with .shape. A pose is 4×4; a"
         " 3×4 block lacks its last row 0 0 0 1, a 3×3 block its fourth row and column.",

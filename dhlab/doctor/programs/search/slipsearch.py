@@ -50,7 +50,13 @@ def search(answers, cases, kind, tolerance=1e-9, pairs=True):
             several = wrong_entries(answers, cases, tolerance)
             if several:
                 return several, ()
-        return next(trial.fitting(two_slips(trial)), ()) if pairs else (), ()
+        both = list(trial.fitting(two_slips(trial))) if pairs else []
+        return min(both, key=_kinds, default=()), ()
+
+
+def _kinds(made):
+    """How many different mistakes slips are: one that is made in two places goes first."""
+    return len({slip.mistake for slip in made})
 
 
 def _first_cases(cases, kind):
