@@ -5,6 +5,7 @@ sentence fits the answer that it is said of.
 import numpy as np
 import pytest
 from claims import programs
+from claims.advice import unfounded
 from right_ways_08 import frames_of
 from scipy.spatial.transform import Rotation
 
@@ -223,7 +224,7 @@ MOVES = [
     ("05.4", seen_from_the_end, "T_ab is frame b written in frame a", "T_06"),
     ("05.6", the_other_conventions, "the matrix of the other convention", "joins on the right"),
     ("05.7", the_other_conventions, "the matrix of the other convention", "joins on the right"),
-    ("07.2", both_converted, "Converted to radians twice", "offset"),
+    ("07.2", both_converted, "onverted to radians twice", "offset"),
 ]
 
 
@@ -236,3 +237,8 @@ def test_what_is_said_of_moves_and_products(key, f, said, unsaid):
 @pytest.mark.parametrize("f", [with_d_for_a, with_theta_for_alpha])
 def test_the_number_that_is_named_is_used_for_the_other(f):
     assert programs.judged(E["05.4"].judge(f, 1), f, "dh_transform")
+
+
+@pytest.mark.parametrize("key, f", [(key, f) for key, f, *_ in JACOBIANS + SOLVERS + MOVES])
+def test_reasons_and_next_steps_hold(key, f):
+    assert not [*unfounded(E[key], E[key].judge(f, 1), f, 1)]

@@ -14,6 +14,7 @@ from dhlab.course.kinds.placed import Frames
 from .catalogued import CATALOGUED
 from .facts import (
     arrows_are_columns,
+    last_column_of_standard,
     last_row_carries,
     lies,
     new_z_after_tipping,
@@ -34,9 +35,9 @@ from .tasks import OF_FRAMES, TASKS
 
 CHAINS = ("forward_kinematics", "jacobian", "inverse_kinematics", "branches")
 ASKS = re.compile(
-    "(Add|Ask|Begin|Call|Change|Compare|Compute|Convert|Copy|Count|Derive|Divide|Draw|Give|Go|Keep|"
-    "Look|Make|Move|Multiply|One|Pick|Point|Print|Put|Read|Round|Run|Say|Set|Sight|Solve|Start|"
-    "Take|Thumb|Try|Turn|Write|For each length) ?.*"
+    "(Add|Ask|Begin|Call|Change|Compare|Compute|Convert|Copy|Count|Derive|Divide|Draw|Give|Go|"
+    "Hand|Keep|Look|Make|Move|Multiply|One|Pick|Point|Print|Put|Read|Round|Run|Say|Set|Sight|Solve|"
+    "Start|Take|Thumb|Try|Turn|Use|Write|For each length) ?.*"
 )
 HINT = re.compile(r'hint\("[0-9.]+"\) gives a first hint\.')
 
@@ -216,7 +217,14 @@ ASSERTED = [
      of("08.9")),
     (r"(Every step begins where the last one ended|Near a singularity the plain inverse asks for"
      r" enormous joint steps|Everything else needs the frames of this q|The step must go from here"
-     r" to the goal)\.", of("08.5")),
+     r" to the goal)\.", of("08.5", "08.6")),
+    (r"In a call or a formula one name stands where another is meant\.", program),
+    (r"T_ab and T_ba are both poses between the same two frames\.|The subscripts say which one is"
+     r" asked\.", fact(arrows_are_columns)),
+    (r"Of standard rows the last column is a cos θ, a sin θ, d\.", fact(last_column_of_standard)),
+    (r"p and p_goal are written in the base, and so is their difference\.", of("08.4", "08.6")),
+    (r"\(J Jᵀ \+ λ² 1\)⁻¹ e is no step of the joints yet: .+|dq is J\.T @ what you have\.",
+     of("08.6")),
     (r"Parallel axes have the same direction or the opposite one: these two have not\.",
      not_so("parallel")),
     (r"Skew axes differ in direction: these two do not\.", not_so("skew")),

@@ -179,3 +179,6 @@ def turns_look_alike():
         i, j = np.argwhere(R < -1e-9)[0]
         minus.append(i > j)
     return minus == [False, True, False]
+def last_column_of_standard():
+    theta, d, a, _ = row = [0.4, 0.3, 0.5, 0.9]
+    return np.allclose(link(row, STANDARD)[:3, 3], [a * np.cos(theta), a * np.sin(theta), d])
