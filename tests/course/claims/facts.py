@@ -54,6 +54,11 @@ def new_z_after_tipping():
     return not np.allclose(tipped, [0, 0, 1]) and np.allclose(gone, 0.3 * tipped)
 
 
+def last_column_of_standard():
+    theta, d, a, _ = row = [0.4, 0.3, 0.5, 0.9]
+    return np.allclose(link(row, STANDARD)[:3, 3], [a * np.cos(theta), a * np.sin(theta), d])
+
+
 def last_row_carries():
     left, right = link([0, 0.3, 0.4, 0], STANDARD), link([0.2, 0.1, 0.2, 0.3], STANDARD)
     without = right * [[1], [1], [1], [0]]
@@ -179,6 +184,3 @@ def turns_look_alike():
         i, j = np.argwhere(R < -1e-9)[0]
         minus.append(i > j)
     return minus == [False, True, False]
-def last_column_of_standard():
-    theta, d, a, _ = row = [0.4, 0.3, 0.5, 0.9]
-    return np.allclose(link(row, STANDARD)[:3, 3], [a * np.cos(theta), a * np.sin(theta), d])
