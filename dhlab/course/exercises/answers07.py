@@ -17,6 +17,7 @@ from .answers06 import ARTICLE
 
 __all__ = [
     "CAUSES",
+    "CRANE",
     "OF_SYMPTOMS",
     "PUMA",
     "article",
@@ -39,6 +40,11 @@ PUMA: list[list[float]] = [
     [0, 0.4318, 0, 90],
     [0, 0, 0, -90],
     [0, 0, 0, 0],
+]
+CRANE: list[list[float]] = [  # of 07.4: of another arm than 07.6, whose right table it would show
+    [0, 0.3, 0, 90],
+    [0, 0, 0.5, 0],
+    [0, 0.1, 0.4, 0],
 ]
 CAUSES = {
     "base-height": ("the base's height is missing", "base-height-missing-or-twice"),

@@ -8,9 +8,9 @@ from ...doctor.programs.wrong.products import product
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Value
 from ..kinds.repaired import Impostor, Repair
-from .answers06 import ARTICLE
 from .answers07 import (
     CAUSES,
+    CRANE,
     OF_SYMPTOMS,
     PUMA,
     article,
@@ -68,8 +68,8 @@ EXERCISES = [
         id="07.4",
         title="A wrong table that passes q = 0",
         points=2,
-        answer=article,
-        handed_out=lambda: ARTICLE,
+        answer=lambda: Arm(DHTable.standard(CRANE, angle="deg")),
+        handed_out=lambda: CRANE,
         praise="A perfect impostor.",
         hints=(
             (

@@ -803,7 +803,8 @@ REPAIR = [
 
 def _at_zero(answer, g, f):
     arm, right = arm_of(answer, g)
-    A, B = ends(arm, np.zeros(6))[0], ends(right, np.zeros(6))[0]
+    zero = np.zeros(len(right))
+    A, B = ends(arm, zero)[0], ends(right, zero)[0]
     turn = np.degrees(np.arccos(np.clip((np.trace(A[:3, :3].T @ B[:3, :3]) - 1) / 2, -1, 1)))
     way = 1000 * np.linalg.norm(A[:3, 3] - B[:3, 3])
     return np.allclose([float(f["mm"]), float(f["deg"])], [way, turn], rtol=0.06, atol=0.02)
