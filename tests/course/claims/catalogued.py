@@ -58,7 +58,7 @@ CATALOGUED = [
      fact(left_hands_count_backwards)),
     (r"x, y and z must form a right hand: z = x × y\.|Here the origin is the last column and the"
      r" last row is 0 0 0 1\.|Some programs store matrices by column\.|Transpose it, or build it"
-     r" row by row\.|T_06 and T_60 are both poses between the same two frames\.|The subscripts say"
+     r" row by row\.|T_ab and T_ba are both poses between the same two frames\.|The subscripts say"
      r" which one is asked\.", fact(arrows_are_columns)),
     (r"They belong to the axis that stays\.", fact(one_keeps_its_row)),
     (r"(The three elementary rotations look alike|In that about y the sine with the minus stands"
