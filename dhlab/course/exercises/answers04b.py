@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ...placing.board import Placement
 from ..kinds import Known, Said
 from .answers04 import pose_of
 
@@ -16,9 +17,11 @@ __all__ = [
     "draw_spoilt_wrist",
     "draw_whole_arm",
     "explain_pairs",
+    "off_axis_4",
 ]
 
 PAIRS = ["meet", "parallel", "parallel", "meet", "meet"]  # the axes of the article's arm
+NEAR = 1e-3  # m, rad
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 MINUS_Y, MINUS_Z = [0, -1, 0], [0, 0, -1]
 
@@ -41,6 +44,17 @@ def _article(rng):
 def draw_half_arm(rng: np.random.Generator) -> dict[str, Any]:
     """The first three joints, and the forearm's end on the line of joint 4."""
     return {"axes": _article(rng)[:3], "end": pose_of(X, Z, MINUS_Y, [0.75, 0, 0.1])}
+
+
+def off_axis_4(task: Placement) -> str:
+    """What is said of a frame 3 that is right at the end of half an arm and not on the whole."""
+    beside = np.linalg.norm(np.cross(MINUS_Y, task.o[3] - [0.75, 0, 0.1])) > NEAR
+    if not beside and np.linalg.norm(np.cross(MINUS_Y, task.z[3])) < NEAR:
+        return ""
+    return (
+        " But your z3 does not lie on the axis of joint 4. Here frame 3 is the end, and free; on"
+        " the whole arm z3 must lie there, so move it before you go on."
+    )
 
 
 def draw_whole_arm(rng: np.random.Generator) -> dict[str, Any]:

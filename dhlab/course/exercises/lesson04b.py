@@ -3,6 +3,7 @@ off them, what is free, and three beginner's mistakes.
 """
 
 from ...arm import Arm
+from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Option, Order, Prediction
 from ..kinds.placed import Frames
@@ -14,6 +15,7 @@ from .answers04b import (
     draw_spoilt_wrist,
     draw_whole_arm,
     explain_pairs,
+    off_axis_4,
 )
 
 __all__ = ["EXERCISES"]
@@ -47,6 +49,7 @@ EXERCISES = [
         title="The article's arm, shoulder to forearm",
         points=2,
         draw=draw_half_arm,
+        warning=off_axis_4,
         praise="Half the arm stands: z0, z1 and z2 lie on the axes of joints 1, 2 and 3.",
         hints=(
             "Frames 0 and 1 are placed. z2 lies on the axis of joint 3; frame 3 stands at the"
@@ -59,7 +62,9 @@ EXERCISES = [
         title="The article's arm, whole",
         points=3,
         draw=draw_whole_arm,
-        praise="Seven frames on six bare axes: the table of lesson 06 can be read off them.",
+        published=lambda **given: load("article-6r"),
+        known_as="that of lesson 06",
+        praise="Seven frames on six bare axes.",
         hints=(
             "z4 is on the axis of joint 5, z5 on that of joint 6, and z6 is yours: along the tool.",
             "Axes 4, 5 and 6 meet in one point. There o4 and o5 stand, each x at right angles to"
@@ -70,6 +75,7 @@ EXERCISES = [
         id="04.14",
         title="One frame too far",
         draw=draw_spoilt_wrist,
+        sparing=True,
         praise="The wrist's axes meet, and the origin stands where they do. All else was allowed.",
         hints=(
             "Go from frame to frame and say the case of the two axes: which rule does each keep?",
@@ -146,7 +152,7 @@ EXERCISES = [
         options={
             "nothing": Option(
                 "nothing: the line is the same, only the arrow differs",
-                "α is an angle between arrows, and d and θ are counted along one.",
+                "α is an angle between arrows; d is counted along one, and θ about one.",
                 "z-flip-incomplete",
             ),
             "alpha-2": Option(
@@ -228,15 +234,15 @@ EXERCISES = [
                 "A constant on the right of the product: arm.tool. Neither table is wrong.",
             ),
             "length": Option(
-                "one of the tables has a wrong a or d",
-                "Then the difference would change with the joints behind that row; only the last"
-                " row, which leads to the end itself, has none behind it.",
+                "one of the tables has a wrong a in row 2",
+                "Then the end is off along x2, and in the tool's own directions x2 turns with every"
+                " joint behind row 2. This difference does not.",
                 "length-value",
             ),
             "base-frame": Option(
                 "the two did not agree on the base frame",
-                "A base difference is constant in the base's directions. This one turns with the"
-                " wrist.",
+                "Then the difference depends on where the point is alone: turn the wrist about it,"
+                " and it stays. This one turns with the wrist.",
                 "base-turned",
             ),
             "convention": Option(

@@ -3,6 +3,7 @@ and the units of their origins.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -13,8 +14,9 @@ from ...printing import number
 from .exercise import Said, untouched
 from .reading import as_numbers, unusable
 
-__all__ = ["far_away", "first_wrong", "in_other_units", "rows_of"]
+__all__ = ["far_away", "first_wrong", "in_another_order", "in_other_units", "rows_of"]
 
+PARTS = "z", "origin", "x"
 LENGTHS = {"millimetres": 1000, "centimetres": 100}
 # one or two of x, y, z
 COORDINATES = "x", "y", "z", "xy", "xz", "yz"
@@ -94,6 +96,21 @@ def _origins(points, wrong):
         for names in COORDINATES:
             places = np.array([name in names for name in "xyz"], dtype=int)
             yield f"{' and '.join(names)} of o{i}", [i], places
+
+
+def in_another_order(given: Mapping[str, Any], rows: Sequence[Any]) -> Said | None:
+    """What is said of rows that would be right with their three entries in another order; None."""
+    if any(untouched(part) for row in rows for part in row):
+        return None
+    for order in list(permutations(range(3)))[1:]:
+        turned = [[row[k] for k in order] for row in rows]
+        if first_wrong(Placement(given["axes"], given["end"]), turned) is None:
+            found = ", ".join(PARTS[order.index(k)] for k in range(3))
+            return Said(
+                f"the rows hold {found}; they are asked as z, origin, x",
+                next="Write each frame's z first, its origin second, its x last.",
+            )
+    return None
 
 
 def far_away(task: Placement) -> Said | None:

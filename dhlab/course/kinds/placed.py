@@ -8,13 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from ...arm import Arm
 from ...geometry.equivalence import equivalent
 from ...placing.board import Placement
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from . import Exercise, Said, untouched
 from .drawn import drawn_frames
-from .framed import far_away, first_wrong, in_other_units, rows_of
+from .framed import far_away, first_wrong, in_another_order, in_other_units, rows_of
 from .kept import kept_apart
+from .reading import as_numbers
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 
@@ -88,11 +90,21 @@ WORDS = {
         "Is the origin right? Then point from the one axis straight across to the other.",
     ),
 }
+# of a frame that has no z before it
+WORDS_OF_FIRST = {
+    "origin-off-z": (BESIDE[0], "Put the origin on z_i itself; any point of it will do."),
+    "x-along-z": (
+        "The three arrows of a frame stand at right angles to each other.",
+        "Any x_i at right angles to z_i will do: their scalar product must be 0.",
+    ),
+}
+WORDS_OF_FIRST["x-not-across-z"] = WORDS_OF_FIRST["x-along-z"]
 SLIDES = (
     "z lies along the direction of the slide, either way: a row's d is counted along z.",
     "Move the joint alone. Along which direction do all its points go?",
 )
 KINDS = {"z": "a z arrow", "o": "an origin", "x": "an x arrow"}  # told before the frame is
+BY_HAND = 1e-3  # m; of arrows, of their length: nearer, a step is the same
 TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
@@ -102,10 +114,16 @@ class Frames(Exercise):
 
     ``draw(rng)`` gives the task's ``axes`` and ``end`` as :func:`dhlab.assign_frames` takes them;
     for a "smallest fix" also ``frames``, the broken ones that are handed out, which are no attempt
-    as long as they are unchanged. What is still ``...`` is left out, and what is there is judged.
+    as long as they are unchanged; only the step that breaks a rule may then be another one. What is
+    still ``...`` is left out, and what is there is judged. ``published(**given)`` is an Arm whose
+    table is known by a name, ``known_as``: it is named of frames whose table it is, and others are
+    compared with it; ``warning(task)`` is said of right frames that will not do later on.
     """
 
     draw: Callable
+    published: Callable[..., Arm] | None = None
+    known_as: str = "ours"
+    warning: Callable[[Placement], str] = lambda task: ""
 
     @kept_apart
     def given(self, variant: int) -> Mapping[str, Any]:
@@ -136,7 +154,10 @@ class Frames(Exercise):
             unit = in_other_units(given, rows, wrong.step)
             if unit:
                 return self.told("length-unit", unit)
-            return self.slowly(self._refused(task, wrong, _was_allowed(task, given, rows, wrong)))
+            order = in_another_order(given, rows)
+            if order:
+                return self.told(None, order)
+            return self.slowly(self._refused(task, wrong, _was_allowed(given, rows)))
         far = far_away(task)
         if far:
             return self.told("length-unit", far)
@@ -150,7 +171,35 @@ class Frames(Exercise):
             return self.say(
                 NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}."
             )
-        return self.say(RIGHT, self.praise + ("" if "frames" in given else _other_choices(task)))
+        return self._mended(given, rows) if "frames" in given else self._finished(task, given)
+
+    def _finished(self, task, given):
+        """The Verdict on right frames: whose table theirs is, or how it is another one."""
+        known = self.published and self.published(**given)
+        choices = [c.message for c in equivalent(known or task.model, task.arm).differences]
+        if choices:
+            more = f" and {len(choices) - TOLD} more" if len(choices) > TOLD else ""
+            told = "; ".join(choices[:TOLD]) + more
+            says = f" The table of your frames is another right one than {self.known_as}: {told}."
+        else:
+            says = f" The table of your frames is {self.known_as}." if known else ""
+        return self.say(RIGHT, self.praise + says + self.warning(task))
+
+    def _mended(self, given, rows):
+        """The Verdict on somebody's frames that keep every rule now: the step that broke one may be
+        changed, and no other.
+        """
+        needless = _needless(given, rows)
+        if not needless:
+            return self.say(RIGHT, self.praise)
+        choice = "a choice" if len(needless) == 1 else "choices"
+        return self.slowly(
+            self.wrong(
+                headline="every rule is kept now, but more was changed than had to be",
+                place=f"{', '.join(needless)}: allowed as handed out, {choice} and no broken rule",
+                next="Put back what was allowed, and leave changed what broke a rule.",
+            )
+        )
 
     def drawn(self, answer: Any, variant: int = 0) -> Any:
         given = self.given(variant)
@@ -180,13 +229,12 @@ class Frames(Exercise):
                 SLIDES,
             )
         else:
-            message, (why, next_step) = judgement.message, WORDS.get(rule, ("", ""))
+            message = judgement.message
+            why, next_step = (i == 0 and WORDS_OF_FIRST.get(rule)) or WORDS.get(rule, ("", ""))
         what = KINDS[step[0]] if self.sparing else step
         headline = f"{what} is not right. {message}{allowed}"
         if not why:
             return self.wrong(mistake, headline=headline, place=step)
-        if i == 0 and (why, next_step) == BESIDE:
-            next_step = "Put the origin on z_i itself; any point of it will do."
         why, next_step = (text.replace("_i", str(i)) for text in (why, next_step))
         return self.wrong(mistake, place=Said(headline, next=next_step, why=why, place=step))
 
@@ -200,33 +248,33 @@ def _same(answer, frames):
         return False
 
 
-def _was_allowed(task, given, rows, wrong):
+def _was_allowed(given, rows):
     """Which of the steps that a learner changed were right as they were handed out, as a sentence;
     "" when none was.
     """
-    if "frames" not in given:
-        return ""
-    handed_out = Placement(given["axes"], given["end"])
-    broken = first_wrong(handed_out, given["frames"])
+    needless = _needless(given, rows) if "frames" in given else []
+    were = "was" if len(needless) == 1 else "were"
+    return f" {' and '.join(needless)} {were} allowed as handed out." if needless else ""
+
+
+def _needless(given, rows):
+    """The steps that were changed and broke no rule as they were handed out."""
+    broken = first_wrong(Placement(given["axes"], given["end"]), given["frames"])
     changed = [
         f"{letter}{i}"
         for i, (row, frame) in enumerate(zip(rows, given["frames"]))
         for letter, part, before in zip("zox", row, frame)
-        if not untouched(part) and not _same([[part]], [[before]])
+        if not untouched(part) and not _same_step(letter, part, before)
     ]
-    allowed = [step for step in changed if broken is None or step != broken.step]
-    return (
-        f" {' and '.join(allowed)} {'was' if len(allowed) == 1 else 'were'} allowed as handed out."
-        if allowed
-        else ""
-    )
+    return [step for step in changed if broken is None or step != broken.step]
 
 
-def _other_choices(task):
-    """Which free choices were taken in another way than assign_frames takes them."""
-    found = [choice.message for choice in equivalent(task.model, task.arm).differences]
-    if not found:
-        return ""
-    more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
-    told = "; ".join(found[:TOLD])
-    return f" The table of your frames is another right one than ours: {told}{more}."
+def _same_step(letter, part, before):
+    """Whether a step is as it was, within the inexactness of a hand; an arrow may be of another
+    length.
+    """
+    part, before = as_numbers(part), as_numbers(before)
+    if part.shape != before.shape:
+        return False
+    length = 1 if letter == "o" else np.linalg.norm(part) or 1
+    return bool(np.linalg.norm(part / length - before) <= BY_HAND)

@@ -4,6 +4,8 @@ import re
 
 import numpy as np
 
+from dhlab.placing.board import Placement
+
 from .general import FACTORS
 
 SMALL = 2e-3  # rad, m
@@ -186,6 +188,8 @@ def true_of(verdict, answer, given):
     if far:
         point = np.asarray(answer[int(far["i"])][1], dtype=float)
         return abs(np.linalg.norm(point) - float(far["m"])) <= 0.5
+    if verdict.headline.startswith("every rule is kept now"):
+        return _changed_needlessly(answer, given, verdict.place.split(":")[0].split(", "))
     told = verdict.headline.replace("an origin", verdict.place).replace("an x arrow", verdict.place)
     told = told.replace("a z arrow", verdict.place)
     for pattern, holds in OF_STEPS:
@@ -194,6 +198,20 @@ def true_of(verdict, answer, given):
             board = Board(answer, given, found["step"])
             return bool(holds(board, found)) and _kept(answer, given, found["kept"])
     return None
+
+
+def _changed_needlessly(answer, given, named):
+    """Each is otherwise than it was, and with them put back the frames are as good."""
+    back = [list(row) for row in answer]
+    for step in named:
+        i, k = int(step[1:]), "zox".index(step[0])
+        if np.allclose(np.asarray(answer[i][k], dtype=float), given["frames"][i][k], atol=1e-3):
+            return False
+        back[i][k] = given["frames"][i][k]
+    board = Placement(given["axes"], given["end"])
+    return all(board.set_z(i, z) for i, (z, _, _) in enumerate(back)) and all(
+        board.set_origin(i, o) and board.set_x(i, x) for i, (_, o, x) in enumerate(back)
+    )
 
 
 def _kept(answer, given, kept):

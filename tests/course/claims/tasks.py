@@ -56,6 +56,8 @@ TASKS = [
 ]  # fmt: skip
 OF_FRAMES = [  # rules of placing, which tests/placing tries on boards
     r"Metres are asked\.",
+    r"The three arrows of a frame stand at right angles to each other\.",
+    r"Any x(\d) at right angles to z\1 will do: their scalar product must be 0\.",
     r"The first turn of a row is about the z before it: z0 belongs to joint 1, .+",
     r"A housing may sit anywhere along its axis; the four numbers know only the line\.",
     r"A row turns about the z before it, and then about x(\d): only an x\1 at right angles to .+",
