@@ -314,17 +314,17 @@ def test_everybody_reads_a_table_of_their_own():
 
 
 @pytest.mark.slow
-def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
+def test_the_table_of_the_frames_of_04_5_passes_and_wrong_ones_are_named():
     exercise = E["04.5"]
     (_, h, _, _), (_, side, upper, _), (_, _, fore, _) = rows = read()
     # x1 turned round
     flipped = [[180, h, 0, -90], [-90, side, upper, 0], [-90, 0, fore, -90]]
     slid = [[0, h, 0, 90], [90, 0, upper, 0], [-90, side, fore, -90]]  # o2 slid along z2
+    for other in (flipped, slid):
+        assert "a table of other frames" in exercise.judge(other).headline
     for answer in (
         rows,
         np.array(rows),
-        flipped,
-        slid,
         [[theta + 360, d, a, alpha - 360] for theta, d, a, alpha in rows],
     ):
         assert exercise.judge(answer).status == "right", answer
@@ -347,6 +347,12 @@ def test_every_right_table_of_04_5_passes_and_wrong_ones_are_named():
         ([(0, 3, -90)], "alpha-sign", "α1 has the wrong sign"),
         ([(0, 1, lambda d: d + 0.1)], "length-value", "d1 has another value"),
         ([(2, 2, lambda a: 1000 * a)], "length-unit", "millimetres"),
+        ([(1, 0, np.pi / 2), (2, 0, -np.pi / 2)], "angle-unit", "θ in radians"),
+        (
+            [(1, 0, np.pi / 2), (2, 0, -np.pi / 2), (2, 3, -np.pi / 2)],
+            "angle-unit",
+            "θ and α3 in radians",
+        ),
         ([(1, 0, -90), (0, 3, -90)], "x-flip-incomplete", "An x axis was turned round"),
     ],
 )

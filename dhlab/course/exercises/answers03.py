@@ -10,7 +10,7 @@ from ...table import DHTable
 from ..kinds import Mistakes, Said, numbers
 
 __all__ = [
-    "SIGNS",
+    "COPIED",
     "badly_repaired",
     "draw_broken",
     "draw_craig",
@@ -25,13 +25,6 @@ __all__ = [
 COPIED = (
     "A conversion changes no number, only its row. Compare signs and digits with the given table."
 )
-
-SIGNS = {
-    "alpha-sign": Said("an α has the other sign", next=COPIED),
-    "length-sign": Said("a length has the other sign", next=COPIED),
-    "offset-sign": Said("a θ has the other sign", next=COPIED),
-    "lengths-made-positive": Said("the lengths have lost their signs", next=COPIED),
-}
 
 
 def _draw_rows(rng, n):
@@ -94,7 +87,7 @@ def half_to_craig(rows: list[list[float]]) -> Mistakes:
             "from row 2 on the pairs moved up; from standard to Craig they move down",
             up,
         ),
-        ("the last pair came back in row 1; it belongs into the tool", "", rolled),
+        ("the last pair came back in row 1; it belongs in the tool", "", rolled),
         ("θ and d moved, a and α did not", "from row 2 on θ and d moved, a and α did not", joints),
     ):
         yield "conversion-incomplete", _half(everywhere), wrong
@@ -165,6 +158,12 @@ def half_to_standard(rows: list[list[float]]) -> Mistakes:
             if not np.allclose(wrong[:-1], right[:-1]):
                 above = np.vstack([wrong[:-1], last])
                 yield "conversion-incomplete", _half(f"above the last row: {headline}"), above
+    rolled = np.column_stack([given[:, :2], np.roll(given[:, 2:], 1, axis=0)])
+    yield (
+        "conversion-incomplete",
+        _half("the pairs moved down; from Craig to standard they move up"),
+        rolled,
+    )
     yield (
         "conversion-incomplete",
         _half("the last row keeps a pair; nothing comes after it"),

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...table import DHTable
 from ..kinds import Known, Said, Table
+from ..kinds.entries import differing, in_part
 from ..verdict import RIGHT, WRONG, Verdict
 
 __all__ = [
@@ -190,8 +191,8 @@ NAMES, KINDS = ("θ", "d", "a", "α"), ("offset", "length", "length", "alpha")
 
 @dataclass(frozen=True, kw_only=True)
 class ReadTable(Table):
-    """A table to be read off frames that are drawn; says which single numbers were misread, and
-    when a right table is that of other frames.
+    """A table to be read off frames that are drawn; says which single numbers were misread. A right
+    table that is read off other frames of the arm is not the one that is asked.
 
     ``read(**given)`` gives the rows of the frames that are drawn, degrees and metres.
     """
@@ -206,31 +207,34 @@ class ReadTable(Table):
         rows = _numbers(answer, right.shape)
         if rows is None or verdict.status not in (RIGHT, WRONG):
             return verdict
-        off = np.abs(rows - right) > 1e-6
-        off[:, [0, 3]] = np.abs((rows - right + 180) % 360 - 180)[:, [0, 3]] > 1e-3
+        unit = in_part(rows, right, lambda i, k: f"{NAMES[k]}{i + 1}")
+        if unit:
+            return self.told(*unit)
+        off = differing(rows, right)
         named = [f"{NAMES[k]}{i + 1}" for i, k in np.argwhere(off)]
         if verdict.status == RIGHT:
-            return (
-                self.say(
-                    RIGHT,
-                    f"the same arm, yet these frames have another {', '.join(named)}."
-                    f" {self.praise}",
-                )
-                if named
-                else verdict
-            )
+            return self._of_other_frames(off, named) if named else verdict
         columns = np.flatnonzero(off.any(axis=0))
         if (
             len(columns) == 1
         ):  # more columns than one: a slip of another kind, of which the doctor knows more
             return self._misread(rows[off], right[off], off, int(columns[0]), named)
         if verdict.mistake is None:
-            i, k = np.argwhere(off)[0]
             return self.wrong(
                 headline=f"these frames have another {', '.join(named)}",
-                next=f"One number at a time. For {named[0]}: {ABOUT[k].format(i, i + 1)}",
+                next=_one_at_a_time(off, named),
             )
         return verdict
+
+    def _of_other_frames(self, off, named):
+        """The Verdict on a right table of the arm that is not read off these frames."""
+        return self.wrong(
+            "table-taken-as-unique",
+            place=Said(
+                f"the same arm, but a table of other frames: these have another {', '.join(named)}",
+                next=_one_at_a_time(off, named),
+            ),
+        )
 
     def _misread(self, given, right, off, k, named):
         one, i = len(named) == 1, int(np.argwhere(off)[0][0])
@@ -257,6 +261,12 @@ class ReadTable(Table):
             f"{KINDS[k]}-{slip}",
             place=Said(f"{' and '.join(named)} {said[slip]}", next=ABOUT[k].format(i, i + 1)),
         )
+
+
+def _one_at_a_time(off, named):
+    """The next step where numbers are not those of the frames: how the first is read."""
+    i, k = np.argwhere(off)[0]
+    return f"One number at a time. For {named[0]}: {ABOUT[k].format(i, i + 1)}"
 
 
 def _numbers(answer, shape):

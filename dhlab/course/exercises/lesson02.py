@@ -2,7 +2,8 @@
 why four are enough.
 """
 
-from ..kinds import Choice, Option, Order, Prediction, Table, Value
+from ..kinds import Choice, Option, Order, Prediction, Value
+from ..kinds.copied import Copied
 from .answers02 import (
     ENTRIES,
     MEASURED,
@@ -238,7 +239,7 @@ EXERCISES = [
             "A minus sign before d or a is no objection; a leftover that is not 0 is.",
         ),
     ),
-    Table(
+    Copied(
         id="02.7",
         practice=True,
         title="A maker's table in your own order",
@@ -246,6 +247,7 @@ EXERCISES = [
         draw=draw_printed,
         answer=printed_arm,
         mistakes=miscopied,
+        compared="Compare signs and digits with the printed table, number by number.",
         praise="The same numbers, each in its place: θ, d, a, α in degrees and metres.",
         hints=(
             "The printed rows hold θ, a, d, α. Which two change places?",

@@ -4,9 +4,10 @@ published tables apart, converting.
 
 from ...doctor.programs.cases import SPECIAL, general_row
 from ...doctor.programs.wrong.craig import craig
-from ..kinds import Choice, Option, Order, Prediction, Table, Value
+from ..kinds import Choice, Option, Order, Prediction, Value
+from ..kinds.copied import Copied
 from .answers03 import (
-    SIGNS,
+    COPIED,
     badly_repaired,
     draw_broken,
     draw_craig,
@@ -146,12 +147,12 @@ EXERCISES = [
             ),
             "mistyped": Option(
                 "the order of moves does not matter, the rows must have been mistyped",
-                "The rows are letter by letter those of the right table. The order does matter.",
+                "The rows are digit by digit those of the right table. The order does matter.",
                 "order-taken-for-free",
             ),
         },
     ),
-    Table(
+    Copied(
         id="03.7",
         title="From standard to Craig",
         points=2,
@@ -159,7 +160,7 @@ EXERCISES = [
         answer=to_craig,
         convention="craig",
         mistakes=half_to_craig,
-        words=SIGNS,
+        compared=COPIED,
         praise="θ and d stayed, the pairs moved down, the last one is the tool's.",
         hints=(
             (
@@ -172,13 +173,13 @@ EXERCISES = [
             ),
         ),
     ),
-    Table(
+    Copied(
         id="03.9",
         title="A table half converted",
         draw=draw_broken,
         answer=repaired,
         mistakes=badly_repaired,
-        words=SIGNS,
+        compared=COPIED,
         handed_out=lambda standard, converted: converted,
         sparing=True,
         praise="Column a had stayed behind. A half-converted table looks as tidy as a right one.",
@@ -285,7 +286,7 @@ EXERCISES = [
             ),
         ),
     ),
-    Table(
+    Copied(
         id="03.8",
         practice=True,
         title="From Craig to standard",
@@ -294,7 +295,7 @@ EXERCISES = [
         answer=to_standard,
         convention="standard",
         mistakes=half_to_standard,
-        words=SIGNS,
+        compared=COPIED,
         praise="The pairs moved up, and zeros stand in the last row.",
         hints=(
             "The other way round: which way do the pairs move now?",

@@ -205,7 +205,7 @@ EXERCISES = [
                 "The origin slides along z, d before it grows by what d behind it loses.",
             ),
             "neither": Option(
-                "neither: a step sideways belongs into a",
+                "neither: a step sideways belongs in a",
                 "a runs along x, across the axes. This step is along them.",
                 "a-d-exchanged",
             ),

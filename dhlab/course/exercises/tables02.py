@@ -120,21 +120,3 @@ def miscopied(arm: str, rows: list[list[float]]) -> Mistakes:
             ),
             right[:, order],
         )
-    yield (
-        "lengths-made-positive",
-        Said(
-            "the minus signs are gone",
-            why="d and a are coordinates along an arrow; α has its direction too.",
-            next="Copy every number with its sign.",
-        ),
-        np.abs(right),
-    )
-    yield (
-        "lengths-made-positive",
-        Said(
-            "the minus signs of d and a are gone",
-            why="d and a are coordinates along an arrow: against it they are negative.",
-            next="Copy every number with its sign.",
-        ),
-        np.column_stack([right[:, 0], np.abs(right[:, 1:3]), right[:, 3]]),
-    )

@@ -14,7 +14,7 @@ from ...table import DHTable
 from .exercise import Said
 from .units import LOOSELY, Group, in_other_units
 
-__all__ = ["SAME", "apart", "in_table_units", "size", "where"]
+__all__ = ["IN_DEGREES", "SAME", "apart", "in_table_units", "size", "where"]
 
 SAME = 1e-6  # rad, m; how far a right pose may be off
 COLUMNS = (("θ", "deg"), ("d", "m"), ("a", "m"), ("α", "deg"))

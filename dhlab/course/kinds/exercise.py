@@ -1,5 +1,6 @@
 """``Exercise``: what every kind of exercise has."""
 
+import re
 import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -13,6 +14,8 @@ from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 
 __all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "listed", "no_draw", "untouched"]
 
+GREEK = {"theta": "θ", "alpha": "α"}
+LETTERS = re.compile(r"(?<![\w.])(theta|alpha)(?![a-z])")
 MOST = 1000  # entries that are taken of an answer that may have no end
 UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
 # variants from here on, which only a released lesson has, show options in an order of their own
@@ -65,6 +68,7 @@ class Exercise:
     practice: bool = False
     undecided: str = "Good to say so. Read the paragraph above once more, then try."
     entry: ClassVar[str] = "number"  # what an entry of the answer is called
+    greek: ClassVar[bool] = False  # whether theta2 is told as θ2: no program is spoken of
 
     @property
     def worth(self) -> str:
@@ -139,6 +143,10 @@ class Exercise:
 
     def say(self, status: str, headline: str = "", **words: Any) -> Verdict:
         """A Verdict of this exercise."""
+        if self.greek:
+            headline = _in_greek(headline)
+            said = words.keys() & {"place", "why", "next"}
+            words |= {part: _in_greek(words[part]) for part in said}
         return Verdict(
             self.id,
             status,
@@ -207,6 +215,11 @@ class Exercise:
     def slowly(self, verdict: Verdict) -> Verdict:
         """The verdict, told bit by bit where the mistake is what the exercise asks for."""
         return replace(verdict, sparing=self.sparing)
+
+
+def _in_greek(text):
+    """A text with θ2 and α_i in place of theta2 and alpha_i, as the lessons write them."""
+    return LETTERS.sub(lambda found: GREEK[found[0]], text)
 
 
 def no_draw(rng: np.random.Generator) -> dict[str, Any]:

@@ -4,7 +4,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -120,6 +120,7 @@ class Frames(Exercise):
     compared with it; ``warning(task)`` is said of right frames that will not do later on.
     """
 
+    greek: ClassVar[bool] = True
     draw: Callable
     published: Callable[..., Arm] | None = None
     known_as: str = "ours"

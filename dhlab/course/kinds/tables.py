@@ -1,9 +1,10 @@
 """``Table``: a DH table to be written, judged by the arm it describes."""
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +67,7 @@ class Table(Exercise):
     one that is asked for, where the task asks for one ("" where any will do).
     """
 
+    greek: ClassVar[bool] = True
     answer: Callable
     draw: Callable = no_draw
     mistakes: Callable = lambda **given: ()
@@ -146,6 +148,13 @@ class Table(Exercise):
         """The Verdict on another arm than the right one."""
         if len(right) == 4 and max(apart(_turned_round(arm), right, q)) <= SAME:
             return self.told(None, ON_ITS_SIDE)
+        return self._slip(arm, right, q, variant) or self.wrong(
+            headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
+            place=where(arm, right, q),
+        )
+
+    def _slip(self, arm, right, q, variant):
+        """The Verdict on a slip that has a name; None."""
         unit = in_table_units(arm, right, q)
         if unit:
             return self.told(*unit)
@@ -153,12 +162,7 @@ class Table(Exercise):
         if known:
             return known
         finding = explain_rows(arm, right, q)
-        if finding:
-            return self.found(finding, right.table.convention)
-        return self.wrong(
-            headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
-            place=where(arm, right, q),
-        )
+        return finding and self.found(finding, right.table.convention)
 
     def known(self, arm: Arm, q: NDArray[np.float64], variant: int) -> Verdict | None:
         """The Verdict on an arm that the exercise's own mistakes make; None."""
@@ -223,7 +227,7 @@ class Table(Exercise):
         try:
             arm = as_arm(answer, right)
         except ValueError as error:
-            return self.wrong(headline=str(error))
+            return self.wrong(headline=re.sub(r"^DHTable\.\w+: ", "", str(error)))
         if len(arm) == len(right):
             return arm
         return self.wrong(

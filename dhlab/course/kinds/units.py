@@ -17,11 +17,16 @@ __all__ = ["FACTORS", "LOOSELY", "Group", "in_other_units", "of_places"]
 
 LOOSELY = 5e-3  # of the value; of poses rad and m: 1.57 is a rounded 90°, and still in radians
 DEGREES = 180 / np.pi
+MOST_TURNS = 720  # degrees that an angle may come to
 ASKED = {"deg": "degrees", "rad": "radians", "m": "metres", "m/s": "metres per second"}
 ASKED |= {"rad/s": "radians per second"}
 # by the unit that is asked: (what the answer is in, what it is multiplied by to be as asked)
 SLIPS = {
-    "deg": (("radians", DEGREES), ("degrees, converted to degrees once more", 1 / DEGREES)),
+    "deg": (
+        ("radians", DEGREES),
+        ("degrees, converted to degrees once more", 1 / DEGREES),
+        ("radians, taken times π/180 and not 180/π", DEGREES**2),
+    ),
     "rad": (("degrees", 1 / DEGREES), ("radians, converted to radians once more", DEGREES)),
     "m": (("millimetres", 1e-3), ("centimetres", 1e-2), ("metres, divided by 1000", 1e3)),
     "m/s": (("millimetres per second", 1e-3),),
@@ -70,7 +75,7 @@ def in_other_units(
     explain it are told.
     """
     for change in sorted(_changes(groups), key=len):
-        if any(_unlikely(answer[group.where], found) for group, found, _ in change):
+        if any(_unlikely(answer[group.where], group, factor) for group, _, factor in change):
             continue
         with np.errstate(over="ignore"):
             scaled = _scaled(answer, change)
@@ -118,12 +123,12 @@ def _readings(groups):
 FEW = 3  # groups of one unit, of which every subset is tried; of more, all together
 
 
-def _unlikely(numbers, found):
+def _unlikely(numbers, group, factor):
     """Whether a conversion would change nothing that can be seen, or make many turns of what are
     hardly radians.
     """
     largest = np.abs(numbers).max(initial=0)
-    return largest <= 1e-9 or (found == "radians" and largest > 4 * np.pi)
+    return largest <= 1e-9 or (group.unit == "deg" and factor > 1 and factor * largest > MOST_TURNS)
 
 
 def _said(change):

@@ -24,6 +24,11 @@ def sentence(verdict):
     return verdict.headline + (f" @ {verdict.place}" if verdict.place else "")
 
 
+def in_latin(said):
+    """As the catalogue and the doctor write it, whose words the course writes in Greek."""
+    return said.replace("θ", "theta").replace("α", "alpha")
+
+
 def judged(exercise, verdict, answer, variant):
     """Whether what is said of an answer is true of it; None where no predicate knows."""
     given = dict(exercise.given(variant)) | {"exercise": exercise, "variant": variant}
@@ -36,7 +41,7 @@ def holds_of(said, answer, given):
     if twofold:
         return _both(answer, given, *_halves(said.removeprefix("two slips: ")))
     for pattern, holds in [*CLAIMS.get(given["exercise"].id, ()), *GENERAL]:
-        found = re.fullmatch(pattern, said)
+        found = re.fullmatch(pattern, said) or re.fullmatch(pattern, in_latin(said))
         if found:
             return bool(holds(answer, given, found.groupdict()))
     return None

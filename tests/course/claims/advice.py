@@ -102,9 +102,10 @@ def not_so(case):
 ASSERTED = [
     *((pattern, of(*keys)) for pattern, keys in TASKS),
     *CATALOGUED,
-    (r"x_i turned round changes a_i, alpha_i, theta_i and theta_\{i\+1\}.*", fact(x_hangs_on_four)),
+    (r"x_i turned round changes a_i, (alpha|α)_i, (theta|θ)_i and (theta|θ)_\{i\+1\}.*",
+     fact(x_hangs_on_four)),
     (r"With one of them forgotten it is another arm\.", fact(x_hangs_on_four)),
-    (r"z_i turned round changes alpha_i, alpha_\{i\+1\}.*", lambda *case: (
+    (r"z_i turned round changes (alpha|α)_i, (alpha|α)_\{i\+1\}.*", lambda *case: (
         standard(*case) and z_hangs_on_five())),
     (r"z_i turned round changes α_\{i-1\} and α_i, which stand in rows i and i \+ 1.*",
      lambda *case: craig(*case) and z_of_craig()),

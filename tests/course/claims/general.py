@@ -8,6 +8,7 @@ FACTORS = {
     "radians": 57.29577951308232,
     "degrees": 0.017453292519943295,
     "degrees, converted to degrees once more": 0.017453292519943295,
+    "radians, taken times π/180 and not 180/π": 57.29577951308232**2,
     "radians, converted to radians once more": 57.29577951308232,
     "millimetres": 0.001,
     "centimetres": 0.01,

@@ -1,5 +1,6 @@
 """Claims about tables and the arms that they describe; forward kinematics by scipy's rotations."""
 
+import re
 from itertools import permutations, product
 
 import numpy as np
@@ -9,6 +10,7 @@ from scipy.optimize import least_squares
 import dhlab as dh
 from dhlab.course.kinds import as_arm
 
+from . import typed
 from .general import FACTORS
 from .vectors import walk
 
@@ -59,9 +61,10 @@ def in_units(answer, given, found):
     rows = degrees_of(arm)
     for what, unit in (("what", "unit"), ("more", "more_unit")):
         for name in filter(None, (found.get(what) or "").replace(" and ", ", ").split(", ")):
-            column, _, row = name.partition(" of row ")
-            which = slice(None) if not row else int(row) - 1
-            rows[which, COLUMN[column]] *= FACTORS[found[unit]]
+            of = re.fullmatch(r"(?P<column>[θdaα])(?: of row )?(?P<row>\d)?", name)
+            which = slice(None) if not of["row"] else int(of["row"]) - 1
+            factor = FACTORS[found[unit]]
+            rows[which, COLUMN[of["column"]]] *= factor
     return same(with_rows(arm, rows), right, 2e-2) and not same(arm, right)
 
 
@@ -219,7 +222,7 @@ ANOTHER = [
 ]
 UNITS = [
     (
-        r"in other units: (?P<what>[θα, and]+) in (?P<unit>[^;]+?), (?P<more>[da, n]+) in"
+        r"in other units: (?P<what>[θα][^;]*?) in (?P<unit>[^;]+?), (?P<more>[da][\d ,][^;]*?) in"
         r" (?P<more_unit>[^;]+); degrees and metres are asked",
         in_units,
     ),
@@ -405,10 +408,8 @@ DOCTOR = [
     (pattern + ROW, _over(change))
     for pattern, change in (
         (r"alpha has the wrong sign", lambda r: [r * [1, 1, 1, -1]]),
-        (r"an α has the other sign", lambda r: [r * [1, 1, 1, -1]]),
         (r"The zero offset is left out", lambda r: [r * [0, 1, 1, 1]]),
         (r"The zero offset has the wrong sign", lambda r: [r * [-1, 1, 1, 1]]),
-        (r"a θ has the other sign", lambda r: [r * [-1, 1, 1, 1]]),
         (r"The zero offset is counted twice", lambda r: [r * [2, 1, 1, 1]]),
         (
             r"All lengths were made positive",
@@ -421,10 +422,6 @@ DOCTOR = [
         (r"theta and alpha have changed places", lambda r: [r[:, [3, 1, 2, 0]]]),
         (
             r"A length has the wrong sign",
-            lambda r: [r * [1, -1, 1, 1], r * [1, 1, -1, 1], r * [1, -1, -1, 1]],
-        ),
-        (
-            r"a length has the other sign",
             lambda r: [r * [1, -1, 1, 1], r * [1, 1, -1, 1], r * [1, -1, -1, 1]],
         ),
     )
@@ -488,15 +485,7 @@ COPIED = [
             for o in ([0, 3, 2, 1], [3, 1, 2, 0], [1, 0, 2, 3], [0, 1, 3, 2])
         ),
     ),
-    (r"the minus signs are gone", is_arm(lambda g, f: np.abs(_maker(g, [0, 1, 2, 3])))),
-    (
-        r"the minus signs of d and a are gone",
-        is_arm(
-            lambda g, f: np.column_stack(
-                [_maker(g, [0]), np.abs(_maker(g, [1, 2])), _maker(g, [3])]
-            )
-        ),
-    ),
+    *typed.claims(lambda g: _maker(g, [0, 1, 2, 3])),
 ]
 
 
@@ -582,7 +571,7 @@ def _conversion(source, down):
             ),
         ),
         (
-            r"the last pair came back in row 1; it belongs into the tool",
+            r"the last pair came back in row 1; it belongs in the tool",
             below(lambda rows, right, f: np.column_stack([rows[:, :2], _pairs(rows, 1, True)])),
         ),
         (
@@ -611,38 +600,19 @@ def _conversion(source, down):
         ),
         (
             rf"{ABOVE}the pairs moved down; from Craig to standard they move up",
-            below(lambda rows, right, f: np.column_stack([rows[:, :2], _pairs(rows, 1)])),
+            lambda a, g, f: any(
+                below(
+                    lambda rows, right, f, w=w: np.column_stack([rows[:, :2], _pairs(rows, 1, w)])
+                )(a, g, f)
+                for w in (False, True)
+            ),
         ),
         (
             r"the last row keeps a pair; nothing comes after it",
             below(lambda rows, right, f: np.vstack([right[:-1], rows[-1]])),
         ),
-        (r"an α has the other sign @ row (?P<row>\d)", _of_row(3)),
-        (r"a θ has the other sign @ (?:joint|row) (?P<row>\d).*", _of_row(0)),
-        (r"a length has the other sign @ row (?P<row>\d), (?P<column>[da]).*", _of_row(None)),
-        (
-            r"the lengths have lost their signs.*",
-            lambda a, g, f: same(
-                arm_of(a, g)[0],
-                with_rows(
-                    right_of(g),
-                    degrees_of(right_of(g)) * [1, 0, 0, 1]
-                    + np.abs(degrees_of(right_of(g))) * [0, 1, 1, 0],
-                ),
-            ),
-        ),
+        *typed.claims(lambda g: parts(g)[1]),
     ]
-
-
-def _of_row(k):
-    """One number of the right table, with the other sign, makes the arm."""
-
-    def made(g, f):
-        rows = degrees_of(right_of(g))
-        rows[int(f["row"]) - 1, COLUMN[f["column"]] if k is None else k] *= -1
-        return rows
-
-    return is_arm(made)
 
 
 HALF_MENDED = [
@@ -724,6 +694,10 @@ DRAWN = [
     (rf"{NAMES} (?:has|have) the wrong sign", _misread(lambda x, right: np.isclose(x, -right))),
     (rf"{NAMES} (?:is|are) not 0: .+", _misread(lambda x, right: x == 0 != right)),
     (rf"{NAMES} (?:has|have) another value", _misread(lambda x, right: x != right)),
+    (
+        rf"the same arm, but a table of other frames: these have another {NAMES}",
+        lambda a, g, f: same(*arm_of(a, g)) and _misread(lambda x, right: x != right)(a, g, f),
+    ),
     (rf"these frames have another {NAMES}", _misread(lambda x, right: x != right)),
 ]
 

@@ -1,0 +1,147 @@
+"""Tables compared number by number: which entries differ from the right ones, and how. Rows are
+(n, 4) in degrees and metres, a mask (n, 4) says which entries are meant.
+"""
+
+from collections.abc import Callable
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .exercise import Said
+from .units import LOOSELY, Group, in_other_units
+
+__all__ = ["differing", "difference", "in_part", "places"]
+
+COLUMNS = "θ", "d", "a", "α"
+KINDS = "offset", "length", "length", "alpha"  # in the catalogue's ids
+ANGLES = np.array([True, False, False, True])
+ALIKE = np.array([1e-4, 1e-6, 1e-6, 1e-4])  # degrees, metres
+EXCHANGED = {(0, 3): "theta-alpha-exchanged", (1, 2): "a-d-exchanged"}
+NEAR = 0.1  # of the largest number of the column: a rounded number is no further off
+
+
+def differing(rows: NDArray, right: NDArray) -> NDArray[np.bool_]:
+    """The mask of the entries that differ; whole turns do not count."""
+    return np.abs(_apart(rows, right)) > ALIKE
+
+
+def _apart(rows, right):
+    off = rows - right
+    return np.where(ANGLES, (off + 180) % 360 - 180, off)
+
+
+def places(mask: NDArray[np.bool_]) -> str:
+    """The entries of a mask, in words.
+
+    Examples
+    --------
+    >>> places(np.array([[0, 0, 0, 0], [0, 0, 1, 1], [0, 1, 0, 0]], dtype=bool))
+    'row 2, a and α; row 3, d'
+    """
+    rows = [(i, [c for c, on in zip(COLUMNS, row) if on]) for i, row in enumerate(mask, 1)]
+    return "; ".join(f"row {i}, {_listed(names)}" for i, names in rows if names)
+
+
+def _listed(names):
+    *some, last = names
+    return f"{', '.join(some)} and {last}" if some else last
+
+
+def in_part(
+    rows: NDArray, right: NDArray, name: Callable[[int, int], str]
+) -> tuple[str, Said] | None:
+    """The slip of units that explains every entry that differs, with what is said of it; None.
+    ``name(row, column)`` names an entry, both from 0.
+    """
+    off = differing(rows, right)
+
+    def fits(numbers):
+        return (np.abs(numbers - right) <= LOOSELY * np.abs(right))[off].all()
+
+    groups = [
+        Group(_named(off & of, right, name), unit, off & of)
+        for of, unit in ((ANGLES, "deg"), (~ANGLES, "m"))
+        if (off & of).any()
+    ]
+    return in_other_units(rows, groups, fits) if groups else None
+
+
+def _named(mask, right, name):
+    """A column by its letter where all of it is meant that is not 0, else entry by entry."""
+    names = []
+    for k in np.flatnonzero(mask.any(axis=0)):
+        rows = np.flatnonzero(mask[:, k])
+        whole = not right[~mask[:, k], k].any()
+        names += [COLUMNS[k]] if whole else [name(i, k) for i in rows]
+    return _listed(names)
+
+
+def difference(rows: NDArray, right: NDArray) -> tuple[str | None, Said] | None:
+    """How rows differ from the right ones, as (mistake, what is said of it); None where most
+    numbers do, in no way that has a name.
+    """
+    off = differing(rows, right)
+    return _moved(rows, right, off) or _changed(rows, right, off)
+
+
+def _moved(rows, right, off):
+    """Two columns, rows or numbers in each other's places."""
+    wrong = off.any(axis=1)
+    found = [str(i + 1) for i in np.flatnonzero(wrong)]
+    where = f"{'row' if len(found) == 1 else 'rows'} {_listed(found)}"
+    for i, k in combinations(range(4), 2):
+        other = right.copy()
+        other[np.ix_(wrong, [i, k])] = right[np.ix_(wrong, [k, i])]
+        if not differing(rows, other).any():
+            said = f"{COLUMNS[i]} and {COLUMNS[k]} have changed places"
+            return EXCHANGED.get((i, k), "columns-misread"), Said(said, place=where)
+    for i, k in combinations(range(len(right)), 2):
+        order = np.arange(len(right))
+        order[[i, k]] = k, i
+        if not differing(rows, right[order]).any():
+            return None, Said(f"rows {i + 1} and {k + 1} have changed places")
+    if off.sum() == 2 and not differing(_exchanged(rows, off), right).any():
+        return None, Said("two numbers have changed places", place=places(off))
+    return None
+
+
+def _exchanged(rows, off):
+    other = rows.copy()
+    other[off] = rows[off][::-1]
+    return other
+
+
+def _changed(rows, right, off):
+    """Signs, digits or other values."""
+    n, columns = int(off.sum()), np.flatnonzero(off.any(axis=0))
+    kinds = {KINDS[k] for k in columns}
+    kind = kinds.pop() if len(kinds) == 1 else ""
+    one = n == 1
+    opposite = right.copy()
+    opposite[off] *= -1
+    if not differing(rows, opposite).any():
+        if (right[off] < 0).all():
+            said = "a minus sign is gone" if one else f"{n} minus signs are gone"
+            every = np.array_equal(off[:, 1:3], right[:, 1:3] < 0) and off[:, 1:3].any()
+            mistake = "lengths-made-positive" if every else kind and f"{kind}-sign"
+        else:
+            has = "one number has" if one else f"{n} numbers have"
+            said, mistake = f"{has} the other sign", kind and f"{kind}-sign"
+    elif all(_is_rounded(rows[i, k], right, i, k) for i, k in np.argwhere(off)):
+        said, mistake = ("one number is" if one else f"{n} numbers are") + " rounded", "pi-rounded"
+    elif 2 * n <= off.size:
+        said = "one number is not right" if one else f"{n} numbers are not right"
+        mistake = kind and f"{kind}-value"
+    else:
+        return None
+    return mistake or None, Said(said, place=places(off))
+
+
+def _is_rounded(x, right, i, k):
+    """Whether a number is the right one with fewer decimals; an angle also in radians."""
+    value = right[i, k]
+    if abs(x - value) > NEAR * np.abs(right[:, k]).max():
+        return False
+    readings = [(x, value), (np.deg2rad(x), np.deg2rad(value))] if ANGLES[k] else [(x, value)]
+    return any(abs(a - round(b, d)) < 1e-9 for a, b in readings for d in range(5))
