@@ -91,9 +91,9 @@ def test_what_was_typed_stays_and_a_checks_own_expression_is_left_alone(kernel):
 def test_an_order_waits_for_every_place(kernel):
     kernel("01-040", "chain = [..., ..., ..., ...]")
     kernel("01-041", 'check("01.5", chain)')
-    hands(kernel, "01.5", ["a", "b", "", ""])
+    hands(kernel, "01.5", ["e", "c", "", ""])
     assert "is not in the notebook" not in kernel("01-041", 'check("01.5", chain)')[0]
-    hands(kernel, "01.5", ["a", "b", "c", "d"])
+    hands(kernel, "01.5", ["e", "c", "a", "d"])
     told = kernel("01-040", "chain = [..., ..., ..., ...]")[1]
     assert told == [('chain = ["a", "b", "c", "d"]', True)]
 

@@ -70,25 +70,25 @@ def fails_by_name(key, answers, variant=0):
 
 
 def test_matching_the_four_numbers():
-    for right in (["a", "b", "c", "d"], "abcd", "A, B, C, D", ("a", " b", "c ", "D")):
+    for right in (["b", "e", "a", "d"], "bead", "B, E, A, D", ("b", " e", "a ", "D")):
         assert EXERCISES["02.1"].judge(right).status == "right"
     others = [
         list(letters)
         for letters in permutations("abcdef", 4)
-        if list(letters) != ["a", "b", "c", "d"]
+        if list(letters) != ["b", "e", "a", "d"]
     ]
     assert fails_by_name("02.1", others) == (359, 359)
     assert (
-        EXERCISES["02.1"].judge("acbd").mistake == "a-d-exchanged"
-        and EXERCISES["02.1"].judge("dbca").mistake == "theta-alpha-exchanged"
+        EXERCISES["02.1"].judge("baed").mistake == "a-d-exchanged"
+        and EXERCISES["02.1"].judge("deab").mistake == "theta-alpha-exchanged"
     )
     assert (
-        EXERCISES["02.1"].judge("ebcd").place == "θ"
-        and EXERCISES["02.1"].judge("abfd").place == "a"
+        EXERCISES["02.1"].judge("fead").place == "θ"
+        and EXERCISES["02.1"].judge("becd").place == "a"
     )
     assert (
-        EXERCISES["02.1"].judge("bacd").place == "θ, d"
-        and EXERCISES["02.1"].judge("abca").headline == "a stands there twice"
+        EXERCISES["02.1"].judge("ebad").place == "θ, d"
+        and EXERCISES["02.1"].judge("beab").headline == "b stands there twice"
     )
 
 
@@ -153,6 +153,37 @@ def test_slips_of_a_row_are_said_as_they_are(variant):
     assert "d is an array" in exercise.judge([theta, T[:3, 3], a, alpha], variant).headline
     assert exercise.judge([theta, d, a, -alpha], variant).mistake == "alpha-sign"
     assert exercise.judge([[1, 2], [1], 3, "x"], variant).status == "wrong"
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_formula_that_loses_a_sign_does_not_pass(variant):
+    """Of 02.3, in which no sign and no quadrant can be guessed."""
+    T = EXERCISES["02.3"].given(variant)["T_01"]
+    theta, d, a, alpha = read_with_scipy(T)
+    x, p = T[:3, 0], T[:3, 3]
+    for k, other in (
+        (0, np.rad2deg(np.arccos(x[0]))),
+        (0, np.rad2deg(np.arctan(x[1] / x[0]))),
+        (0, np.rad2deg(np.arcsin(x[1]))),
+        (2, np.linalg.norm(p[:2])),
+        (3, np.rad2deg(np.arccos(T[2, 2]))),
+        (3, np.rad2deg(np.arctan(T[2, 1] / T[2, 2]))),
+        (3, np.rad2deg(np.arcsin(T[2, 1]))),
+    ):
+        row = [theta, d, a, alpha]
+        row[k] = other
+        verdict = EXERCISES["02.3"].judge(row, variant)
+        assert verdict.status == "wrong" and "θdaα"[k] in verdict.headline + verdict.place
+        assert ("np.arccos" in verdict.why) == (k == 3 and np.isclose(other, -alpha))
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_one_condition_alone_tells_no_pose_that_a_row_makes(variant):
+    poses = EXERCISES["02.6"].given(variant).values()
+    leaning = [abs(T[2, 0]) < 1e-9 for T in poses]
+    passing = [abs(T[0, 0] * T[1, 3] - T[1, 0] * T[0, 3]) < 1e-9 for T in poses]
+    for answer in (leaning, passing):
+        assert EXERCISES["02.6"].judge(answer, variant).status == "wrong"
 
 
 @pytest.mark.slow
@@ -263,6 +294,8 @@ def test_the_bent_upper_arm(variant):
         [q2 + 79.34995, 0, 0.28948866, 0],
     ):  # the last as the maker prints it
         assert exercise.judge(dress, variant).status == "right"
+    rounded = exercise.judge([round(right[0]), *right[1:]], variant)
+    assert "rounded too early" in rounded.headline
     seen, named = fails_by_name("02.8", [value for _, _, value in exercise.mistakes(q2)], variant)
     assert seen == named >= 15
 

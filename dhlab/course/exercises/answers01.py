@@ -57,6 +57,14 @@ def misread_axis(T_01: NDArray) -> Mistakes:
     yield "rotation-block-misread", "this is the plate's y arrow", T_01[:3, 1]
     yield "rotation-block-misread", "this is the plate's z arrow", T_01[:3, 2]
     yield "rotation-block-misread", "this is the plate's origin", T_01[:3, 3]
+    yield (
+        "rotation-block-misread",
+        Said(
+            "this is the plate's x arrow turned round",
+            next="Take the first column with the signs it has.",
+        ),
+        -T_01[:3, 0],
+    )
     yield "rotation-transposed", _a_row("second"), T_01[1, :3]
     yield "rotation-transposed", _a_row("third"), T_01[2, :3]
 

@@ -2,6 +2,7 @@
 rows read off links, poses that no row makes, rows as somebody prints them.
 """
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -55,10 +56,10 @@ def lengths(rng: np.random.Generator) -> tuple[float, float]:
 
 
 def draw_first(rng: np.random.Generator) -> dict[str, Any]:
+    """A link of which no sign and no quadrant can be guessed."""
     d, a = lengths(rng)
-    return {
-        "T_01": link(float(rng.choice([20, 30, 35, 40])), d, a, float(rng.choice([50, 55, 60, 70])))
-    }
+    theta, alpha = rng.choice([110, 125, 140, 155]), rng.choice([100, 115, 130, 145])
+    return {"T_01": link(-float(theta), d, -a, -float(alpha))}
 
 
 def draw_second(rng: np.random.Generator) -> dict[str, Any]:
@@ -72,10 +73,7 @@ def draw_second(rng: np.random.Generator) -> dict[str, Any]:
 
 FALSE_TURN = Said(
     "α has the wrong sign",
-    why=(
-        "α goes from z0 to z1, counted about x1 as the fingers of the right hand curl. np.arccos"
-        " forgets the sign."
-    ),
+    why="α goes from z0 to z1, counted about x1 as the fingers of the right hand curl.",
     next="sin α has a sign too: in which entry of row 3 does it stand?",
 )
 
@@ -126,9 +124,30 @@ def misread(T_01: NDArray) -> Mistakes:
         "α: the two arguments of arctan2 have changed places",
         [theta, d, a, degrees(T_01[2, 2], T_01[2, 1])],
     )
-    if theta > 90:
+    if abs(theta) > 90:
         yield "atan-for-atan2", HALF_A_TURN, [theta - 180, d, a, alpha]
-    yield "alpha-sign", FALSE_TURN, [theta, d, a, -alpha]
+    if abs(alpha) > 90:
+        yield (
+            "atan-for-atan2",
+            replace(HALF_A_TURN, headline="α is off by half a turn"),
+            [theta, d, a, alpha - 180],
+        )
+        yield (
+            "atan-for-atan2",
+            Said(
+                "α has the right sine and the wrong cosine",
+                next="cos α has a sign too: in which entry of row 3 does it stand?",
+            ),
+            [theta, d, a, 180 - alpha],
+        )
+    if theta < 0:
+        yield (
+            "offset-sign",
+            Said("θ has the wrong sign", next="sin θ has a sign too: in which entry is it?"),
+            [-theta, d, a, alpha],
+        )
+    arccos = " np.arccos forgets the sign." * (alpha < 0)
+    yield ("alpha-sign", replace(FALSE_TURN, why=FALSE_TURN.why + arccos), [theta, d, a, -alpha])
     if a < 0:
         yield (
             "measured-in-other-frame",
@@ -226,6 +245,11 @@ def wrong_tubes(q2: float) -> Mistakes:
         [q2 + 90, 0, a, 0],
     )
     yield "a-d-exchanged", "", [q2 + offset, a, 0, 0]
+    yield (
+        "measured-in-other-frame",
+        Said("θ and a are told as if x1 pointed from axis 3 to axis 2", next=SKETCH),
+        [q2 + offset + 180, 0, -a, 0],
+    )
     yield (
         "offset-missing",
         Said("θ is q2 alone, but x1 leans by a constant angle, whatever q2 is", next=SKETCH),

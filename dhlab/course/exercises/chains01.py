@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...transform import inverse, rot_x, rot_z, trans
-from ..kinds import Known, Mistakes, Said, as_numbers, is_array_of
+from ..kinds import LAST_ROW, Known, Mistakes, Said, as_numbers, is_array_of
 from .answers01 import general_pose
 
 __all__ = [
@@ -81,6 +81,11 @@ def wrong_points(T_01: NDArray, p_12: list[float]) -> Mistakes:
         "product-stops-early",
         Said("this is the origin of plate 1; p_12 was not used", next=TURN),
         p,
+    )
+    yield (
+        "pose-inverted",
+        Said("the shift of plate 1 was taken away, where it is added", next=TURN),
+        R @ p_12 - p,
     )
 
 
@@ -202,7 +207,16 @@ def wrong_tips(T_0F: NDArray, T_FT: NDArray) -> Mistakes:
         ),
         R.T @ t + p,
     )
+    yield (
+        "translations-not-rotated",
+        Said(
+            "the tool's shift was taken away",
+            next="Go to the flange, and on to the tip: which sign has the second way?",
+        ),
+        p - R @ t,
+    )
     yield "rotation-block-misread", "this is the tool's z arrow", (T_0F @ T_FT)[:3, 2]
+    yield "rotation-block-misread", LAST_ROW, np.zeros(3)
 
 
 def misshapen_tip(answer: object, T_0F: NDArray, T_FT: NDArray) -> Known | None:
@@ -221,12 +235,12 @@ def misshapen_tip(answer: object, T_0F: NDArray, T_FT: NDArray) -> Known | None:
 
 
 LINKS = {
-    "t-01": "T_01",
-    "t-12": "T_12",
     "t-2f": "T_2F",
-    "t-ft": "T_FT",
-    "t-tf": "T_TF",
     "t-10": "T_10",
+    "t-12": "T_12",
+    "t-ft": "T_FT",
+    "t-01": "T_01",
+    "t-tf": "T_TF",
 }
 
 FROM_BASE_TO_TOOL = ["t-01", "t-12", "t-2f", "t-ft"]
@@ -251,7 +265,9 @@ def explain_chain(order: list[str]) -> Known | None:
     turned = [pose for pose in poses if pose in ("T_TF", "T_10")]
     if turned:
         return "pose-inverted", Said(
-            f"{' and '.join(turned)}: an inverse, which is not needed",
+            f"{turned[0]}: an inverse, which is not needed"
+            if len(turned) == 1
+            else f"{' and '.join(turned)}: two inverses, which are not needed",
             place=apart or ends,
             next="After T_01 comes a pose that begins with 1, and so on to T.",
         )

@@ -143,7 +143,8 @@ EXERCISES = [
             ),
             "transposed": Option(
                 "the rotation matrices were transposed",
-                "Then the poses themselves were wrong. Here every one that was noted is right.",
+                "Then the poses themselves would have been wrong. Here every one that was noted is"
+                " right.",
                 "rotation-transposed",
             ),
             "flange-and-tip": Option(
@@ -153,8 +154,8 @@ EXERCISES = [
             ),
             "wrong-order": Option(
                 "the poses were multiplied in the wrong order",
-                "Then the errors had nothing to do with the tool. Here they are as large as"
-                " the tool is long.",
+                "Then the errors would have had nothing to do with the tool. Here they are as large"
+                " as the tool is long.",
                 "product-reversed",
             ),
         },

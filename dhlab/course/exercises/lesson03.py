@@ -37,7 +37,7 @@ from .orders03 import (
     explain_reasons,
     explain_sides,
 )
-from .unseen03 import draw_unseen, unseen_point, wrong_points
+from .unseen03 import draw_unseen, unseen_point, whole_pose, wrong_points
 
 __all__ = ["EXERCISES"]
 
@@ -198,6 +198,7 @@ EXERCISES = [
         draw=draw_unseen,
         answer=unseen_point,
         mistakes=wrong_points,
+        misshapen=whole_pose,
         units="m",
         entries=("x", "y", "z"),
         praise="One check pose settled what no looking at the rows could.",

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...arm import Arm
 from ...robots import load
 from ...table import DHTable
-from ...transform import rot_y, trans
+from ...transform import rot_x, rot_y, trans
 from ..kinds import Mistakes, Said
 from .answers02 import lengths, link, read_off
 
@@ -16,14 +16,14 @@ __all__ = ["draw_poses", "draw_printed", "makeable", "miscopied", "misjudged", "
 
 
 def draw_poses(rng: np.random.Generator) -> dict[str, Any]:
-    """Four poses in the order of the seed: two that a row makes, one shifted along y1, one with a
-    leaning x1.
+    """Four poses in the order of the seed: two that a row makes, one shifted along y1, one whose x1
+    leans and meets z0 all the same. So each of the two conditions is needed.
     """
     (d1, a1), (d2, a2) = lengths(rng), lengths(rng)
     row = link(float(rng.choice([25, 40, 65])), d1, a1, float(rng.choice([30, 55, 70])))
     back = link(-float(rng.choice([20, 50, 75])), -d2, -a2, float(rng.choice([35, 60, 80])))
     aside = link(30.0, d2, a1, 40.0) @ trans([0, 0.08, 0])
-    leaning = link(50.0, d1, a2, 35.0) @ rot_y(np.deg2rad(25))
+    leaning = link(50.0, d1, a2, 0.0) @ rot_y(np.deg2rad(25)) @ rot_x(np.deg2rad(35))
     poses = [row, back, aside, leaning]
     return {f"T_{letter}": poses[k] for letter, k in zip("abcd", rng.permutation(4))}
 

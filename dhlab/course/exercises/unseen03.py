@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from ...arm import Arm
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Mistakes, Said, numbers
+from ..kinds import LAST_ROW, Known, Mistakes, Said, as_numbers, numbers
 
-__all__ = ["draw_unseen", "unseen_point", "wrong_points"]
+__all__ = ["draw_unseen", "unseen_point", "whole_pose", "wrong_points"]
 
 UNSEEN = ("piper", "irb120")
 
@@ -88,6 +88,18 @@ def wrong_points(
         mistake,
         "this is the point at q_check, in the reading that the check pose does not fit",
         _read_as(other, rows).forward(np.deg2rad(q_check))[:3, 3],
+    )
+    yield "rotation-block-misread", LAST_ROW, np.zeros(3)
+
+
+def whole_pose(answer: object, **given: Any) -> Known | None:
+    """A 4×4 whose last column is the point that is asked."""
+    array = as_numbers(answer)
+    if array.shape != (4, 4) or not np.allclose(array[:3, 3], unseen_point(**given), atol=1e-3):
+        return None
+    return None, Said(
+        "this is the end's whole pose, and its place is asked",
+        next="Which column of a pose is the place?",
     )
 
 

@@ -9,10 +9,11 @@ from .functions import CASES, Function
 from .lettered import UNDECIDED, Lettered, Option
 from .reading import as_numbers, is_array_of, plain
 from .tables import Table, as_arm, numbers
-from .values import Value
+from .values import LAST_ROW, Value
 
 __all__ = [
     "CASES",
+    "LAST_ROW",
     "UNDECIDED",
     "Choice",
     "Exercise",

@@ -110,9 +110,16 @@ class Exercise:
         gaps = self.gaps(answer)
         if gaps:
             return self.say(
-                NOT_ATTEMPTED, place=", ".join(gaps), next="Put an answer in place of every ..."
+                NOT_ATTEMPTED,
+                self.so_far(answer, variant),
+                place=", ".join(gaps),
+                next="Put an answer in place of every ...",
             )
         return self.compare(answer, variant)
+
+    def so_far(self, answer: Any, variant: int) -> str:
+        """What is said of the part of an answer that is filled in; "" for most kinds."""
+        return ""
 
     def gaps(self, answer: Any) -> list[str]:
         """Where dots are left in an answer that is filled in only in part, in words."""

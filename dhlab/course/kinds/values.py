@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from ..verdict import Verdict
 from .drawn import drawn_pose, drawn_row
-from .exercise import Exercise, Said, no_draw
+from .exercise import Exercise, Said, no_draw, untouched
 from .kept import kept, kept_apart
 from .reading import Unreadable, plain
 from .twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
 from .units import FACTORS, LOOSELY, Group, in_other_units, of_places
 
-__all__ = ["Value"]
+__all__ = ["LAST_ROW", "Value"]
 
 ROW = ("deg", "m", "m", "deg")  # theta, d, a, alpha of one link
 STANDING = Said(
@@ -37,6 +37,10 @@ ROUNDED = Said(
 )
 NOTHING = Said(
     "every number is 0", next="Was each number written in its place before this was handed in?"
+)
+LAST_ROW = Said(  # of a place that is read off a pose
+    "every number is 0, as in the last row of a pose",
+    next="Where in a 4×4 does the place stand: in its last row, or in its last column?",
 )
 HARDLY = 0.1  # of the largest number: further off, a rounded answer is hardly the right one
 
@@ -101,6 +105,19 @@ class Value(Exercise):
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
         return self._compared(array, expected, given, answer)
 
+    def so_far(self, answer: Any, variant: int) -> str:
+        expected = self.expected(variant)
+        given = np.array(answer, dtype=object)
+        if given.shape != expected.shape:
+            return ""
+        open_ = np.vectorize(untouched, otypes=[bool])(given)
+        try:
+            filled = np.where(open_, expected, given).astype(float)
+        except (TypeError, ValueError):
+            return ""
+        right = self.is_right(filled, expected, self.given(variant))
+        return "the part that is filled in is right" if right else ""
+
     def is_right(self, array: NDArray, expected: NDArray, given: Mapping[str, Any]) -> bool:
         """Whether an array of the right shape is the answer."""
         return not self.differs(array, expected).any()
@@ -126,7 +143,8 @@ class Value(Exercise):
         whole = isinstance(answer, np.ndarray) and array.dtype.kind == "i"
         if whole and np.array_equal(array, np.trunc(expected)):
             return self.told("integer-arrays", CUT_OFF)
-        if _rounded(array, expected):
+        unlike = [of for of in self._of_one_unit(expected) if off[of].any()]
+        if all(_rounded(array[of], expected[of]) for of in unlike):
             return self.told("pi-rounded", ROUNDED)
         return self._twofold(array, expected, known) or self.wrong(
             headline="these are not the numbers", place=self._place(off)
@@ -198,6 +216,13 @@ class Value(Exercise):
             return of_places(self.units, self.entries)
         every = np.ones(expected.shape, dtype=bool)
         return [Group("the numbers", self.units, every)] if self.units else []
+
+    def _of_one_unit(self, expected):
+        """Masks of the numbers that are of one unit, and are rounded together."""
+        every = np.ones(expected.shape, dtype=bool)
+        if not isinstance(self.units, tuple):
+            return [every]
+        return [np.array([u == unit for u in self.units]) for unit in dict.fromkeys(self.units)]
 
     def differs(self, array: NDArray, value: NDArray, tolerance: float = 0) -> NDArray[np.bool_]:
         """Which entries of an array differ from those of a value, or of a stack of values; whole

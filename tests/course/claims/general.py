@@ -114,10 +114,11 @@ def cut_off(answer, given, found):
 
 
 def fewer_decimals(answer, given, found):
-    """For some number of decimals, each entry is the right one printed with as many, and wrong."""
-    pairs = list(zip(np.ravel(answer).astype(float), right_of(given).ravel()))
-    return off_by(answer, given).any() and any(
-        all(abs(float(f"{right:.{k}f}") - told) < 1e-9 for told, right in pairs) for k in range(6)
+    """Each entry that is wrong is the right one printed with fewer decimals."""
+    off = off_by(answer, given)
+    pairs = list(zip(np.asarray(answer, dtype=float)[off], right_of(given)[off]))
+    return bool(pairs) and all(
+        any(abs(float(f"{right:.{k}f}") - told) < 1e-9 for k in range(6)) for told, right in pairs
     )
 
 

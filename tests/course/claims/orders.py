@@ -40,13 +40,14 @@ def _inverses(a, f):
 
 
 MEET = r"(?P<one>T_\w+), then (?P<two>T_\w+): (?P<out>\w) does not meet (?P<in>\w)"
+ONE_OR_TWO = r"(an inverse, which is|(?P<both>two inverses), which are) not needed"
 CHAIN = [
     says(
-        rf"(?P<names>[T_\w ]+): an inverse, which is not needed @ {MEET}",
+        rf"(?P<names>[T_\w ]+): {ONE_OR_TWO} @ {MEET}",
         lambda a, f: _inverses(a, f) and _apart(a, f),
     ),
     says(
-        r"(?P<names>[T_\w ]+): an inverse, which is not needed @ the product begins with"
+        rf"(?P<names>[T_\w ]+): {ONE_OR_TWO} @ the product begins with"
         r" (?P<first>\w) and ends with (?P<last>\w)",
         lambda a, f: _inverses(a, f) and (ENDS[a[0]][0], ENDS[a[-1]][1]) == (f["first"], f["last"]),
     ),

@@ -34,6 +34,8 @@ def back(T):
     return np.vstack([np.column_stack([R, -R @ T[:3, 3]]), [0, 0, 0, 1]])
 
 
+LAST_ROW = (r"every number is 0, as in the last row of a pose", lambda a, g, f: not np.any(a))
+
 # ---- 00, 01
 
 PRODUCT = [
@@ -67,6 +69,10 @@ ARROW = [
     (
         r"this is the plate's (?P<which>[xyz]) arrow",
         lambda a, g, f: near(a, [row[NUMBER[f["which"]]] for row in g["T_01"][:3]]),
+    ),
+    (
+        r"this is the plate's x arrow turned round",
+        is_value(lambda g: [-row[0] for row in g["T_01"][:3]]),
     ),
     (r"this is the plate's origin", is_value(lambda g: [row[3] for row in g["T_01"][:3]])),
     (
@@ -157,6 +163,10 @@ POINT = [
         is_value(lambda g: (back(g["T_01"]) @ [*g["p_12"], 1])[:3]),
     ),
     (r"you shifted first and then turned", _two(lambda R, p: R @ p, lambda R, o: R @ o)),
+    (
+        r"the shift of plate 1 was taken away, where it is added",
+        _two(lambda R, p: R @ p, lambda R, o: -o),
+    ),
     (r"this is the origin of plate 1; p_12 was not used", _two(lambda R, p: 0 * p, lambda R, o: o)),
     (
         r"the place is right, but the 1 at the end is not part of it",
@@ -205,6 +215,8 @@ TIP = [
         r"the tool's shift was turned the wrong way: .+",
         _tip(lambda F, T: T[:3, 3] @ F[:3, :3] + F[:3, 3]),
     ),
+    (r"the tool's shift was taken away", _tip(lambda F, T: F[:3, 3] - F[:3, :3] @ T[:3, 3])),
+    LAST_ROW,
     (r"this is the tool's z arrow", _tip(lambda F, T: F[:3, :3] @ T[:3, 2])),
     POINT[7],
     ARROW[-1],
@@ -229,6 +241,11 @@ def _row_but(change):
         return bool((np.abs(off) < 3e-3 * (1 + np.abs(row))).all())
 
     return holds
+
+
+def _way(T):
+    """The direction of the origin in the plane of x0 and y0."""
+    return np.asarray(T)[:2, 3] / np.linalg.norm(np.asarray(T)[:2, 3])
 
 
 def _arc(y, x):
@@ -263,10 +280,18 @@ LINK = [
         r"θ and a follow the way to the origin, not x1",
         lambda a, g, f: (
             _row_but(lambda r, *_: {0: r[0] + 180, 2: -r[2]})(a, g, f)
-            and near(_arc(g["T_01"][1][3], g["T_01"][0][3]), a[0])
+            and near([C(a[0]), S(a[0])], _way(g["T_01"]))
         ),
     ),
     (r"θ is off by half a turn", _row_but(lambda r, g, f: {0: r[0] + 180})),
+    (r"α is off by half a turn", _row_but(lambda r, g, f: {3: r[3] + 180})),
+    (r"θ has the wrong sign", _row_but(lambda r, g, f: {0: -r[0]})),
+    (
+        r"α has the right sine and the wrong cosine",
+        lambda a, g, f: (
+            near(S(a[3]), S(right_of(g)[3])) and _row_but(lambda r, *_: {3: a[3]})(a, g, f)
+        ),
+    ),
     (r"α has the wrong sign", _row_but(lambda r, g, f: {3: -r[3]})),
     (
         r"a has lost its minus sign",
@@ -296,6 +321,10 @@ LINK = [
 ]
 LEAN, LONG = _arc(284.5, 53.5), np.hypot(0.2845, 0.0535)
 TUBE = [
+    (
+        r"θ and a are told as if x1 pointed from axis 3 to axis 2",
+        _row_but(lambda r, g, f: {0: r[0] + 180, 2: -r[2]}),
+    ),
     (r"a: this is the way along the tube", _row_but(lambda r, g, f: {2: 0.338})),
     (
         r"a: this is one piece of the tube",
@@ -463,6 +492,7 @@ OF_A_READING = [
     ),
 ]
 UNNAMED = [
+    LAST_ROW,
     *OF_A_READING,
     *(
         (
