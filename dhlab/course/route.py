@@ -79,17 +79,19 @@ def begin_at(known: Mapping[str, bool]) -> tuple[str, list[str]]:
     ----------
     known : dict of str to bool
         Of each question of the pre-test, whether its first answer was right. A question without an
-        answer counts as one that is not known; a wrong answer and "?" count alike.
+        answer counts as one that is not known; a wrong answer and "?" count alike. One right answer
+    may be luck and skips nothing: lesson 01 needs that of lesson 02 beside its own.
 
     Examples
     --------
-    >>> begin_at({})[0]
-    '01'
+    >>> begin_at({})[0], begin_at({"00.2": True})[0]
+    ('01', '01')
     >>> begin_at({"00.2": True, "00.3": True, "00.4": True, "00.5": False, "00.6": True})
     ('04', ['05'])
     """
     open_ = [lesson for key, lesson in ASKED_BY.items() if not known.get(key)]
     first = next((lesson for lesson in open_ if lesson in FIRST), "04")
+    first = "01" if first == "02" else first
     return first, [lesson for lesson in open_ if lesson > first]
 
 

@@ -114,13 +114,20 @@ def _kept_for_teacher(exercise_id, answer):
 
 
 def hint(exercise_id: str, level: int = 1) -> "Note":
-    """A hint: level 1 says where to look, level 2 which way to go; neither gives the answer.
+    """A hint: level 1 says where to look, level 2 which way to go; neither gives the answer. A
+    guess has none.
 
     Examples
     --------
     >>> print(hint("05.3", 2))
     Hint 2 of 2: Tx(a) must come after Rz(θ), and Rx(α) after both z moves.
+    >>> print(hint("05.P1"))
+    A guess has no hint: it is never marked, and the next cell shows what happens.
     """
+    if isinstance(exercises().get(exercise_id), Prediction):
+        return Note(
+            "A guess has no hint: it is never marked, and the next cell shows what happens."
+        )
     hints = _exercise(exercise_id).hints
     if level not in range(1, len(hints) + 1):
         raise ValueError(f"hint: expected a level from 1 to {len(hints)}, found {level!r}")
@@ -227,6 +234,11 @@ def route() -> Map:
     first, later = begin_at(known)
     asked = sum(key in known for key in ASKED_BY)
     words = f"Begin with lesson {first}."
+    if first == "01" and known.get("00.2"):
+        words += (
+            " You answered its question rightly, which may be luck: where 01.1 and 01.2 come at"
+            " once, go on with lesson 02."
+        )
     if not asked:
         words += " The five questions are not answered yet."
     elif first > "01":
@@ -270,10 +282,9 @@ def _exercise(exercise_id, kind=None):
     ]
     if exercise_id not in known:
         near = get_close_matches(str(exercise_id), known, 1)
-        what = "prediction" if kind is Prediction else "exercise"
+        such = f'write it as in "{known[0]}"'
         raise ValueError(
             f"expected the number of {'a prediction' if kind else 'an exercise'}, found"
-            f" {exercise_id!r}; "
-            + (f'did you mean "{near[0]}"?' if near else f"the {what}s are {', '.join(known)}")
+            f" {exercise_id!r}; " + (f'did you mean "{near[0]}"?' if near else such)
         )
     return exercises()[exercise_id]

@@ -71,6 +71,24 @@ def test_an_unanswered_prediction_points_to_its_own_cell():
         )
 
 
+@pytest.mark.parametrize("key", ["00.P1", "04.P4"])
+def test_a_guess_has_no_hint_and_says_so_calmly(key):
+    assert str(session.hint(key)).startswith("A guess has no hint") and "\n" not in session.hint(
+        key
+    )
+
+
+def test_an_unknown_number_is_told_in_one_line():
+    with pytest.raises(ValueError, match="found 'x'; write it as in \"00.1\"$"):
+        session.hint("x")
+
+
+def test_no_option_of_the_pre_test_stands_out_by_its_length():
+    for key in ("00.4", "00.5"):
+        lengths = sorted(len(option.text) for option in QUESTIONS[key].options.values())
+        assert lengths[-1] < 1.5 * lengths[0], key
+
+
 def test_five_questions_each_with_its_lesson():
     assert len(QUESTIONS) == 5
     for exercise in QUESTIONS.values():

@@ -175,16 +175,16 @@ EXERCISES = [
         lesson="03",
         options={
             "one-wrong": Option(
-                "one of the two is wrong",
+                "one is wrong, or has a misprint",
                 "Then somebody should be told. You will put two such tables to the test.",
                 "table-taken-as-unique",
             ),
             "own-program": Option(
-                "both may be right, and each needs a program that fits it",
+                "both may be right, each in its own program",
                 "You will see two such tables move together.",
             ),
             "any-program": Option(
-                "both may be right, and any program will do for either",
+                "both may be right, in any program",
                 "You will feed one table to the other's program and see.",
                 "standard-rows-in-craig-matrix",
             ),
@@ -201,8 +201,7 @@ EXERCISES = [
         lesson="05",
         options={
             "left-to-right": Option(
-                "A_1 A_2 … A_6: each matrix is written in the frame that the ones before it"
-                " lead to",
+                "A_1 A_2 … A_6: what is nearest to the base stands on the left",
                 "You read it from the base outwards. You will make the moves one by one and see.",
             ),
             "right-to-left": Option(
