@@ -168,10 +168,13 @@ def explain_lines(lines: list[str]) -> Known | None:
     metal = ", ".join(f"z{i}" for i, line in enumerate(lines) if line not in OF_Z)
     others = ", ".join(name for name in wrong.split(", ") if name not in metal)
     if metal:
+        no_axis = (
+            "these lines are no joint's axis" if "," in metal else "this line is no joint's axis"
+        )
         return "z-across-joint-axis", Said(
-            f"{metal}: this line is no joint's axis; {others}: the axis of another joint"
+            f"{metal}: {no_axis}; {others}: the axis of another joint"
             if others
-            else f"{metal}: this line is no joint's axis",
+            else f"{metal}: {no_axis}",
             next="Move a joint alone. Which line stands still? That line is z.",
         )
     return "frame-at-other-end", Said(

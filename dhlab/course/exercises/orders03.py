@@ -67,21 +67,26 @@ def _wrong_numbers(given, right):
     return [k for k, (one, wanted) in enumerate(zip(given, right), 1) if one != wanted]
 
 
+def _numbered(what, numbers):
+    """Things by their numbers, as "statement 2" or "statements 1, 3"."""
+    return f"{what}{'s' if len(numbers) > 1 else ''} {', '.join(map(str, numbers))}"
+
+
 def explain_sides(given: list[str]) -> Known | None:
     wrong = _wrong_numbers(given, SIDES)
     if len(wrong) == 6:
         return "frame-at-other-end", "all six: the two conventions have changed places"
-    named = ", ".join(map(str, wrong))
+    named = _numbered("statement", wrong)
     if set(wrong) <= {3, 6}:
         return "frame-at-other-end", Said(
-            f"look again at statement {named}: what lies between plate {{i-1}} and plate {{i}}",
+            f"look again at {named}: what lies between plate {{i-1}} and plate {{i}}",
             next=(
                 "From plate to plate: do you meet the joint first, or the link? And which link is"
                 " it, that before the joint or that behind it?"
             ),
         )
     return "frame-at-other-end", Said(
-        f"look again at statement {named}",
+        f"look again at {named}",
         next="Which convention's plate i swings when joint i turns, and which one's stays?",
     )
 
@@ -164,9 +169,9 @@ def explain_published(given: list[str]) -> Known | None:
 
 
 def explain_reasons(given: list[str]) -> Known | None:
-    wrong = ", ".join(map(str, _wrong_numbers(given, REASONS)))
+    wrong = _numbered("pair", _wrong_numbers(given, REASONS))
     return "tables-differ-otherwise", Said(
-        f"look again at pair {wrong}",
+        f"look again at {wrong}",
         next=(
             "Read the sentence of dh.equivalent once more: the same arm, only the end, a fraction"
             " of a millimetre, a zero moved, or counted the other way?"

@@ -152,7 +152,7 @@ CLAIMS = {
             r"all six: the two conventions have changed places",
             lambda a, f: len(wrong_places(a, WHOSE)) == 6,
         ),
-        says(r"look again at statement (?P<names>[\d, ]+)(: .+)?", these(WHOSE)),
+        says(r"look again at statements? (?P<names>[\d, ]+)(: .+)?", these(WHOSE)),
     ],
     "03.2": [
         says(
@@ -176,7 +176,7 @@ CLAIMS = {
             _zeros,
         ),
     ],
-    "03.6": [says(r"look again at pair (?P<names>[\d, ]+)", these(PAIRS))],
+    "03.6": [says(r"look again at pairs? (?P<names>[\d, ]+)", these(PAIRS))],
     "04.1": [
         says(
             r"z1 and z2: these are the axes of joints 1 and 2",
@@ -187,7 +187,7 @@ CLAIMS = {
             lambda a, f: a[:2] == ["axis-2", "axis-3"],
         ),
         says(
-            r"(?P<names>[z\d, ]+): this line is no joint's axis"
+            r"(?P<names>[z\d, ]+): (this line is|these lines are) no joint's axis"
             r"(; (?P<others>[z\d, ]+): the axis of another joint)?",
             lambda a, f: (
                 f["names"].split(", ") == [f"z{k}" for k, line in enumerate(a) if line not in LINE]

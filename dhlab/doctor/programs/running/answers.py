@@ -230,7 +230,7 @@ def _other_shape(array, shape, case, names):
         mistake, do = "last-row-missing", "A pose needs its fourth row, 0 0 0 1."
     elif shape == (4, 4) and array.size in (3, 9) and array.ndim <= 2:
         mistake = "pose-incomplete"
-        do = f"This is the {'position' if array.size == 3 else 'rotation'} alone, perhaps."
+        do = f"Give the whole pose: its {'position' if array.size == 3 else 'rotation'} is a part."
     elif len(shape) == 2 and array.size == shape[0] != shape[1]:
         do = f"One column comes back of {shape[1]}: is the return inside the loop?"
     elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
