@@ -6,17 +6,16 @@ from ..kinds import Choice, Option, Order, Prediction, Value
 from ..kinds.copied import Copied
 from .answers02 import (
     ENTRIES,
-    MEASURED,
     array_in_row,
     draw_first,
     draw_second,
     draw_tube,
-    explain_axes,
     misread,
     read_off,
     tube,
     wrong_tubes,
 )
+from .axes02 import MEASURED, explain_axes
 from .tables02 import draw_poses, draw_printed, makeable, miscopied, misjudged, printed_arm
 
 __all__ = ["EXERCISES"]
