@@ -25,7 +25,7 @@ class Frame:
         return self.values
 
 
-def worked_out(key, variant=0):
+def right(key, variant=0):
     return np.asarray(E[key].answer(**E[key].given(variant)), dtype=float)
 
 
@@ -38,7 +38,7 @@ def fresh(monkeypatch, tmp_path):
 
 @pytest.mark.parametrize("key", ["01.3", "02.3", "06.10"])
 def test_right_numbers_pass_in_any_dress(key):
-    value = worked_out(key)
+    value = right(key)
     for dress in (
         value.tolist(),
         value.astype(np.float32),
@@ -62,7 +62,7 @@ def test_right_numbers_pass_in_any_dress(key):
     ],
 )
 def test_what_holds_no_numbers_is_told_in_a_plain_sentence(spoil, words):
-    assert words in E["01.3"].judge(spoil(worked_out("01.3"))).headline
+    assert words in E["01.3"].judge(spoil(right("01.3"))).headline
 
 
 @pytest.mark.parametrize("key", ["00.1", "02.1", "02.3", "02.7", "04.2", "05.4", "06.6", "09.1"])
@@ -84,7 +84,7 @@ def test_a_list_that_is_half_filled_is_not_attempted_yet():
 
 
 @pytest.mark.parametrize(
-    "key, fill, right",
+    "key, fill, so_far",
     [
         ("01.2", lambda v: [[..., x, ..., y] for _, x, _, y in v[:3]] + [[0, 0, 0, 1]], True),
         ("01.2", lambda v: [[..., -x, ..., y] for _, x, _, y in v[:3]] + [[0, 0, 0, 1]], False),
@@ -93,10 +93,10 @@ def test_a_list_that_is_half_filled_is_not_attempted_yet():
         ("01.7", lambda v: [v[0], ...], False),
     ],
 )
-def test_of_half_an_answer_what_is_there_is_said_to_be_right_where_it_is(key, fill, right):
-    verdict = E[key].judge(fill(worked_out(key)))
+def test_of_half_an_answer_what_is_there_is_said_to_be_right_where_it_is(key, fill, so_far):
+    verdict = E[key].judge(fill(right(key)))
     assert verdict.status == "not attempted"
-    assert verdict.headline == "the part that is filled in is right" * right
+    assert verdict.headline == "the part that is filled in is right" * so_far
 
 
 MAKERS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90]]
@@ -121,7 +121,7 @@ MAKERS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90]]
     ],
 )
 def test_units_are_told_of_numbers(key, answer, words):
-    assert words in E[key].judge(answer(worked_out(key))).headline
+    assert words in E[key].judge(answer(right(key))).headline
 
 
 def test_units_are_told_of_tables_and_placements():
@@ -144,7 +144,7 @@ def test_units_are_told_of_tables_and_placements():
 
 
 def test_a_mistyped_number_is_no_slip_of_units():
-    value = worked_out("02.3")
+    value = right("02.3")
     for k in range(4):
         for other in (0, 2 * value[k], value[k] + 5):
             answer = [*value[:k], other, *value[k + 1 :]]
@@ -205,7 +205,7 @@ def test_drawn_poses_are_rotations_to_the_last_digit():
 
 def test_four_decimals_of_a_pose_pass_and_fewer_are_called_rounded():
     for variant in range(5):
-        value = worked_out("06.10", variant)
+        value = right("06.10", variant)
         assert E["06.10"].judge(value.round(4), variant).status == "right"
         verdict = E["06.10"].judge(value.round(2), variant)
         assert "rounded too early" in verdict.headline
@@ -216,13 +216,13 @@ def test_four_decimals_of_a_pose_pass_and_fewer_are_called_rounded():
 
 def test_whole_numbers_that_were_rounded_are_not_said_to_be_cut_off():
     for variant in range(20):
-        value = worked_out("09.10", variant)
+        value = right("09.10", variant)
         verdict = E["09.10"].judge([int(value[0]), round(value[1])], variant)
         assert "cut off" not in str(verdict) and "array" not in str(verdict)
 
 
 def test_centimetres_are_divided_by_a_hundred():
-    value = worked_out("05.5")
+    value = right("05.5")
     assert "by 100," in E["05.5"].judge(100 * value).next
     assert "by 1000," in E["05.5"].judge(1000 * value).next
 
@@ -248,7 +248,7 @@ def test_the_table_of_the_other_convention_is_not_the_one_that_is_asked():
 
 
 def test_an_angle_of_no_size_is_not_shown_in_powers_of_ten():
-    turned = worked_out("08.13") + [0, 0, 0, 0, 0, 0.5]
+    turned = right("08.13") + [0, 0, 0, 0, 0, 0.5]
     headline = E["08.13"].judge(turned).headline
     assert "e-" not in headline and "28.6°" in headline
 
