@@ -276,6 +276,12 @@ def test_of_a_converted_table_only_what_was_changed_is_named(spoil, words, varia
     assert not any(row in said.headline + said.place for row in ("row 1", "all rows"))
 
 
+def test_right_rows_without_the_tool_are_another_arm():
+    right = craig_from_standard(EXERCISES["03.7"].given(0)["rows"])
+    verdict = EXERCISES["03.7"].judge(dh.Arm(dh.DHTable.craig(right, angle="deg")))
+    assert verdict.status == "wrong" and "only the end is not" in verdict.place
+
+
 @pytest.mark.parametrize("variant", [0, 4])
 def test_what_was_right_before_is_named_before_all_else(variant):
     standard, broken = EXERCISES["03.9"].given(variant).values()

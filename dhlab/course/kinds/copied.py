@@ -21,10 +21,9 @@ class Copied(Table):
     compared: str
 
     def _slip(self, arm, right, q, variant):
-        table = arm.table
-        if table.convention != right.table.convention:
-            return super()._slip(arm, right, q, variant)
         rows, wanted = (one.table.rows * IN_DEGREES for one in (arm, right))
+        if arm.table.convention != right.table.convention or not differing(rows, wanted).any():
+            return super()._slip(arm, right, q, variant)
         unit = in_part(rows, wanted, lambda i, k: f"{'θdaα'[k]} of row {i + 1}")
         if unit:
             return self.told(*unit)
