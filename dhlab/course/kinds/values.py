@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +59,7 @@ class Value(Exercise):
     tried before anything else is said.
     """
 
+    greek: ClassVar[bool] = True
     answer: Callable
     draw: Callable = no_draw
     mistakes: Callable = lambda **given: ()
