@@ -466,6 +466,15 @@ def test_a_table_with_no_name(variant):
     assert seen == named >= 10
 
 
+def test_a_whole_pose_is_told_to_hold_the_point():
+    exercise = EXERCISES["03.10"]
+    pose = np.eye(4)
+    pose[:3, 3] = exercise.expected(0)
+    assert "whole pose" in exercise.judge(pose).headline
+    assert "whole pose" not in exercise.judge(np.eye(4)).headline
+    assert "last column" in exercise.judge(pose[3, :3]).next
+
+
 def test_no_habit_gives_the_convention_away():
     drawn = [EXERCISES["03.10"].given(variant) for variant in range(40)]
     for rows in (given["rows"] for given in drawn):

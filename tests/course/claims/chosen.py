@@ -120,6 +120,26 @@ def constant(seen):
     return np.allclose(tool_seen_from(seen, Q), tool_seen_from(seen, -Q))
 
 
+def seen_from_tool(q):
+    """By how much 0.05 m more of a in row 2 moves the end, in the tool's arrows."""
+    return article(q)[:3, :3].T @ (article(q, changed(1, 2, 0.05)) - article(q))[:3, 3]
+
+
+def moved(joint):
+    """Q with one joint moved, from 0."""
+    return Q + 30 * np.eye(6)[joint]
+
+
+def only_where_the_point_is():
+    """A base that is shifted and turned: the difference of one point, with two turns of the hand
+    about it, is the same.
+    """
+    B, one = walk([[20, 0.1, 0.2, 30]], [0]), article(Q)
+    other = one.copy()
+    other[:3, :3] = one[:3, :3] @ turn("x", 50)
+    return same((B @ one - one)[:3, 3], (B @ other - other)[:3, 3])
+
+
 def hidden(row):
     """A sign of the z arrow that cannot show at this row: what stands there is 0."""
     return abs(facts.link(row, facts.STANDARD)[1, 2]) < 1e-9
@@ -155,7 +175,11 @@ OPTIONS = {
     ("04.8", "five-things"): lambda: turned_round("z2", True),
     ("04.8", "alpha-2"): lambda: not same(article(Q, changed(1, 3, 180)), article(Q)),
     ("04.9", "last-frame"): lambda: constant("tool"),
-    ("04.9", "base-frame"): lambda: not constant("base"),
+    ("04.9", "base-frame"): lambda: only_where_the_point_is() and not constant("base"),
+    ("04.9", "length"): lambda: (
+        all(same(seen_from_tool(q) * 20, walk(ARTICLE[2:], q[2:])[0, :3]) for q in (Q, -Q))
+        and all(differ(seen_from_tool(Q), seen_from_tool(moved(k))) for k in range(2, 5))
+    ),
     ("05.2", "none"): lambda: same(
         facts.link(GENERAL, ("Rz", "Tz")), facts.link(GENERAL, ("Tz", "Rz"))
     ),
@@ -275,7 +299,7 @@ OF_THE_STORY = {  # what happened, what a rule is for, or what its lesson's own 
     ("02.2", "joint-angle"), ("02.2", "link-length"), ("02.2", "all-four"),
     ("02.5", "any-two-plates"), ("02.5", "one-freedom"), ("03.4", "clockwise"),
     ("04.3", "housing"), ("04.3", "any-point"), ("04.6", "neither"), ("04.8", "nothing"),
-    ("04.8", "arm"), ("04.9", "length"), ("04.9", "convention"), ("06.4", "limits"),
+    ("04.8", "arm"), ("04.9", "convention"), ("06.4", "limits"),
     ("06.5", "cannot-tell"), ("06.8", "error"), ("06.8", "wrong-pose"), ("07.5", "measurement"),
     ("07.5", "nothing"), ("08.3", "limit"), ("09.9", "nothing"),
 }  # fmt: skip

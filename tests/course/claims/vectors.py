@@ -493,6 +493,10 @@ OF_A_READING = [
 ]
 UNNAMED = [
     LAST_ROW,
+    (
+        r"this is the end's whole pose, and its place is asked",
+        lambda a, g, f: np.shape(a) == (4, 4) and near(np.asarray(a)[:3, 3], right_of(g)),
+    ),
     *OF_A_READING,
     *(
         (
