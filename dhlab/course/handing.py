@@ -20,8 +20,8 @@ import numpy as np
 
 from .celltext import calls, set_to, tree_of, written
 from .kinds import Exercise, Lettered, Order
+from .kinds.frames.placed import Frames
 from .kinds.lettered import I_DONT_KNOW, UNDECIDED
-from .kinds.placed import Frames
 from .verdict import NOT_ATTEMPTED, Verdict
 
 __all__ = ["as_rows", "offer", "watch"]

@@ -11,8 +11,8 @@ from wrong_answers import wrong_answers
 from dhlab.course import session
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Table, Value
-from dhlab.course.kinds.placed import Frames
-from dhlab.course.kinds.repaired import Impostor
+from dhlab.course.kinds.frames.placed import Frames
+from dhlab.course.kinds.tabled.repaired import Impostor
 from dhlab.view.pictures import tried as module
 
 TABLES = [

@@ -14,7 +14,7 @@ from wrong_answers import wrong_frames
 
 import dhlab as dh
 from dhlab.course.exercises import exercises
-from dhlab.course.kinds.placed import MISTAKES, Frames
+from dhlab.course.kinds.frames.placed import MISTAKES, Frames
 from dhlab.doctor import catalogue
 from dhlab.doctor.tables.rows import wrong_tables
 from dhlab.placing.board import Placement

@@ -11,7 +11,7 @@ from wrong_answers import unforeseen, wrong_answers, wrong_frames
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Order, Table, Value
-from dhlab.course.kinds.placed import Frames
+from dhlab.course.kinds.frames.placed import Frames
 from dhlab.geometry.procedure.frames import assign_frames
 
 ASKED = {key: e for key, e in exercises().items() if isinstance(e, (Value, Table, Order))}

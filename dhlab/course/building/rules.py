@@ -7,7 +7,7 @@ from ...doctor import catalogue
 from ...doctor.programs.explain import WRONG_VERSIONS
 from ...doctor.tables.rows import wrong_tables
 from ..kinds import CASES, UNDECIDED, Choice, Function, Lettered, Order, PreTest, Table
-from ..kinds.placed import MISTAKES, Frames
+from ..kinds.frames.placed import MISTAKES, Frames
 from . import reading
 from .lesson import Lesson, library_calls, words
 from .notebooks import lesson_notebook

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...table import DHTable
 from ..kinds import Known, Said, Table
-from ..kinds.entries import differing, in_part
+from ..kinds.tabled.entries import differing, in_part
 from ..verdict import RIGHT, WRONG, Verdict
 
 __all__ = [

@@ -3,7 +3,7 @@ why four are enough.
 """
 
 from ..kinds import Choice, Option, Order, Prediction, Value
-from ..kinds.copied import Copied
+from ..kinds.tabled.copied import Copied
 from .answers02 import (
     ENTRIES,
     array_in_row,

@@ -5,7 +5,7 @@ published tables apart, converting.
 from ...doctor.programs.cases import SPECIAL, general_row
 from ...doctor.programs.wrong.craig import craig
 from ..kinds import Choice, Option, Order, Prediction, Value
-from ..kinds.copied import Copied
+from ..kinds.tabled.copied import Copied
 from .answers03 import (
     COPIED,
     badly_repaired,

@@ -3,7 +3,7 @@ the common normals.
 """
 
 from ..kinds import Choice, Option, Order, Prediction
-from ..kinds.placed import Frames
+from ..kinds.frames.placed import Frames
 from .answers04 import OF_Z, draw_colleagues, draw_shoulder, draw_skew, draw_sliding, explain_lines
 
 __all__ = ["EXERCISES"]

@@ -6,7 +6,7 @@ from ...arm import Arm
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Option, Order, Prediction
-from ..kinds.placed import Frames
+from ..kinds.frames.placed import Frames
 from .answers04 import ReadTable, draw_read, rows_read
 from .answers04b import (
     PAIRS,

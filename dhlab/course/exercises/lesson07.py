@@ -7,7 +7,7 @@ from ...doctor.programs.cases import SPECIAL, general_chain
 from ...doctor.programs.wrong.products import product
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Value
-from ..kinds.repaired import Impostor, Repair
+from ..kinds.tabled.repaired import Impostor, Repair
 from .answers07 import (
     CAUSES,
     CRANE,

@@ -9,7 +9,7 @@ from ...geometry.procedure.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
-from ..kinds.sheets import OfAxes
+from ..kinds.tabled.sheets import OfAxes
 from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (

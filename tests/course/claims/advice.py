@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 
-from dhlab.course.kinds.placed import Frames
+from dhlab.course.kinds.frames.placed import Frames
 
 from .catalogued import CATALOGUED
 from .facts import (

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 
+from ..exercise import Said
 from .arms import IN_DEGREES
 from .entries import difference, differing, in_part, places
-from .exercise import Said
 from .tables import Table, as_arm
 
 __all__ = ["Copied"]

@@ -8,8 +8,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from .exercise import Said
-from .units import LOOSELY, Group, in_other_units
+from ..exercise import Said
+from ..units import LOOSELY, Group, in_other_units
 
 __all__ = ["differing", "difference", "in_part", "places"]
 

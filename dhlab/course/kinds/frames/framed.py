@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from ...placing.board import Placement
-from ...placing.words import Judgement
-from ...printing import number
-from .exercise import Said, untouched
-from .reading import as_numbers, unusable
+from ....placing.board import Placement
+from ....placing.words import Judgement
+from ....printing import number
+from ..exercise import Said, untouched
+from ..reading import as_numbers, unusable
 
 __all__ = ["far_away", "first_wrong", "in_another_order", "in_other_units", "rows_of"]
 

@@ -8,15 +8,15 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ...arm import Arm
-from ...geometry.equivalence import equivalent
-from ...placing.board import Placement
-from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
-from . import Exercise, Said, untouched
-from .drawn import drawn_frames
+from ....arm import Arm
+from ....geometry.equivalence import equivalent
+from ....placing.board import Placement
+from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
+from .. import Exercise, Said, untouched
+from ..drawn import drawn_frames
+from ..kept import kept_apart
+from ..reading import as_numbers
 from .framed import far_away, first_wrong, in_another_order, in_other_units, rows_of
-from .kept import kept_apart
-from .reading import as_numbers
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ...doctor import explain_rows
-from ..verdict import RIGHT, Verdict
-from . import Said, Table, as_arm
+from ....doctor import explain_rows
+from ...verdict import RIGHT, Verdict
+from .. import Said, Table, as_arm
 from .arms import SAME, apart, in_table_units, size
 
 __all__ = ["Repair", "Impostor"]

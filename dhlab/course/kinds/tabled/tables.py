@@ -9,18 +9,18 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arm import Arm
-from ...doctor import catalogue, explain_rows
-from ...doctor.finding import Finding
-from ...geometry.equivalence import equivalent
-from ...table import DHTable
-from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
+from ....arm import Arm
+from ....doctor import catalogue, explain_rows
+from ....doctor.finding import Finding
+from ....geometry.equivalence import equivalent
+from ....table import DHTable
+from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
+from ..drawn import drawn_table
+from ..exercise import Exercise, Said, listed, no_draw, untouched
+from ..functions import CASES
+from ..kept import kept, kept_apart
+from ..reading import Unreadable, plain, unusable
 from .arms import SAME, apart, in_table_units, size, where
-from .drawn import drawn_table
-from .exercise import Exercise, Said, listed, no_draw, untouched
-from .functions import CASES
-from .kept import kept, kept_apart
-from .reading import Unreadable, plain, unusable
 
 __all__ = ["Table", "as_arm", "numbers"]
 

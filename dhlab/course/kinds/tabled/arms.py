@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arm import Arm
-from ...geometry.equivalence import equivalent
-from ...printing import number
-from ...table import DHTable
-from .exercise import Said
-from .units import LOOSELY, Group, in_other_units
+from ....arm import Arm
+from ....geometry.equivalence import equivalent
+from ....printing import number
+from ....table import DHTable
+from ..exercise import Said
+from ..units import LOOSELY, Group, in_other_units
 
 __all__ = ["IN_DEGREES", "SAME", "apart", "in_table_units", "size", "where"]
 

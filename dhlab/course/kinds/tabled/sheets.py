@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arm import Arm
-from ..verdict import Verdict
+from ....arm import Arm
+from ...verdict import Verdict
+from ..exercise import Said
 from .arms import apart, size, where
-from .exercise import Said
 from .tables import Table
 
 __all__ = ["OfAxes"]

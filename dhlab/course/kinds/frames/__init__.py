@@ -1,0 +1,1 @@
+"""Frames to be placed on bare joint axes."""

@@ -1,0 +1,1 @@
+"""Tables to be written, copied, repaired or made from axes, and what is said of them."""
