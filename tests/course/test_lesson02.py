@@ -125,6 +125,7 @@ def test_reading_a_row(key, variant):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", ["02.3", "02.4", "02.8"])
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_whole_turns_make_no_difference(key, variant):

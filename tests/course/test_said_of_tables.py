@@ -111,7 +111,7 @@ def repaired(key, **more):
 def test_of_two_changes_the_right_one_is_kept(key):
     mended = repaired(key, alpha5=90)
     verdict = E[key].judge(mended, 0)
-    assert verdict.place == "row 5, alpha was right before"
+    assert verdict.place == "row 5, α was right before"
     assert verdict.next == "Put this one back, and keep the other change."
     neither = np.array(E[key].given(0)["rows"])
     neither[4, 3], neither[0, 2] = 90, 0.2

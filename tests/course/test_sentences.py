@@ -29,6 +29,7 @@ def refused(exercise, answers, variant):
             yield answer, verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", KEYS)
 def test_every_sentence_has_a_predicate_and_is_true(key):
     exercise = ASKED[key]

@@ -27,6 +27,7 @@ def forward_kinematics(rows, q):
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "kind, expected, text",
     WRONG,

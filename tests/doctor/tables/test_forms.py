@@ -46,6 +46,7 @@ def is_the_form(arm, form):
     return np.allclose(arm.forward(q), right, rtol=1e-7, atol=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMS, ids=[form["name"] for form in FORMS])
 def test_a_form_is_read_as_what_it_says_or_asked_about(form):
     if form["ask"] is True and not form["rows"]:
