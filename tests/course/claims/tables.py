@@ -291,21 +291,8 @@ def _columns(rows):
 
 
 def _lengths(rows):
-    for factor in (
-        10,
-        100,
-        1000,
-        25.4,
-        39.3700787,
-        0.0254,
-        0.1,
-        0.01,
-        0.001,
-        1 / 25.4,
-        304.8,
-        3.28084,
-        0.3048,
-    ):
+    inches = [unit for k in (1, 1e2, 1e3) for unit in (0.0254 * k, 1 / 0.0254 / k)]
+    for factor in (10, 100, 1000, 0.1, 0.01, 0.001, 304.8, 3.28084, 0.3048, *inches):
         yield rows * [1, factor, factor, 1]
         yield rows * [1, factor, 1, 1]
         yield rows * [1, 1, factor, 1]
