@@ -239,12 +239,10 @@ def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page
     cell = run(page, checks - 1)
     expect(cell.locator(".cm-content")).to_contain_text('why = "c"')
     expect(run(page, checks)).to_contain_text("Right")
-    page.keyboard.press("Control+s")
-    for _ in range(600):
-        after = json.loads(path.read_text(encoding="utf-8"))["cells"]
-        if any('why = "c"' in "".join(one["source"]) for one in after):
-            break
-        page.wait_for_timeout(100)
+    # the server empties the file before it writes it anew: read it when it says that it is saved
+    with page.expect_response(lambda one: one.request.method == "PUT" and path.name in one.url):
+        page.keyboard.press("Control+s")
+    after = json.loads(path.read_text(encoding="utf-8"))["cells"]
     changed = [one["id"] for one, old in zip(after, before) if one["source"] != old["source"]]
     assert len(after) == len(before) and len(changed) == 1
     assert 'why = "c"' in "".join(next(one for one in after if one["id"] == changed[0])["source"])
