@@ -20,6 +20,7 @@ __all__ = [
     "table_html",
     "arm_text",
     "arm_html",
+    "listed",
     "number",
     "matrix_text",
     "grid_text",
@@ -47,6 +48,18 @@ def number(value: SupportsFloat, digits: int = 6) -> str:
     ('0.4', '-90', '0', '0.1625')
     """
     return np.format_float_positional(round(float(value), digits) + 0.0, trim="-")
+
+
+def listed(words: Iterable[str]) -> str:
+    """Words as a list in a sentence.
+
+    Examples
+    --------
+    >>> listed(["a"]), listed(["a", "b", "c"])
+    ('a', 'a, b and c')
+    """
+    words = list(words)
+    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]
 
 
 def _cells(table, rates, length="m"):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arm import Arm
-from ..printing import number
+from ..printing import listed, number
 from .drawing.triads import coincident
 
 __all__ = [
@@ -16,7 +16,6 @@ __all__ = [
     "frame_rows",
     "direction",
     "place",
-    "listed",
     "joint_words",
     "configuration",
     "who",
@@ -63,18 +62,6 @@ def place(point: Iterable[float]) -> str:
     'x = 0.75, y = -0.2, z = 0.1 m'
     """
     return ", ".join(f"{letter} = {number(v, 4)}" for letter, v in zip("xyz", point)) + " m"
-
-
-def listed(words: Iterable[str]) -> str:
-    """Words as a list in a sentence.
-
-    Examples
-    --------
-    >>> listed(["a"]), listed(["a", "b", "c"])
-    ('a', 'a, b and c')
-    """
-    words = list(words)
-    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]
 
 
 def _shared_origins(poses, names):

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...table import DHTable
 from ..kinds import Known, Said, Table
-from ..kinds.tabled.entries import differing, in_part
+from ..kinds.tabled.entries import COLUMNS, KINDS, differing, in_part
 from ..verdict import RIGHT, WRONG, Verdict
 
 __all__ = [
@@ -189,7 +189,6 @@ ABOUT = (
     "Go along x{1}: how far from z{0} to o{1}, with or against the arrow?",
     "Thumb along x{1}: do the fingers turn z{0} into z{1}, and by how much?",
 )
-NAMES, KINDS = ("θ", "d", "a", "α"), ("offset", "length", "length", "alpha")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -210,11 +209,11 @@ class ReadTable(Table):
         rows = _numbers(answer, right.shape)
         if rows is None or verdict.status not in (RIGHT, WRONG):
             return verdict
-        unit = in_part(rows, right, lambda i, k: f"{NAMES[k]}{i + 1}")
+        unit = in_part(rows, right, lambda i, k: f"{COLUMNS[k]}{i + 1}")
         if unit:
             return self.told(*unit)
         off = differing(rows, right)
-        named = [f"{NAMES[k]}{i + 1}" for i, k in np.argwhere(off)]
+        named = [f"{COLUMNS[k]}{i + 1}" for i, k in np.argwhere(off)]
         if verdict.status == RIGHT:
             return self._of_other_frames(off, named) if named else verdict
         columns = np.flatnonzero(off.any(axis=0))

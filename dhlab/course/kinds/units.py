@@ -11,6 +11,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from ...printing import listed
 from .exercise import Said
 
 __all__ = ["FACTORS", "LOOSELY", "Group", "in_other_units", "of_places"]
@@ -154,5 +155,4 @@ def _next(group, found):
 
 
 def _names(parts):
-    *names, last = [group.name for group, *_ in parts]
-    return f"{', '.join(names)} and {last}" if names else last
+    return listed(group.name for group, *_ in parts)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arm import Arm
-from ...printing import grid_text, number
+from ...printing import grid_text, listed, number
 
 __all__ = ["Protocol"]
 
@@ -134,14 +134,10 @@ def _steps(plan):
     )
     if plan.hidden:
         joints = [f"joint {i}" for i in plan.still]
-        why = f": the tool point lies on the axis of {_listed(joints)}" if joints else ""
-        yield f"Positions cannot show {_listed(plan.hidden)}{why}."
+        why = f": the tool point lies on the axis of {listed(joints)}" if joints else ""
+        yield f"Positions cannot show {listed(plan.hidden)}{why}."
     if plan.still:
         yield (
             "Clamp a pointer that sticks out sideways (100 mm, say) and put its tip into the arm's"
             " tool: then they show."
         )
-
-
-def _listed(words):
-    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1]

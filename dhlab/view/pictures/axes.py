@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ...geometry.lines import nearest_on
 from ...placing.board import Placement
 from ...placing.geometry import Geometry, geometry
-from ...printing import number
+from ...printing import listed, number
 from .. import words
 from ..drawing.bodies import add_joint
 from ..drawing.camera import orbit
@@ -247,7 +247,7 @@ def _alt(given, pairs, frames):
         f" Axis {k} to {f'axis {k + 1}' if k < n else 'the z axis of the tool'}: {_relation(pair)}."
         for k, pair in enumerate(pairs, 1)
     )
-    placed = f" Frames placed: {words.listed(f'{{{i}}}' for i in frames)}." if frames else ""
+    placed = f" Frames placed: {listed(f'{{{i}}}' for i in frames)}." if frames else ""
     return (
         f"The bare axes of {kinds} at q = 0, with the tool at {words.place(given[-1][0])}."
         f"{told}{placed}"

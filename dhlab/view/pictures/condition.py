@@ -10,7 +10,7 @@ from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 from numpy.typing import ArrayLike
 
 from ...arm import Arm
-from ...printing import number
+from ...printing import listed, number
 from .. import words
 from ..drawing.page import DPI, NARROW, Page, heading
 from ..drawing.style import AXES, FLOOR, FONT, INK, QUIET, SIZES
@@ -205,7 +205,7 @@ def _alt(arm, along, numbers, joint):
     lost = [f"{number(value, 2)}{unit}" for value in along[numbers > SINGULAR]]
     worst = int(np.argmax(numbers))
     end = (
-        f"The arm is singular at joint {joint} = {words.listed(lost)}: there the number has no end."
+        f"The arm is singular at joint {joint} = {listed(lost)}: there the number has no end."
         if lost
         else (
             f"It is highest, {_shown(numbers[worst])}, at {number(along[worst], 2)}{unit}; the path"

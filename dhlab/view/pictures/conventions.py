@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arm import Arm
-from ...printing import number
+from ...printing import listed, number
 from ...transform import trans
 from .. import words
 from ..drawing.bodies import add_arm, add_tool, dh_path
@@ -150,9 +150,9 @@ def _alt(arm, q, standard, craig):
     parts = [_parting(i, a, b) for i, (a, b) in enumerate(zip(standard, craig))]
     parted = [part for part in parts if part]
     same = [f"{{{i}}}" for i, part in enumerate(parts) if not part]
-    agree = f" The same in both: {words.listed(same)}." if same else ""
+    agree = f" The same in both: {listed(same)}." if same else ""
     differ = (
-        f" Seen from the standard frame of the same number, Craig's {words.listed(parted)}."
+        f" Seen from the standard frame of the same number, Craig's {listed(parted)}."
         if parted
         else ""
     )

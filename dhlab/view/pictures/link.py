@@ -4,6 +4,7 @@ second.
 
 import numpy as np
 
+from ...printing import listed
 from ...table import DHTable
 from .. import words
 from ..drawing.camera import best_orbit
@@ -127,7 +128,7 @@ def _sentences(moves, i, convention):
         if not move.is_nothing
     ]
     way = (
-        f"the way is {words.listed(steps)}"
+        f"the way is {listed(steps)}"
         if steps
         else "all four parameters are 0, so the frames coincide"
     )

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from ..exercise import Said
 from .arms import IN_DEGREES
-from .entries import difference, differing, in_part, places
+from .entries import COLUMNS, difference, differing, in_part, places
 from .tables import Table, as_arm
 
 __all__ = ["Copied"]
@@ -24,7 +24,7 @@ class Copied(Table):
         rows, wanted = (one.table.rows * IN_DEGREES for one in (arm, right))
         if arm.table.convention != right.table.convention or not differing(rows, wanted).any():
             return super()._slip(arm, right, q, variant)
-        unit = in_part(rows, wanted, lambda i, k: f"{'θdaα'[k]} of row {i + 1}")
+        unit = in_part(rows, wanted, lambda i, k: f"{COLUMNS[k]} of row {i + 1}")
         if unit:
             return self.told(*unit)
         for mistake, said, wrong in self._mistaken(variant):

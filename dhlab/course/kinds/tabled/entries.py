@@ -8,10 +8,11 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from ....printing import listed
 from ..exercise import Said
 from ..units import LOOSELY, Group, in_other_units
 
-__all__ = ["differing", "difference", "in_part", "places"]
+__all__ = ["COLUMNS", "KINDS", "differing", "difference", "in_part", "places"]
 
 COLUMNS = "θ", "d", "a", "α"
 KINDS = "offset", "length", "length", "alpha"  # in the catalogue's ids
@@ -40,12 +41,7 @@ def places(mask: NDArray[np.bool_]) -> str:
     'row 2, a and α; row 3, d'
     """
     rows = [(i, [c for c, on in zip(COLUMNS, row) if on]) for i, row in enumerate(mask, 1)]
-    return "; ".join(f"row {i}, {_listed(names)}" for i, names in rows if names)
-
-
-def _listed(names):
-    *some, last = names
-    return f"{', '.join(some)} and {last}" if some else last
+    return "; ".join(f"row {i}, {listed(names)}" for i, names in rows if names)
 
 
 def in_part(
@@ -74,7 +70,7 @@ def _named(mask, right, name):
         rows = np.flatnonzero(mask[:, k])
         whole = not right[~mask[:, k], k].any()
         names += [COLUMNS[k]] if whole else [name(i, k) for i in rows]
-    return _listed(names)
+    return listed(names)
 
 
 def difference(rows: NDArray, right: NDArray) -> tuple[str | None, Said] | None:
@@ -89,7 +85,7 @@ def _moved(rows, right, off):
     """Two columns, rows or numbers in each other's places."""
     wrong = off.any(axis=1)
     found = [str(i + 1) for i in np.flatnonzero(wrong)]
-    where = f"{'row' if len(found) == 1 else 'rows'} {_listed(found)}"
+    where = f"{'row' if len(found) == 1 else 'rows'} {listed(found)}"
     for i, k in combinations(range(4), 2):
         other = right.copy()
         other[np.ix_(wrong, [i, k])] = right[np.ix_(wrong, [k, i])]
