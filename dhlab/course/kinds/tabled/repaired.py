@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ....arm import Arm
 from ....doctor import explain_rows
 from ...verdict import RIGHT, Verdict
 from .. import Said, Table, as_arm
@@ -90,11 +91,7 @@ class Impostor(Table):
     def drawn(self, answer: Any, variant: int = 0) -> Any:
         return None  # a wrong table is what is asked for
 
-    def compare(self, answer: Any, variant: int) -> Verdict:
-        right = self.right_arm(variant)
-        arm = self.arm_of(answer, right)
-        if isinstance(arm, Verdict):
-            return arm
+    def judged(self, arm: Arm, right: Arm, variant: int) -> Verdict:
         q = self.poses_at(variant)
         seen, hidden = apart(arm, right, 0 * q[:1]), apart(arm, right, q)
         if max(seen) > SAME:

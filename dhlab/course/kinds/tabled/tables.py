@@ -110,8 +110,10 @@ class Table(Exercise):
     def compare(self, answer: Any, variant: int) -> Verdict:
         right = self.right_arm(variant)
         arm = self.arm_of(answer, right)
-        if isinstance(arm, Verdict):
-            return arm
+        return arm if isinstance(arm, Verdict) else self.judged(arm, right, variant)
+
+    def judged(self, arm: Arm, right: Arm, variant: int) -> Verdict:
+        """The Verdict on the arm that an answer describes."""
         q = self.poses_at(variant)
         off = apart(arm, right, q)
         if max(off) <= self.tolerance:
