@@ -116,9 +116,8 @@ def _looked_at_again(arm, data, answer, clock):
         f" others: it is off by {where or 'its rotation'}. Read it again; it was left out here."
     )
     if ones:
-        answer = explained(arm, rest, misfit(arm, rest), ones, (said,), clock)
         all_but = f"all measurements but number {k + 1}"
-        return replace(answer, headline=answer.headline.replace("the measurements", all_but))
+        return explained(arm, rest, misfit(arm, rest), ones, (said,), clock, all_but)
     return replace(
         answer,
         headline=f"The table agrees with every measurement but number {k + 1}.",

@@ -12,7 +12,7 @@ from ..budget import NAMES
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNEXPLAINED, Diagnosis
 from ..mistakes.remade import with_parts
 from ..mistakes.themes.models import which_model
-from .judging.agreement import agreement, are_few, only_scatter, possible
+from .judging.agreement import agreement, are_few, may_be_scatter
 from .judging.calibration import calibration, changes_by_size, explains_better, is_small
 from .judging.choosing import choose, least_needed
 from .judging.undecided import may_be_noise, undecided
@@ -86,9 +86,7 @@ def _may_be_scatter(now, data):
     """
     if data.stated:
         return now.chi2 <= limit(data.count)
-    level = level_left(now.arm, data, now.fitted)
-    plausible = all(s <= most for s, most in zip(level, possible(data)))
-    return plausible and only_scatter(now, data, level)
+    return may_be_scatter(now, data, level_left(now.arm, data, now.fitted))
 
 
 def _settles(choice, whole):
@@ -165,9 +163,9 @@ def _calibrated(arm, data, whole, now, choice, notes):
     )
 
 
-def explained(arm, data, now, explanations, notes, budget):
+def explained(arm, data, now, explanations, notes, budget, measurements="the measurements"):
     """The Diagnosis from everything that fits: the simplest first, snapped to round numbers, named;
-    the others noted.
+    the others noted. ``measurements`` says in words what is explained.
     """
     part = budget.part("names of what was found", NAMES)
     explanations = ranked(arm, explanations, data, part)
@@ -177,7 +175,7 @@ def explained(arm, data, now, explanations, notes, budget):
         findings[0], same = with_equivalents(findings[0], best, explanations[1:], data, part)
         notes += same
     others = rivals_of(best, explanations[1:], data)
-    headline, pose = f"{_words(len(findings))} the measurements.", None
+    headline, pose = f"{_words(len(findings))} {measurements}.", None
     model = which_model(findings[0].mistake, arm, best.fit.arm)
     if model is not None:
         headline, note = model

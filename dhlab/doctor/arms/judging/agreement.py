@@ -12,7 +12,7 @@ from ..search.fitting import jacobian
 from ..search.signs import entries_of
 from .weighing import level_left
 
-__all__ = ["Agreement", "FEW", "agreement", "are_few", "only_scatter", "possible", "too_free"]
+__all__ = ["Agreement", "FEW", "agreement", "are_few", "may_be_scatter", "possible", "too_free"]
 
 CHANCE = 0.006  # how often right data may be doubted
 CHANCE_OF_FEW = 0.05  # the same where too few poses would show a mistake
@@ -58,7 +58,7 @@ def agreement(now, data):
     if not _doubted(now, data, data.floor, np.inf, chance):
         return Agreement(True, data.floor)
     level = level_left(now.arm, data, now.fitted)
-    plausible = all(s <= most for s, most in zip(level, possible(data)))
+    plausible = _is_possible(level, data)
     if data.R is not None and level[1] <= data.floor[1] and level[0] > 2 * data.floor[0]:
         data, spare = replace(data, R=None), spare // 2  # rotations without noise tell no scatter
     agrees = plausible and not few and not _doubted(now, data, level, spare, 3 * CHANCE)
@@ -79,7 +79,16 @@ def too_free(now, data):
     return free and rough and _kinds(data) - now.fitted < ENOUGH
 
 
-def only_scatter(found, data, level):
+def may_be_scatter(found, data, level):
+    """Whether an arm leaves no more than people measure, and nothing but scatter."""
+    return _is_possible(level, data) and _only_scatter(found, data, level)
+
+
+def _is_possible(level, data):
+    return all(s <= most for s, most in zip(level, possible(data)))
+
+
+def _only_scatter(found, data, level):
     """Whether what a repaired arm leaves is scatter, so far as these data show: else something else
     is wrong besides.
     """

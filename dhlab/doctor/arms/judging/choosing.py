@@ -10,7 +10,7 @@ from ...budget import CHOICE
 from ..search.fitting import fit, misfit
 from ..search.measured import limit
 from ..words.ranking import snapped, taken_over
-from .agreement import only_scatter, possible
+from .agreement import may_be_scatter, possible
 from .weighing import as_it_is, as_measured, weigh
 
 __all__ = ["Choice", "choose", "least_needed"]
@@ -113,6 +113,4 @@ def _fits(w, data):
         return False
     if data.stated:
         return e.fit.chi2 <= limit(left)
-    return all(s <= most for s, most in zip(w.level, possible(mended))) and only_scatter(
-        e.fit, replace(mended, noise=w.level), w.level
-    )
+    return may_be_scatter(e.fit, mended, w.level)
