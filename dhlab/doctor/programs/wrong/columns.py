@@ -1,5 +1,7 @@
 """What a geometric Jacobian is made of, and how a version of it is made with another part."""
 
+from functools import partial
+
 import numpy as np
 
 __all__ = [
@@ -27,12 +29,14 @@ def axes(frames):
     return frames[:-1, :3, 2]
 
 
-def columns(z, lever, sliding):
+def columns(z, lever, sliding, v=lambda z, lever: z, omega=lambda z: 0 * z):
     """(6, n) from axes and levers (n, 3): a turning joint gives z × lever and z, a sliding one z
-    and 0.
+    and 0, or what ``v`` and ``omega`` make of them.
     """
     slides = np.asarray(sliding, dtype=bool)[:, None]
-    return np.hstack([np.where(slides, z, np.cross(z, lever)), np.where(slides, 0.0, z)]).T
+    return np.hstack(
+        [np.where(slides, v(z, lever), np.cross(z, lever)), np.where(slides, omega(z), z)]
+    ).T
 
 
 def geometric_jacobian(frames, T_end, sliding):
@@ -75,14 +79,7 @@ def slid(v, omega):
     """The columns of the sliding joints with v and ω made by functions of the axes and the
     levers.
     """
-
-    def columns(z, lever, sliding):
-        slides = np.asarray(sliding, dtype=bool)[:, None]
-        return np.hstack(
-            [np.where(slides, v(z, lever), np.cross(z, lever)), np.where(slides, omega(z), z)]
-        ).T
-
-    return columns
+    return partial(columns, v=v, omega=omega)
 
 
 def halved(J, factor):
