@@ -1,5 +1,7 @@
 """Bases and tools in closed form: where they are free, put where the measured poses are nearest."""
 
+from itertools import product
+
 import numpy as np
 
 from ....transform import inverse
@@ -7,6 +9,11 @@ from ...mistakes.remade import with_parts
 from .measured import rotation_vectors
 
 __all__ = ["place_ends", "carried", "rigid"]
+
+RADII = 0.1, 0.3, 1.0  # of the measured points' spread: how far off a tool point is looked for
+AROUND = np.array([way for way in product((-1, 0, 1), repeat=3) if any(way)], float)
+AROUND /= np.linalg.norm(AROUND, axis=1, keepdims=True)
+STEPS, DAMPING = 8, 1e-6
 
 
 def place_ends(arm, data):
@@ -30,18 +37,52 @@ def place_ends(arm, data):
 
 
 def _placed_by_positions(arm, T, data):
-    """The same from positions alone: a tool point is the mean of where the measured ones are in the
-    last frame, a base is carried there.
-    """
+    """The same from positions alone, which a base carries to the measured ones."""
     B, E = np.eye(4), np.eye(4)
-    for _ in range(10 if data.base_free and data.tool_free else 1):
-        if data.tool_free:
-            E[:3, 3] = (
-                (inverse(B @ T)[:, :3, :3] @ (data.p - (B @ T)[:, :3, 3])[..., None])[..., 0]
-            ).mean(0)
-        if data.base_free:
-            B = _kabsch((T @ E)[:, :3, 3], data.p)
+    if data.tool_free:
+        E[:3, 3] = (_point_on_base if data.base_free else _point)(T, data.p)
+    if data.base_free:
+        B = _kabsch((T @ E)[:, :3, 3], data.p)
     return with_parts(arm, base=rigid(B @ arm.base), tool=arm.tool @ E)
+
+
+def _point(T, p):
+    """The tool point (3,): the mean of where the measured ones (m, 3) are in the last frame."""
+    return ((p - T[:, :3, 3])[:, None] @ T[:, :3, :3]).mean(0)[0]
+
+
+def _point_on_base(T, p):
+    """The tool point where the base is free too: the one that a base carries nearest to the
+    measured points, of those to which Gauss-Newton steps lead from many starts. What the steps
+    mend are distances between points, which no base changes.
+    """
+    around = np.outer(RADII, AROUND).reshape(-1, 3) * np.sqrt(p.var(0).sum())
+    starts = points = np.vstack([np.zeros(3), around])
+    for _ in range(STEPS):
+        points = points + _nearer(T, points, p)
+    points = np.vstack([starts, points])
+    return points[carried(_ways(T, points), p).argmin()]
+
+
+def _nearer(T, points, p):
+    """The steps (k, 3) of tool points that bring the squares of distances, from each pose to the
+    next two, nearer to those of the measured points.
+    """
+    ways, J, off = _ways(T, points), [], []
+    for n in (1, 2):
+        apart = ways - np.roll(ways, n, 1)
+        J.append(2 * apart[:, :, None] @ (T[:, :3, :3] - np.roll(T[:, :3, :3], n, 0)))
+        off.append((apart**2).sum(-1) - ((p - np.roll(p, n, 0)) ** 2).sum(-1))
+    J, off = np.concatenate(J, 1)[:, :, 0], np.concatenate(off, 1)
+    H = np.swapaxes(J, 1, 2) @ J
+    damping = np.maximum(DAMPING * np.trace(H, axis1=1, axis2=2), np.finfo(float).tiny)
+    H += damping[:, None, None] * np.eye(3)
+    return -np.linalg.solve(H, np.swapaxes(J, 1, 2) @ off[..., None])[..., 0]
+
+
+def _ways(T, points):
+    """Where the arm takes each tool point: (k, m, 3)."""
+    return T[:, :3, 3] + np.einsum("mij,kj->kmi", T[:, :3, :3], points)
 
 
 def _kabsch(points, targets):

@@ -29,6 +29,16 @@ def test_few_poses_find_the_ends_of_a_right_table(full):
         assert misfit(arm, data).explains(data)
 
 
+@pytest.mark.parametrize("name", ["px100", "cobra600", "panda", "kr6_r700"])
+def test_five_positions_find_both_ends_of_a_right_table(name):
+    arm, rng = dh.load(name), np.random.default_rng(5)
+    for _ in range(25):
+        q, (B, E) = rng.uniform(-2, 2, (5, len(arm))), (pose(x) for x in rng.normal(0, 0.5, (2, 6)))
+        p = (B @ arm.forward(q) @ E)[:, :3, 3]
+        data = Measured(q, p, None, (1e-4, 1e-3), True, True)
+        assert misfit(arm, data).explains(data)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("free", ["base", "tool", "both"])
 @pytest.mark.parametrize("full", [True, False])
