@@ -3,6 +3,7 @@ choice passes, a wrong one is told its rule.
 """
 
 from collections.abc import Iterable, Sequence
+from copy import copy
 from typing import Any
 
 import numpy as np
@@ -79,6 +80,15 @@ class Placement:
         self.end, self.convention = require_pose(end, "Placement: end"), convention
         found = place(axes_from(axes), self.end, Choices(standard=self.standard))
         self.axes, self.reach = found.axes, found.reach or 1.0
+        self._clear()
+
+    def cleared(self) -> "Placement":
+        """Another Placement on the same axes, with no frame placed yet."""
+        other = copy(self)
+        other._clear()
+        return other
+
+    def _clear(self):
         self.z: dict[int, NDArray[np.float64]] = {}
         self.o: dict[int, NDArray[np.float64]] = {}
         self.x: dict[int, NDArray[np.float64]] = {}

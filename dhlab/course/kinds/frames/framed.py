@@ -2,7 +2,7 @@
 and the units of their origins.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from itertools import permutations
 from typing import Any
 
@@ -61,7 +61,7 @@ def first_wrong(task: Placement, rows: Sequence[Any]) -> Judgement | None:
     return None
 
 
-def in_other_units(given: Mapping[str, Any], rows: Sequence[Any], wrong: str) -> Said | None:
+def in_other_units(task: Placement, rows: Sequence[Any], wrong: str) -> Said | None:
     """What is said of origins that are right in another unit than metres: of all that are there,
     of the ``wrong`` one, or of some of its coordinates; None.
     """
@@ -72,7 +72,7 @@ def in_other_units(given: Mapping[str, Any], rows: Sequence[Any], wrong: str) ->
         scaled = [list(row) for row in rows]
         for i in some:
             scaled[i][1] = points[i] * times
-        left = first_wrong(Placement(given["axes"], given["end"]), scaled)
+        left = first_wrong(task.cleared(), scaled)
         return left is None or (len(some) == 1 and left.step != wrong)
 
     for name, some, places in _origins(points, wrong):
@@ -98,13 +98,13 @@ def _origins(points, wrong):
             yield f"{' and '.join(names)} of o{i}", [i], places
 
 
-def in_another_order(given: Mapping[str, Any], rows: Sequence[Any]) -> Said | None:
+def in_another_order(task: Placement, rows: Sequence[Any]) -> Said | None:
     """What is said of rows that would be right with their three entries in another order; None."""
     if any(untouched(part) for row in rows for part in row):
         return None
     for order in list(permutations(range(3)))[1:]:
         turned = [[row[k] for k in order] for row in rows]
-        if first_wrong(Placement(given["axes"], given["end"]), turned) is None:
+        if first_wrong(task.cleared(), turned) is None:
             found = ", ".join(PARTS[order.index(k)] for k in range(3))
             return Said(
                 f"the rows hold {found}; they are asked as z, origin, x",

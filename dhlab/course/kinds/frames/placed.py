@@ -152,13 +152,13 @@ class Frames(Exercise):
         task = Placement(given["axes"], given["end"])
         wrong = first_wrong(task, rows)
         if wrong is not None:
-            unit = in_other_units(given, rows, wrong.step)
+            unit = in_other_units(task, rows, wrong.step)
             if unit:
                 return self.told("length-unit", unit)
-            order = in_another_order(given, rows)
+            order = in_another_order(task, rows)
             if order:
                 return self.told(None, order)
-            return self.slowly(self._refused(task, wrong, _was_allowed(given, rows)))
+            return self.slowly(self._refused(task, wrong, _was_allowed(task, given, rows)))
         far = far_away(task)
         if far:
             return self.told("length-unit", far)
@@ -172,7 +172,7 @@ class Frames(Exercise):
             return self.say(
                 NOT_ATTEMPTED, place=f"right so far: {right}", next=f"Place {task.missing[0]}."
             )
-        return self._mended(given, rows) if "frames" in given else self._finished(task, given)
+        return self._mended(task, given, rows) if "frames" in given else self._finished(task, given)
 
     def _finished(self, task, given):
         """The Verdict on right frames: whose table theirs is, or how it is another one."""
@@ -186,11 +186,11 @@ class Frames(Exercise):
             says = f" The table of your frames is {self.known_as}." if known else ""
         return self.say(RIGHT, self.praise + says + self.warning(task))
 
-    def _mended(self, given, rows):
+    def _mended(self, task, given, rows):
         """The Verdict on somebody's frames that keep every rule now: the step that broke one may be
         changed, and no other.
         """
-        needless = _needless(given, rows)
+        needless = _needless(task, given, rows)
         if not needless:
             return self.say(RIGHT, self.praise)
         choice = "a choice" if len(needless) == 1 else "choices"
@@ -249,18 +249,18 @@ def _same(answer, frames):
         return False
 
 
-def _was_allowed(given, rows):
+def _was_allowed(task, given, rows):
     """Which of the steps that a learner changed were right as they were handed out, as a sentence;
     "" when none was.
     """
-    needless = _needless(given, rows) if "frames" in given else []
+    needless = _needless(task, given, rows) if "frames" in given else []
     were = "was" if len(needless) == 1 else "were"
     return f" {' and '.join(needless)} {were} allowed as handed out." if needless else ""
 
 
-def _needless(given, rows):
+def _needless(task, given, rows):
     """The steps that were changed and broke no rule as they were handed out."""
-    broken = first_wrong(Placement(given["axes"], given["end"]), given["frames"])
+    broken = first_wrong(task.cleared(), given["frames"])
     changed = [
         f"{letter}{i}"
         for i, (row, frame) in enumerate(zip(rows, given["frames"]))
