@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from ...doctor import catalogue, explain_function
 from ...doctor.programs.cases import is_long, where
 from ...doctor.programs.explain import AND, NUMBERS
-from ...doctor.programs.running.answers import answers_in_time, single_precision
+from ...doctor.programs.running.answers import answers_in_time
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
+from ...doctor.programs.source.precision import single_precision
 from ...table import COLUMNS
 from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .exercise import Exercise, Said

@@ -26,10 +26,11 @@ from .compared import (
     special,
 )
 from .explain import hides_the_rest
-from .running.answers import answers_in_time, single_precision
+from .running.answers import answers_in_time
 from .running.calling import CallFault, is_stub
 from .running.deadline import OutOfTime, limited
 from .source.lines import lines_to_change
+from .source.precision import single_precision
 from .task import KINDS, RIGHT, Task
 
 __all__ = ["diagnose_function"]

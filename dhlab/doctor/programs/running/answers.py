@@ -9,10 +9,9 @@ import numpy as np
 from .calling import Called, CallFault, record, shown
 from .deadline import OutOfTime, limited
 
-__all__ = ["answers_in_time", "call_all", "single_precision"]
+__all__ = ["answers_in_time", "call_all"]
 
 SECONDS = 8  # of the processor, for all calls of a function together
-SINGLE = {"float32", "single", "float16", "half", "f4"}
 RANDOM = {"random", "rand", "randn", "randint", "uniform", "default_rng"}
 LEAST = 3  # calls; a program that is right in three general ones is right in general
 
@@ -59,20 +58,6 @@ def answers_in_time(f, cases, shape, names, seconds=SECONDS):
             "Does a loop run for ever? With SymPy, put the numbers in before the matrices are"
             " multiplied, and simplify nothing.",
         ) from None
-
-
-def single_precision(f, answers):
-    """Whether a program computes with 32 or 16 bits: its answers do, or the function or one that it
-    calls says so.
-
-    Examples
-    --------
-    >>> single_precision(None, [np.eye(4, dtype=np.float32)]), single_precision(abs, [np.eye(4)])
-    (True, False)
-    """
-    if all(answer.dtype in (np.float32, np.float16) for answer in answers):
-        return True
-    return not SINGLE.isdisjoint(_names_in(f))
 
 
 def _names_in(f, depth=2):

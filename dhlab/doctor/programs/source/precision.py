@@ -1,0 +1,122 @@
+"""Whether a program computes in single precision: its answers do, or its text says so."""
+
+import ast
+import linecache
+import sys
+from types import ModuleType
+
+import numpy as np
+
+__all__ = ["single_precision"]
+
+SINGLE = (np.float32, np.float16)
+NAMES = {"float32", "single", "f4", "f", "float16", "half", "f2", "e"}  # in a text
+OF_KINDS = {  # calls that are told by an argument of which kind their numbers are
+    "array", "asarray", "astype", "dtype", "empty", "eye", "full", "identity", "ones", "zeros",
+}  # fmt: skip
+DEEP = 2  # functions that call one another, and are looked at behind the first
+
+
+def single_precision(f, answers):
+    """Whether a program computes with 32 or 16 bits: its answers do, or an array or a number is
+    made so in the text of the function, or of one that it calls and that stands where it does.
+
+    Examples
+    --------
+    >>> single_precision(None, [np.eye(4, dtype=np.float32)]), single_precision(abs, [np.eye(4)])
+    (True, False)
+    """
+    if all(answer.dtype in SINGLE for answer in answers):
+        return True
+    return any(_is_single(node, space) for node, space in _read(f))
+
+
+def _read(f, deep=DEEP):
+    """The nodes of a function's text and of those that it calls, each with the names around it."""
+    definition = _definition(f)
+    if definition is None:
+        return
+    space = _around(f, definition)
+    used = set()
+    for node in ast.walk(definition):
+        yield node, space
+        used |= {node.id} if isinstance(node, ast.Name) else set()
+    for value in map(space.get, used if deep else ()):
+        if getattr(value, "__module__", "") == f.__module__ and value is not f:
+            for one in vars(value).values() if isinstance(value, type) else [value]:
+                yield from _read(one, deep - 1)
+
+
+def _definition(f):
+    """The node that defines a function; None where its text cannot be had."""
+    code = getattr(f, "__code__", None)
+    if code is None:
+        return None
+    lines = linecache.getlines(code.co_filename, f.__globals__)
+    try:
+        nodes = ast.walk(ast.parse("".join(lines)))
+    except (SyntaxError, ValueError):  # magics of a notebook
+        return None
+    return next((node for node in nodes if _first_line(node) == code.co_firstlineno), None)
+
+
+def _first_line(node):
+    """Where a definition begins, with what decorates it; None of anything else."""
+    if not isinstance(node, (ast.FunctionDef, ast.Lambda)):
+        return None
+    return min(one.lineno for one in (node, *getattr(node, "decorator_list", ())))
+
+
+def _around(f, definition):
+    """The names that a function finds: of its cell, of the functions around it, and what it imports
+    of numpy by itself.
+    """
+    code, space = f.__code__, dict(f.__globals__)
+    for name, cell in zip(code.co_freevars, f.__closure__ or ()):
+        try:
+            space[name] = cell.cell_contents
+        except ValueError:  # it has no value yet
+            continue
+    for node in ast.walk(definition):
+        for alias in node.names if isinstance(node, (ast.Import, ast.ImportFrom)) else ():
+            source = getattr(node, "module", None) or alias.name
+            module = sys.modules.get(source)
+            whole = isinstance(node, ast.Import)
+            space[alias.asname or alias.name] = (
+                module if whole else getattr(module, alias.name, None)
+            )
+    return space
+
+
+def _is_single(node, space):
+    """Whether a node is a kind of number of 32 or 16 bits, or a call that is told one in a text."""
+    if isinstance(node, (ast.Name, ast.Attribute)):
+        value = _value(node, space)
+        return not isinstance(value, str) and _means_single(value)
+    if not isinstance(node, ast.Call):
+        return False
+    told = [word.value for word in node.keywords if word.arg == "dtype"]
+    if getattr(node.func, "attr", getattr(node.func, "id", "")) in OF_KINDS:
+        told += node.args
+    return any(_means_single(_value(one, space)) for one in told)
+
+
+def _value(node, space):
+    """What a literal, a name or the attribute of a module stands for; None of anything else."""
+    if isinstance(node, ast.Constant):
+        return node.value
+    if isinstance(node, ast.Name):
+        return space.get(node.id)
+    if not isinstance(node, ast.Attribute):
+        return None
+    home = _value(node.value, space)
+    return getattr(home, node.attr, None) if isinstance(home, ModuleType) else None
+
+
+def _means_single(value):
+    """Whether a type, a dtype or the name of one is of 32 or 16 bits."""
+    if isinstance(value, str):
+        return value.lstrip("<>=") in NAMES
+    return any(value is kind for kind in SINGLE) or (
+        isinstance(value, np.dtype) and value.type in SINGLE
+    )
