@@ -29,8 +29,9 @@ def changed(key, **entries):
         ("06.6", {"d3": 0.1}, "rows 3 and 4", "rows 2"),
         ("06.6", {"d2": 0.05, "d3": 0.05}, "axes 2 to 4 are parallel", "rows 3 and 4"),
         ("06.6", {"theta4": 90}, "row 4 leads", "parallel"),
-        ("09.7", {"a3": 0.31}, "row 3 leads", "parallel"),
-        ("09.7", {"d2": 0.1}, "a wrong d in any of these rows", "counted twice"),
+        ("09.7", {"a3": 0.31}, "row 3, a", "joint"),
+        ("09.7", {"d2": 0.1}, "row 2, d", "counted twice"),
+        ("09.7", {"d2": 0.1, "alpha5": 30}, "row 2, d; row 5, α", "joint"),
     ],
 )
 def test_what_is_said_of_steps_along_parallel_axes(key, entries, said, unsaid):

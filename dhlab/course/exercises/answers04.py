@@ -2,16 +2,17 @@
 axes to place frames on, frames to read a table from.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ...table import DHTable
-from ..kinds import Known, Said, Table
-from ..kinds.tabled.entries import COLUMNS, KINDS, differing, in_part
-from ..verdict import RIGHT, WRONG, Verdict
+from ..kinds import Known, Said
+from ..kinds.tabled.arms import IN_DEGREES
+from ..kinds.tabled.copied import Copied
+from ..kinds.tabled.entries import COLUMNS, differing
 
 __all__ = [
     "OF_Z",
@@ -192,98 +193,24 @@ ABOUT = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReadTable(Table):
-    """A table to be read off frames that are drawn; says which single numbers were misread. A right
-    table that is read off other frames of the arm is not the one that is asked.
-
-    ``read(**given)`` gives the rows of the frames that are drawn, degrees and metres.
+class ReadTable(Copied):
+    """A table to be read off frames that are drawn: ``answer`` has the rows of these. A right table
+    that is read off other frames of the arm is not the one that is asked.
     """
 
-    read: Callable[..., Sequence[Sequence[float]]]
+    def named(self, row: int, column: int) -> str:
+        return f"{COLUMNS[column]}{row + 1}"
 
-    def compare(self, answer: object, variant: int) -> Verdict:
-        verdict = super().compare(answer, variant)
-        if verdict.mistake in ("angle-unit", "length-unit"):
-            return verdict
-        right = np.array(self.read(**self.given(variant)), dtype=float)
-        rows = _numbers(answer, right.shape)
-        if rows is None or verdict.status not in (RIGHT, WRONG):
-            return verdict
-        unit = in_part(rows, right, lambda i, k: f"{COLUMNS[k]}{i + 1}")
-        if unit:
-            return self.told(*unit)
-        off = differing(rows, right)
-        named = [f"{COLUMNS[k]}{i + 1}" for i, k in np.argwhere(off)]
-        if verdict.status == RIGHT:
-            return self._of_other_frames(off, named) if named else verdict
-        columns = np.flatnonzero(off.any(axis=0))
-        if (
-            len(columns) == 1
-        ):  # more columns than one: a slip of another kind, of which the doctor knows more
-            return self._misread(rows[off], right[off], off, int(columns[0]), named)
-        if verdict.mistake is None:
-            return self.wrong(
-                headline=f"these frames have another {', '.join(named)}",
-                next=_one_at_a_time(off, named),
-            )
-        return verdict
+    def asked(self, off: NDArray[np.bool_]) -> str:
+        """How the first number that is not that of the frames is read."""
+        i, k = np.argwhere(off)[0]
+        return f"One number at a time. For {self.named(i, k)}: {ABOUT[k].format(i, i + 1)}"
 
-    def _of_other_frames(self, off, named):
-        """The Verdict on a right table of the arm that is not read off these frames."""
-        return self.wrong(
-            "table-taken-as-unique",
-            place=Said(
-                f"the same arm, but a table of other frames: these have another {', '.join(named)}",
-                next=_one_at_a_time(off, named),
-            ),
-        )
-
-    def _misread(self, given, right, off, k, named):
-        one, i = len(named) == 1, int(np.argwhere(off)[0][0])
-        sign = bool(np.allclose(given, -right))
-        slip = (
-            "sign"
-            if sign
-            else (
-                "missing"
-                if k == 0 and not given.any()
-                else (
-                    "unit" if KINDS[k] == "length" and np.allclose(given, 1000 * right) else "value"
-                )
-            )
-        )
-        are, have = ("is", "has") if one else ("are", "have")
-        said = {
-            "sign": f"{have} the wrong sign",
-            "missing": f"{are} not 0: look at the x arrows",
-            "unit": f"{are} in millimetres, and metres are asked",
-            "value": f"{have} another value",
-        }
-        return self.wrong(
-            f"{KINDS[k]}-{slip}",
-            place=Said(f"{' and '.join(named)} {said[slip]}", next=ABOUT[k].format(i, i + 1)),
-        )
-
-
-def _one_at_a_time(off, named):
-    """The next step where numbers are not those of the frames: how the first is read."""
-    i, k = np.argwhere(off)[0]
-    return f"One number at a time. For {named[0]}: {ABOUT[k].format(i, i + 1)}"
-
-
-def _numbers(answer, shape):
-    """An answer's rows in degrees and metres, or None when they are not written in this shape or
-    convention.
-    """
-    table = getattr(answer, "table", answer)
-    if isinstance(table, DHTable):
-        return (
-            np.column_stack([np.rad2deg(table.theta), table.d, table.a, np.rad2deg(table.alpha)])
-            if table.convention == "standard" and len(table) == shape[0]
-            else None
-        )
-    try:
-        rows = np.array(table, dtype=float)
-    except (TypeError, ValueError):
-        return None
-    return rows if rows.shape == shape and np.isfinite(rows).all() else None
+    def _right(self, arm, right, off):
+        rows, drawn = (one.table.rows * IN_DEGREES for one in (arm, right))
+        other = differing(rows, drawn)
+        if arm.table.convention != right.table.convention or not other.any():
+            return super()._right(arm, right, off)
+        names = ", ".join(self.named(i, k) for i, k in np.argwhere(other))
+        said = f"the same arm, but a table of other frames: these have another {names}"
+        return self.wrong("table-taken-as-unique", place=Said(said, next=self.asked(other)))

@@ -88,7 +88,6 @@ EXERCISES = [
         points=2,
         draw=draw_read,
         answer=lambda **given: Arm(DHTable.standard(rows_read(**given), angle="deg")),
-        read=rows_read,
         praise="θ and d about and along the old z, a and α along and about the new x.",
         hints=(
             (

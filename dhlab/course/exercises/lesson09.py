@@ -9,7 +9,9 @@ from ...geometry.procedure.frames import assign_frames
 from ...robots import load
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
+from ..kinds.tabled.copied import Copied
 from ..kinds.tabled.sheets import OfAxes
+from .answers03 import COPIED
 from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
@@ -125,7 +127,7 @@ EXERCISES = [
             "The heading says a(i-1) and alpha(i-1). In which row is i - 1 your joint?",
         ),
     ),
-    Table(
+    Copied(
         id="09.7",
         title="Two tables of one arm",
         mirrors="00.4",
@@ -134,6 +136,7 @@ EXERCISES = [
         answer=lambda table: Arm(table).to("standard"),
         mistakes=half_moved,
         convention="standard",
+        compared=COPIED,
         praise="θ and d stay, a and α move up one row.",
         hints=(
             (

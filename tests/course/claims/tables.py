@@ -662,10 +662,7 @@ def _misread(judge):
     """Exactly the named entries differ from those of the drawn frames, and as is said."""
 
     def holds(answer, g, f):
-        rows, right = (
-            np.array(answer, dtype=float),
-            np.array(g["exercise"].read(**g["exercise"].given(g["variant"])), dtype=float),
-        )
+        rows, right = (np.array(answer, dtype=float), degrees_of(right_of(g)))
         off = np.abs(rows - right)
         off[:, [0, 3]] = np.abs((rows - right + 180) % 360 - 180)[:, [0, 3]]
         named = _named(f)
@@ -678,14 +675,11 @@ def _misread(judge):
 
 NAMES = r"(?P<names>[θdaα]\d(?:(?:, | and )[θdaα]\d)*)"
 DRAWN = [
-    (rf"{NAMES} (?:has|have) the wrong sign", _misread(lambda x, right: np.isclose(x, -right))),
-    (rf"{NAMES} (?:is|are) not 0: .+", _misread(lambda x, right: x == 0 != right)),
-    (rf"{NAMES} (?:has|have) another value", _misread(lambda x, right: x != right)),
     (
         rf"the same arm, but a table of other frames: these have another {NAMES}",
         lambda a, g, f: same(*arm_of(a, g)) and _misread(lambda x, right: x != right)(a, g, f),
     ),
-    (rf"these frames have another {NAMES}", _misread(lambda x, right: x != right)),
+    *typed.claims(lambda g: degrees_of(right_of(g))),
 ]
 
 
@@ -885,13 +879,14 @@ SHEET = [
 ]
 
 
-def _kr6(made):
-    def rows(g, f):
-        given = degrees_of(dh.Arm(g["table"]))
-        right = np.column_stack([given[:, :2], _pairs(given, -1)])
-        return made(given, right)
+def _kr6_rows(g):
+    """The rows that are given, and the right ones: a and α one row up."""
+    given = degrees_of(dh.Arm(g["table"]))
+    return given, np.column_stack([given[:, :2], _pairs(given, -1)])
 
-    return is_arm(rows)
+
+def _kr6(made):
+    return is_arm(lambda g, f: made(*_kr6_rows(g)))
 
 
 MOVED = [
@@ -909,6 +904,7 @@ MOVED = [
         r"the last row still holds a pair, and behind the last joint there is no link",
         _kr6(lambda rows, right: np.vstack([right[:-1], rows[-1]])),
     ),
+    *typed.claims(lambda g: _kr6_rows(g)[1]),
 ]
 MAKERS = [
     (

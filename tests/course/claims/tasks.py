@@ -29,7 +29,7 @@ TASKS = [
     (r"Craig walks the link before joint i first\.", ("03.2", "03.3")),
     (r"The check pose says which reading is right\.", ("03.10",)),
     (r"Before joint 1 there is no link\.", ("03.5",)),
-    (r"A conversion changes no number, only its row\.", ("03.7", "03.8", "03.9")),
+    (r"A conversion changes no number, only its row\.", ("03.7", "03.8", "03.9", "09.7")),
     (r"The first row turns about z0, and that is the motion of joint 1\.", ("04.1",)),
     (r"x stays\.", ("05.1",)),
     (r"That is asked, and not the reverse\.", ("03.3",)),

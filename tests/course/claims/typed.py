@@ -1,6 +1,7 @@
 """Claims about tables whose numbers are given: what is said is asked of what was typed."""
 
 import re
+from itertools import permutations
 
 import numpy as np
 
@@ -37,6 +38,11 @@ def claims(right_of):
         rows[[i, k]] = rows[[k, i]]
         return not _off(rows, np.array(right_of(g), dtype=float))
 
+    def reordered(answer, g, f):
+        rows, right = np.array(answer, dtype=float), np.array(right_of(g), dtype=float)
+        orders = (right[:, order] for order in permutations(range(4)))
+        return bool(_off(rows, right)) and any(not _off(rows, other) for other in orders)
+
     def two_exchanged(answer, g, f):
         rows, (one, other) = np.array(answer, dtype=float), _entries(f["places"])
         rows[one], rows[other] = rows[other], rows[one]
@@ -47,6 +53,11 @@ def claims(right_of):
         was_right = _off(rows, right) - _off(np.array(g["converted"], dtype=float), right)
         return was_right == set(_entries(f["places"]))
 
+    def most(answer, g, f):
+        rows, right = np.array(answer, dtype=float), np.array(right_of(g), dtype=float)
+        off = sorted(_off(rows, right))
+        return (len(off), rows.size, off[:1]) == (int(f["n"]), int(f["of"]), _entries(f["first"]))
+
     one_or_more = r"(?:one number (?:is|has)|(?P<n>\d+) numbers (?:are|have)) "
     return [
         (one_or_more + "the other sign" + PLACES, typed(lambda x, right: np.isclose(x, -right))),
@@ -54,6 +65,7 @@ def claims(right_of):
             r"(?:a minus sign is|(?P<n>\d+) minus signs are) gone" + PLACES,
             typed(lambda x, right: right < 0 and np.isclose(x, -right)),
         ),
+        (one_or_more + "0, and should not be" + PLACES, typed(lambda x, right: x == 0 != right)),
         (one_or_more + "rounded" + PLACES, typed(_fewer_digits)),
         (one_or_more + "not right" + PLACES, typed(lambda x, right: x != right)),
         (
@@ -61,6 +73,8 @@ def claims(right_of):
             exchanged,
         ),
         (r"rows (?P<one>\d) and (?P<other>\d) have changed places", rows_exchanged),
+        (r"(?P<n>\d+) of (?P<of>\d+) numbers are not right @ (?P<first>.+) is the first", most),
+        (r"the columns stand in another order than θ, d, a, α", reordered),
         (r"two numbers have changed places" + PLACES, two_exchanged),
         (r"what was right as it was handed out is changed" + PLACES, spoilt),
     ]

@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..exercise import Said
 from .arms import IN_DEGREES
 from .entries import COLUMNS, difference, differing, in_part, places
@@ -18,21 +21,30 @@ class Copied(Table):
     ``compared`` is the next step where numbers differ.
     """
 
-    compared: str
+    compared: str = ""
+
+    def named(self, row: int, column: int) -> str:
+        """What a number is called, both counted from 0."""
+        return f"{COLUMNS[column]} of row {row + 1}"
+
+    def asked(self, off: NDArray[np.bool_]) -> str:
+        """The next step where the numbers of a mask are not right."""
+        return self.compared
 
     def _slip(self, arm, right, q, variant):
         rows, wanted = (one.table.rows * IN_DEGREES for one in (arm, right))
         if arm.table.convention != right.table.convention or not differing(rows, wanted).any():
             return super()._slip(arm, right, q, variant)
-        unit = in_part(rows, wanted, lambda i, k: f"{COLUMNS[k]} of row {i + 1}")
+        unit = in_part(rows, wanted, self.named)
         if unit:
             return self.told(*unit)
         for mistake, said, wrong in self._mistaken(variant):
             if not differing(rows, wrong.table.rows * IN_DEGREES).any():
                 return self.told(mistake, said)
         spoilt = self._spoilt(rows, wanted, right, variant)
-        found = spoilt or difference(rows, wanted)
-        return found and self.told(found[0], replace(found[1], next=found[1].next or self.compared))
+        mistake, said = spoilt or difference(rows, wanted)
+        after = self.asked(differing(rows, wanted))
+        return self.told(mistake, replace(said, next=said.next or after))
 
     def _spoilt(self, rows, wanted, right, variant):
         """What is said of entries that were right as they were handed out; None."""

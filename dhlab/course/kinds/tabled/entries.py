@@ -3,7 +3,7 @@
 """
 
 from collections.abc import Callable
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -73,16 +73,14 @@ def _named(mask, right, name):
     return listed(names)
 
 
-def difference(rows: NDArray, right: NDArray) -> tuple[str | None, Said] | None:
-    """How rows differ from the right ones, as (mistake, what is said of it); None where most
-    numbers do, in no way that has a name.
-    """
+def difference(rows: NDArray, right: NDArray) -> tuple[str | None, Said]:
+    """How rows differ from the right ones, as (mistake, what is said of it)."""
     off = differing(rows, right)
     return _moved(rows, right, off) or _changed(rows, right, off)
 
 
 def _moved(rows, right, off):
-    """Two columns, rows or numbers in each other's places."""
+    """Two columns or rows in each other's places."""
     wrong = off.any(axis=1)
     found = [str(i + 1) for i in np.flatnonzero(wrong)]
     where = f"{'row' if len(found) == 1 else 'rows'} {listed(found)}"
@@ -92,13 +90,14 @@ def _moved(rows, right, off):
         if not differing(rows, other).any():
             said = f"{COLUMNS[i]} and {COLUMNS[k]} have changed places"
             return EXCHANGED.get((i, k), "columns-misread"), Said(said, place=where)
+    for columns in permutations(range(4)):
+        if not differing(rows, right[:, columns]).any():
+            return "columns-misread", Said("the columns stand in another order than θ, d, a, α")
     for i, k in combinations(range(len(right)), 2):
         order = np.arange(len(right))
         order[[i, k]] = k, i
         if not differing(rows, right[order]).any():
             return None, Said(f"rows {i + 1} and {k + 1} have changed places")
-    if off.sum() == 2 and not differing(_exchanged(rows, off), right).any():
-        return None, Said("two numbers have changed places", place=places(off))
     return None
 
 
@@ -109,29 +108,42 @@ def _exchanged(rows, off):
 
 
 def _changed(rows, right, off):
-    """Signs, digits or other values."""
-    n, columns = int(off.sum()), np.flatnonzero(off.any(axis=0))
-    kinds = {KINDS[k] for k in columns}
+    """Signs, two numbers in each other's places, zeros, digits or other values."""
+    n, kinds = int(off.sum()), {KINDS[k] for k in np.flatnonzero(off.any(axis=0))}
     kind = kinds.pop() if len(kinds) == 1 else ""
-    one = n == 1
-    opposite = right.copy()
-    opposite[off] *= -1
-    if not differing(rows, opposite).any():
-        if (right[off] < 0).all():
-            said = "a minus sign is gone" if one else f"{n} minus signs are gone"
-            every = np.array_equal(off[:, 1:3], right[:, 1:3] < 0) and off[:, 1:3].any()
-            mistake = "lengths-made-positive" if every else kind and f"{kind}-sign"
-        else:
-            has = "one number has" if one else f"{n} numbers have"
-            said, mistake = f"{has} the other sign", kind and f"{kind}-sign"
+    are = "one number is" if n == 1 else f"{n} numbers are"
+    mistake, place = f"{kind}-value" if kind else None, places(off)
+    if not differing(rows, np.where(off, -right, right)).any():
+        mistake, said = _signs(right, off, kind)
+    elif n == 2 and not differing(_exchanged(rows, off), right).any():
+        mistake, said = None, "two numbers have changed places"
+    elif not rows[off].any():
+        mistake = "offset-missing" if kind == "offset" else mistake
+        said = f"{are} 0, and should not be"
     elif all(_is_rounded(rows[i, k], right, i, k) for i, k in np.argwhere(off)):
-        said, mistake = ("one number is" if one else f"{n} numbers are") + " rounded", "pi-rounded"
+        mistake, said = "pi-rounded", f"{are} rounded"
     elif 2 * n <= off.size:
-        said = "one number is not right" if one else f"{n} numbers are not right"
-        mistake = kind and f"{kind}-value"
+        said = f"{are} not right"
     else:
-        return None
-    return mistake or None, Said(said, place=places(off))
+        said, place = f"{n} of {off.size} numbers are not right", f"{_first(off)} is the first"
+    return mistake, Said(said, place=place)
+
+
+def _first(off):
+    i, k = np.argwhere(off)[0]
+    return f"row {i + 1}, {COLUMNS[k]}"
+
+
+def _signs(right, off, kind):
+    """What is said of numbers with the other sign, as (mistake, words)."""
+    n, mistake = int(off.sum()), f"{kind}-sign" if kind else None
+    if not (right[off] < 0).all():
+        return mistake, ("one number has" if n == 1 else f"{n} numbers have") + " the other sign"
+    every = np.array_equal(off[:, 1:3], right[:, 1:3] < 0) and off[:, 1:3].any()
+    return (
+        "lengths-made-positive" if every else mistake,
+        "a minus sign is gone" if n == 1 else f"{n} minus signs are gone",
+    )
 
 
 def _is_rounded(x, right, i, k):
