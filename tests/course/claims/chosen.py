@@ -274,25 +274,6 @@ OUTCOMES = {
     "07.P2": lambda: on_a_circle(np.random.default_rng(3).uniform(-2, 2, (6, 4))),
     "08.P1": lambda: rank([0] * 6) == 4,
 }
-PRAISED = {  # what every right answer is told, by a part of it
-    ("02.4", "a is negative"): lambda given, right: right[2] < 0 and right[3] < 0,
-    ("03.2", "Five of the 24"): lambda given, right: orders_that_give(GENERAL) == 5,
-    ("05.3", "Five of the 24"): lambda given, right: orders_that_give(GENERAL) == 5,
-    ("05.5", "α has no say"): lambda given, right: OPTIONS["05.8", "positions"](),
-    ("05.7", "hides whenever α is 0, and also at θ = ±90°"): lambda given, right: (
-        hidden((0.4, 0.3, 0.5, 0)) and hidden((np.pi / 2, 0.3, 0.5, 0.9)) and not hidden(GENERAL)
-    ),
-    ("05.9", "d moves and θ stays"): lambda given, right: same(
-        right, one_row(-90, given["q3"], 0.05, 90)
-    ),
-    ("06.3", "Position (0.75, -0.2, 0.1)"): lambda given, right: (
-        same(right[:3, 3], [0.75, -0.2, 0.1]) and same(right[:3, 2], [0, -1, 0])
-    ),
-    ("07.2", "where every α is 0, nobody"): lambda given, right: (
-        same(article(Q, FLAT), article(Q, FLAT * TWICE))
-        and not same(article(Q), article(Q, np.array(ARTICLE) * TWICE))
-    ),
-}
 OF_THE_STORY = {  # what happened, what a rule is for, or what its lesson's own tests compute
     "00.P2", "04.P1", "04.P3", "04.P2", "08.P2", "08.P3", "08.P4", "09.P1", "09.P2",
     "01.6", "08.7", "08.12",

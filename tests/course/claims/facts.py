@@ -112,13 +112,18 @@ AXES = [
 ]  # fmt: skip
 
 
-def lies(k):
-    """How axis k + 1 lies to axis k, from the lines alone."""
-    (u, p), (v, s) = (np.array(axis, dtype=float) for axis in AXES[k - 1 : k + 1])
+def how(one, other):
+    """How two axes, (point, direction), lie to each other, from the lines alone."""
+    (p, u), (s, v) = ([np.array(x, dtype=float) for x in axis[:2]] for axis in (one, other))
     across, between = np.cross(u, v), s - p
     if np.allclose(across, 0):
         return "line" if np.allclose(np.cross(u, between), 0) else "parallel"
     return "meet" if np.isclose(between @ across, 0) else "skew"
+
+
+def lies(k):
+    """How axis k + 1 of the article's arm lies to axis k."""
+    return how(*((point, direction) for direction, point in AXES[k - 1 : k + 1]))
 
 
 def sum_of_d_counts():

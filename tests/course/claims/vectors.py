@@ -744,7 +744,7 @@ OFFSETS = [
 # ---- 08, 09
 
 
-def _jacobian(name, q, tool=None):
+def jacobian_of(name, q, tool=None):
     """Columns by small motions: what the end does when one joint moves a little, from the poses
     alone.
     """
@@ -764,7 +764,7 @@ def _column(made):
     def holds(answer, g, f):
         q = np.radians(g["q"])
         arm = dh.load("article-6r")
-        v, w = np.split(_jacobian("article-6r", q)[:, 2], 2)
+        v, w = np.split(jacobian_of("article-6r", q)[:, 2], 2)
         return near(answer, np.concatenate(made(v, w, arm.frames(q)[2], arm.forward(q))), 3e-3)
 
     return holds
@@ -788,7 +788,7 @@ COLUMN = [
     (r"(?P<what>.*in memory)", _memory),
     (
         r"this is column (?P<k>\d)",
-        lambda a, g, f: near(a, _jacobian("article-6r", np.radians(g["q"]))[:, int(f["k"]) - 1]),
+        lambda a, g, f: near(a, jacobian_of("article-6r", np.radians(g["q"]))[:, int(f["k"]) - 1]),
     ),
     (r"ω is right, and v has the other sign", _column(lambda v, w, F, T: (-v, w))),
     (r"v is right, and ω has the other sign", _column(lambda v, w, F, T: (v, -w))),
@@ -818,14 +818,14 @@ COLUMN = [
     ),
     (
         r"q was left in degrees",
-        lambda a, g, f: near(a, _jacobian("article-6r", np.array(g["q"]))[:, 2], 3e-3),
+        lambda a, g, f: near(a, jacobian_of("article-6r", np.array(g["q"]))[:, 2], 3e-3),
     ),
 ]
 
 
 def _at(g):
     q = np.array(g["q"]) * [np.pi / 180, np.pi / 180, 1, np.pi / 180, np.pi / 180, np.pi / 180]
-    return q, _jacobian("stanford", q), np.array([*g["v"], *g["omega"]])
+    return q, jacobian_of("stanford", q), np.array([*g["v"], *g["omega"]])
 
 
 def _speeds(made):
@@ -846,7 +846,7 @@ def _at_degrees(g, slide_only):
     q = np.array(g["q"], dtype=float)
     if slide_only:
         q = np.radians(q)
-    return _jacobian("stanford", q)
+    return jacobian_of("stanford", q)
 
 
 def _reversed(J, q):

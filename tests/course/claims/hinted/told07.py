@@ -1,0 +1,131 @@
+"""Lesson 07: from a symptom to its cause."""
+
+import numpy as np
+
+from ..chosen import FLAT, TWICE, Q, article, changed, constant, only_where_the_point_is, same
+from ..vectors import ARTICLE, walk
+from .reasons import DO, NAMES, STORY, always, near
+
+NOISE = 0.015  # m, what a tape misreads at most
+
+
+def degrees(g):
+    return np.degrees(g["q"])
+
+
+def wrong_entries(g):
+    return [tuple(e) for e in np.argwhere(~np.isclose(g["rows"], g["right"], atol=1e-6)).tolist()]
+
+
+def z4_turned_round(g):
+    """One number is wrong, the α that ends at z4, by half a turn."""
+    return wrong_entries(g) == [(3, 3)] and np.isclose(abs(g["rows"] - g["right"]).max(), 180)
+
+
+def lengths_leave_rotations():
+    one = article(Q)
+    return all(
+        near(article(Q, changed(i, k, 0.2))[:3, :3], one[:3, :3])
+        and not near(article(Q, changed(i, j, 20))[:3, :3], one[:3, :3])
+        for i in range(6) for k, j in ((1, 0), (2, 3))
+    )  # fmt: skip
+
+
+def arrow_of(rows, entry, q):
+    """The arrow along which a length acts: z of the frame before, or x of the row's own."""
+    i, k = entry
+    frames = [walk(rows[:n], q[:n]) for n in range(i + 2)]
+    return frames[i][:3, 2] if k == 1 else frames[i + 1][:3, 0]
+
+
+def acts_along():
+    return all(
+        near((article(Q, changed(i, k, 0.2)) - article(Q))[:3, 3],
+             0.2 * arrow_of(ARTICLE, (i, k), Q))
+        for i in range(6) for k in (1, 2)
+    )  # fmt: skip
+
+
+def accused(g):
+    """Of the one wrong length, the residuals lie along its arrow, and are nearly one number, which
+    is missing; beside it is the tape's noise.
+    """
+    ((i, k),) = wrong_entries(g)
+    missing, along = (g["right"] - g["rows"])[i, k], []
+    for q, p in zip(degrees(g), g["points"]):
+        arrow, left = arrow_of(g["rows"], (i, k), q), p - walk(g["rows"], q)[:3, 3]
+        along.append(left @ arrow)
+        if np.linalg.norm(np.cross(left, arrow)) > NOISE:
+            return False
+    return np.ptp(along) < 2 * NOISE < abs(missing) and abs(np.mean(along) - missing) < NOISE / 3
+
+
+def impostor():
+    """Upper arm and forearm lie on one line at q = 0, where only their sum shows."""
+    shared = np.array(ARTICLE, dtype=float)
+    shared[1:3, 2] += 0.1, -0.1
+    flat = [walk(ARTICLE[:k], [0] * k)[:3, 3] for k in (1, 2, 3)]
+    return (
+        near(np.cross(*np.diff(flat, axis=0)), [0, 0, 0])
+        and same(article([0] * 6, shared), article([0] * 6))
+        and not same(article(Q, shared), article(Q))
+    )
+
+
+def down_to_noise(g):
+    """How far the end is from the measured points, without the two offsets and with them."""
+    offsets = np.zeros(6)
+    offsets[1:3] = g["right"]
+    before, after = (
+        np.sqrt(np.mean([
+            np.sum((walk(ARTICLE, q + more)[:3, 3] - p) ** 2)
+            for q, p in zip(degrees(g), g["points"])
+        ]))
+        for more in (0 * offsets, offsets)
+    )  # fmt: skip
+    return before > 0.01 > 0.004 > after
+
+
+def fixed_ends():
+    """A base that is shifted, a hand that is longer: alike at every pose, seen from there."""
+    return only_where_the_point_is() and constant("tool") and not constant("base")
+
+
+SAID = {
+    "07.1": {
+        "Each cause leaves its own trace": lambda g: len(g["exercise"].items) == 7,
+        "What is fixed to the floor": always(fixed_ends),
+    },
+    "07.4": {
+        "A perfect impostor": STORY,
+        "At q = 0 upper arm and forearm": always(impostor),
+        "A stretched arm shows some lengths": always(impostor),
+        "Share that sum out": DO,
+    },
+    "07.6": {
+        "That was it: z4": z4_turned_round,
+        "Two days": STORY,
+        "The row between the two axes": z4_turned_round,
+    },
+    "07.8": {
+        "A Puma 560, repaired from ten": lambda g: (
+            len(g["q"]) == len(g["poses"]) == 10
+            and all(near(walk(g["right"], q), T, by=0.01) for q, T in zip(degrees(g), g["poses"]))
+        ),
+        "That decides between the angles": always(lengths_leave_rotations),
+    },
+    "07.2": {
+        "One conversion too many": STORY,
+        "On a flat arm, where every α": always(
+            lambda: same(article(Q, FLAT), article(Q, FLAT * TWICE)),
+            lambda: not same(article(Q), article(Q, np.array(ARTICLE) * TWICE)),
+        ),
+        "A flat arm has α = 0": NAMES,
+    },
+    "07.3": {
+        "One arrow accused itself": accused,
+        "d_i acts along z_{i-1}": always(acts_along),
+        "The guilty arrow gives nearly": accused,
+    },
+    "07.7": {"Added to θ, these two": down_to_noise, "The offsets are in radians": NAMES},
+}
