@@ -141,7 +141,7 @@ EXERCISES = [
         },
         correct="whirl",
         outcome=(
-            "joint 4 turns at 572° a second and joint 6 just as fast the other way: the speed grows"
+            "joint 4 turns at 572° a second and joint 6 at 573° the other way: the speeds grow"
             " as 1/sin θ5."
         ),
     ),

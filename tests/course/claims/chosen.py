@@ -2,8 +2,7 @@
 products of links, differences of them and plain geometry that are not dhlab's.
 
 ``OPTIONS`` has a predicate for what an option is told, or for its text where that is the claim;
-``OUTCOMES`` one for what is seen after a guess. ``OF_THE_STORY`` are told of what happened or of
-what a rule is for, which no number decides.
+``OUTCOMES`` one for what is seen after a guess. ``further`` has those that tell of the story.
 """
 
 from itertools import permutations
@@ -274,13 +273,3 @@ OUTCOMES = {
     "07.P2": lambda: on_a_circle(np.random.default_rng(3).uniform(-2, 2, (6, 4))),
     "08.P1": lambda: rank([0] * 6) == 4,
 }
-OF_THE_STORY = {  # what happened, what a rule is for, or what its lesson's own tests compute
-    "00.P2", "04.P1", "04.P3", "04.P2", "08.P2", "08.P3", "08.P4", "09.P1", "09.P2",
-    "01.6", "08.7", "08.12",
-    ("02.2", "joint-angle"), ("02.2", "link-length"), ("02.2", "all-four"),
-    ("02.5", "any-two-plates"), ("02.5", "one-freedom"), ("03.4", "clockwise"),
-    ("04.3", "housing"), ("04.3", "any-point"), ("04.6", "neither"), ("04.8", "nothing"),
-    ("04.8", "arm"), ("04.9", "convention"), ("06.4", "limits"),
-    ("06.5", "cannot-tell"), ("06.8", "error"), ("06.8", "wrong-pose"), ("07.5", "measurement"),
-    ("07.5", "nothing"), ("08.3", "limit"), ("09.9", "nothing"),
-}  # fmt: skip

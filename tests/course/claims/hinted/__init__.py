@@ -14,8 +14,8 @@ import numpy as np
 from dhlab.course.kinds import PreTest, Table
 
 from ..advice import ASKS
+from ..reasons import DO, NAMES, STORY
 from . import told01, told02, told03, told04, told05, told06, told07, told08, told09
-from .reasons import DO, NAMES, STORY
 
 __all__ = ["REASONS", "SAID", "assertions", "given_of"]
 

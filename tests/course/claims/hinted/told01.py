@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import facts
-from .reasons import DO, STORY, accepts, always, is_pose, near
+from ..reasons import DO, STORY, accepts, always, is_pose, near
 
 IN_ORDER = accepts("t-01", "t-12", "t-2f", "t-ft")
 

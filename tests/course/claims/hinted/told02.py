@@ -4,8 +4,8 @@ import numpy as np
 
 from .. import facts
 from ..chosen import turn
+from ..reasons import NAMES, accepted, accepts, always, near
 from ..vectors import one_row
-from .reasons import NAMES, accepted, accepts, always, near
 
 MOVES = accepts("about-old-z", "along-old-z", "along-new-x", "about-new-x")
 FORWARD, UP = 0.0535, 0.2845  # m, the bent upper arm

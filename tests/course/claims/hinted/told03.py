@@ -6,8 +6,8 @@ import numpy as np
 
 from .. import facts
 from ..chosen import GENERAL
+from ..reasons import DO, NAMES, STORY, accepted, accepts, always, in_order, near
 from ..vectors import one_row, walk
-from .reasons import DO, NAMES, STORY, accepted, accepts, always, in_order, near
 
 CASES = accepts("craig", "standard", "craig", "craig", "standard", "standard")
 DOWN_TO_Z = in_order(("rx", "rz"), ("tx", "rz"))

@@ -5,8 +5,8 @@ import numpy as np
 from .. import facts
 from ..chosen import constant, turned_round
 from ..facts import AXES, how
+from ..reasons import DO, NAMES, STORY, accepts, always, lie, near, on
 from ..vectors import one_row
-from .reasons import DO, NAMES, STORY, accepts, always, lie, near, on
 
 OLD_Z = accepts("axis-1", "axis-2", "axis-3")
 MEETING = [0.75, -0.1, 0.1]  # of axes 4, 5 and 6 of the article's arm

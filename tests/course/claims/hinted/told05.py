@@ -7,8 +7,8 @@ import numpy as np
 from .. import facts
 from ..chosen import GENERAL, OPTIONS, hidden, orders_that_give, turn
 from ..facts import STANDARD, link
+from ..reasons import accepted, always, in_order, near
 from ..vectors import one_row
-from .reasons import accepted, always, in_order, near
 
 theta, d, a, alpha = GENERAL
 T = link(GENERAL, STANDARD)

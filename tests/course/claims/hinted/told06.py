@@ -6,8 +6,8 @@ import dhlab as dh
 
 from .. import facts
 from ..chosen import Q, article
+from ..reasons import DO, NAMES, STORY, always, near
 from ..vectors import ARTICLE, one_row, walk
-from .reasons import DO, NAMES, STORY, always, near
 
 ROWS = np.array(ARTICLE) * [np.pi / 180, 1, 1, np.pi / 180]
 FOUR = ("article-6r", "ur5e", "ar4", "piper")

@@ -3,8 +3,8 @@
 import numpy as np
 
 from ..chosen import FLAT, TWICE, Q, article, changed, constant, only_where_the_point_is, same
+from ..reasons import DO, NAMES, STORY, always, near
 from ..vectors import ARTICLE, walk
-from .reasons import DO, NAMES, STORY, always, near
 
 NOISE = 0.015  # m, what a tape misreads at most
 

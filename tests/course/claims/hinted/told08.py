@@ -6,8 +6,8 @@ import dhlab as dh
 
 from .. import facts
 from ..chosen import Q, article, jacobian, turn
+from ..reasons import DO, NAMES, STORY, accepted, always, near
 from ..vectors import ARTICLE, jacobian_of, walk
-from .reasons import DO, NAMES, STORY, accepted, always, near
 
 
 def swings():

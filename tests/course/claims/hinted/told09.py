@@ -7,8 +7,8 @@ from dhlab.course.exercises.answers09 import AR4, unrepaired
 from .. import facts
 from ..chosen import OPTIONS, Q, article
 from ..facts import how
+from ..reasons import DO, NAMES, STORY, always, is_pose, near, on
 from ..vectors import ARTICLE, walk
-from .reasons import DO, NAMES, STORY, always, is_pose, near, on
 
 COUNTS = 4096
 

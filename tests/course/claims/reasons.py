@@ -4,7 +4,7 @@ from itertools import permutations, product
 
 import numpy as np
 
-from ..facts import how
+from .facts import how
 
 DO = "it says what to do"
 NAMES = "it says what something is called or what the task gives: so it is by definition"
