@@ -7,7 +7,7 @@ import pytest
 from claims import boards, judged, sentence
 from claims.advice import unfounded
 from draws import few, variants
-from wrong_answers import unforeseen, wrong_answers, wrong_frames
+from wrong_answers import double_slips, unforeseen, wrong_answers, wrong_frames
 
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Order, Table, Value
@@ -53,6 +53,17 @@ def test_a_mistake_that_no_list_foresees_is_told_where_it_is(key):
     for answer, verdict in seen:
         assert judged(exercise, verdict, answer, 1), f"not true: {verdict} of {answer}"
         assert not [*unfounded(exercise, verdict, answer, 1)], f"{verdict} of {answer}"
+
+
+@pytest.mark.parametrize(
+    "key", ["02.3", "02.4", "02.7", "02.8", "03.7", "03.8", "03.9", "04.5", "09.7"]
+)
+@pytest.mark.parametrize("variant", variants(2))
+def test_of_two_slips_by_hand_nothing_untrue_is_said(key, variant):
+    exercise = ASKED[key]
+    for answer, verdict in refused(exercise, double_slips(exercise, variant, 12), variant):
+        assert judged(exercise, verdict, answer, variant), f"not true: {verdict} of {answer}"
+        assert not [*unfounded(exercise, verdict, answer, variant)], f"{verdict} of {answer}"
 
 
 def placed(given):

@@ -9,7 +9,7 @@ import numpy as np
 from dhlab.course.kinds import Order, Table, Value
 from dhlab.doctor.tables.rows import wrong_tables
 
-__all__ = ["unforeseen", "wrong_answers", "wrong_frames"]
+__all__ = ["double_slips", "unforeseen", "wrong_answers", "wrong_frames"]
 
 TURNS = np.array([180 / np.pi, 1, 1, 180 / np.pi])
 
@@ -32,6 +32,35 @@ def unforeseen(exercise, variant):
     if isinstance(exercise, Table):
         return list(_two_entries(exercise, variant, rng))
     return _orders(exercise, variant + 7, 8)
+
+
+def double_slips(exercise, variant, most):
+    """Rows, or one row, in which two slips of the hand were made one after the other."""
+    rng = np.random.default_rng([most, variant, int(exercise.id.replace(".", ""))])
+    table = isinstance(exercise, Table)
+    right = _rows(exercise.right_arm(variant).table) if table else exercise.expected(variant)[None]
+    for _ in range(most):
+        rows = np.array(right, dtype=float)
+        for slip in rng.choice(len(BY_HAND), 2, replace=False):
+            i, k = rng.integers(len(rows)), rng.integers(4)
+            rows = np.asarray(BY_HAND[slip](rows, np.outer(np.arange(len(rows)) == i, ENTRY[k])))
+        yield rows.tolist() if table else rows[0].tolist()
+
+
+ENTRY = np.eye(4)
+BY_HAND = [  # of rows, and of a mask of one number
+    lambda rows, one: rows * (1 - 2 * one),
+    lambda rows, one: rows * (1 - one),
+    lambda rows, one: rows + one * [7, 0.03, 0.03, 7],
+    lambda rows, one: rows + one * [90, 0, 0, 90],
+    lambda rows, one: np.where(one.any(axis=0), rows / TURNS, rows),
+    lambda rows, one: rows / TURNS,
+    lambda rows, one: rows * [1, 1000, 1000, 1],
+    lambda rows, one: rows[:, [0, 2, 1, 3]],
+    lambda rows, one: np.roll(rows, 1, axis=0),
+    lambda rows, one: np.column_stack([rows[:, :2], np.roll(rows[:, 2:], 1, axis=0)]),
+    lambda rows, one: np.column_stack([rows[:, :1], rows[:, 1:3].round(1), rows[:, 3:]]),
+]
 
 
 def _slips(right):
