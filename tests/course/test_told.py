@@ -125,6 +125,13 @@ def test_units_are_told_of_numbers(key, answer, words):
     assert words in E[key].judge(answer(right(key))).headline
 
 
+def test_of_a_number_that_must_be_0_no_unit_is_told():
+    """3 cm for 0 are no millimetres, also where another number is in another unit."""
+    row = right("02.8")
+    headline = E["02.8"].judge([np.deg2rad(row[0]), 0.03, *row[2:]]).headline
+    assert row[1] == 0 and "θ in radians" not in headline and "millimetres" not in headline
+
+
 def test_units_are_told_of_tables_and_placements():
     rows = np.array(rows_read(**E["04.5"].given(0)))
     for factors, words in (

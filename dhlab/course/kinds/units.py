@@ -82,19 +82,22 @@ def in_other_units(
             scaled = _scaled(answer, change)
         if not np.isfinite(scaled).all():  # a number that no unit makes larger
             continue
-        if fits(scaled) and not fits(_scaled(answer, change, nothing=True)):
+        if fits(scaled) and not any(fits(_without(scaled, group)) for group, *_ in change):
             return _said(change)
     return None
 
 
-def _scaled(answer, change, nothing=False):
-    """An answer with groups read in their other units, or with 0 in their places: where that fits
-    as well, the numbers do not tell their unit.
-    """
+def _scaled(answer, change):
+    """An answer with groups read in their other units."""
     numbers = np.array(answer, dtype=float)
     for group, _, factor in change:
-        numbers[group.where] *= 0 if nothing else factor
+        numbers[group.where] *= factor
     return numbers
+
+
+def _without(numbers, group):
+    """Numbers with 0 in a group's places: where that fits as well, they do not tell their unit."""
+    return np.where(group.where, 0, numbers)
 
 
 def _changes(groups: Sequence[Group]) -> Iterator[list[tuple[Group, str, float]]]:
