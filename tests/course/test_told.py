@@ -75,10 +75,11 @@ def test_a_question_mark_is_always_an_answer(key):
 
 def test_a_list_that_is_half_filled_is_not_attempted_yet():
     for key, answer, place in (
-        ("02.1", ["a", ..., ..., ...], "place 2, place 3, place 4"),
+        ("02.1", ["a", ..., ..., ...], "place 2; place 3; place 4"),
         ("02.3", [30, ..., 0.2, 60], "number 2"),
         ("01.2", [[0, -1, 0, ...], *np.eye(4)[1:].tolist()], "row 1"),
-        ("05.9", [[1, 0, 0, 0], [0, 1, 0, ...], [0, 0, 1, ...], [0, 0, 0, 1]], "row 2, row 3"),
+        ("04.5", [[0, ..., 0, ...], ..., [0, 0, 0, 0]], "row 1, d and α; row 2"),
+        ("05.9", [[1, 0, 0, 0], [0, 1, 0, ...], [0, 0, 1, ...], [0, 0, 0, 1]], "row 2; row 3"),
     ):
         verdict = E[key].judge(answer)
         assert (verdict.status, verdict.place) == ("not attempted", place)
@@ -98,6 +99,23 @@ def test_of_half_an_answer_what_is_there_is_said_to_be_right_where_it_is(key, fi
     verdict = E[key].judge(fill(right(key)))
     assert verdict.status == "not attempted"
     assert verdict.headline == "the part that is filled in is right" * so_far
+
+
+@pytest.mark.parametrize("key", ["02.7", "03.7", "04.5", "06.6"])
+@pytest.mark.parametrize("open_", [..., "?"])
+def test_of_half_a_table_what_is_there_is_said_to_be_right_where_it_is(key, open_):
+    rows = (E[key].right_arm().table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).tolist()
+    rows[0][0], rows[1][3], rows[-1] = open_, open_, open_
+    assert "part that is filled in is right" in E[key].judge(rows).headline
+    rows[0][1] += 0.1
+    assert "part that is filled in" not in E[key].judge(rows).headline
+
+
+def test_a_question_mark_beside_right_numbers_hears_that_they_are():
+    values = right("02.3").tolist()
+    headline = E["02.3"].judge([*values[:3], "?"]).headline
+    assert headline == f"{E['02.3'].undecided} The part that is filled in is right."
+    assert E["02.3"].judge([values[0] + 1, *values[1:3], "?"]).headline == E["02.3"].undecided
 
 
 MAKERS = [[0, 0.1, 0, 90], [0, 0, 0.4, 0], [0, 0, 0.35, 0], [0, 0.1, 0, 90]]

@@ -106,13 +106,16 @@ class Exercise:
                 NOT_ATTEMPTED, next="Fill in the cell above, run it, then run this one again."
             )
         if undecided(answer):
-            return self.say_undecided()
+            known = self.so_far(answer, variant)
+            verdict = self.say_undecided()
+            said = f"{verdict.headline} {known[:1].upper()}{known[1:]}."
+            return replace(verdict, headline=said) if known else verdict
         gaps = self.gaps(answer)
         if gaps:
             return self.say(
                 NOT_ATTEMPTED,
                 self.so_far(answer, variant),
-                place=", ".join(gaps),
+                place="; ".join(gaps),
                 next="Put an answer in place of every ...",
             )
         return self.compare(answer, variant)

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from ..verdict import Verdict
 from .drawn import drawn_pose, drawn_row
-from .exercise import Exercise, Said, no_draw, untouched
+from .exercise import Exercise, Said, no_draw
 from .kept import kept, kept_apart
+from .partial import PART_IS_RIGHT, filled_up
 from .reading import Unreadable, plain
 from .twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
 from .units import FACTORS, LOOSELY, Group, in_other_units, of_places
@@ -108,16 +109,9 @@ class Value(Exercise):
 
     def so_far(self, answer: Any, variant: int) -> str:
         expected = self.expected(variant)
-        given = np.array(answer, dtype=object)
-        if given.shape != expected.shape:
-            return ""
-        open_ = np.vectorize(untouched, otypes=[bool])(given)
-        try:
-            filled = np.where(open_, expected, given).astype(float)
-        except (TypeError, ValueError):
-            return ""
-        right = self.is_right(filled, expected, self.given(variant))
-        return "the part that is filled in is right" if right else ""
+        filled = filled_up(answer, expected)
+        fits = filled is not None and self.is_right(filled, expected, self.given(variant))
+        return PART_IS_RIGHT if fits else ""
 
     def is_right(self, array: NDArray, expected: NDArray, given: Mapping[str, Any]) -> bool:
         """Whether an array of the right shape is the answer."""

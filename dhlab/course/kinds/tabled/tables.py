@@ -13,41 +13,21 @@ from ....arm import Arm
 from ....doctor import catalogue, explain_rows
 from ....doctor.finding import Finding
 from ....geometry.equivalence import equivalent
+from ....printing import listed as joined
 from ....table import DHTable
-from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
+from ...verdict import RIGHT, Verdict
 from ..drawn import drawn_table
 from ..exercise import Exercise, Said, listed, no_draw, untouched
 from ..functions import CASES
 from ..kept import kept, kept_apart
+from ..partial import PART_IS_RIGHT, filled_up, is_open
 from ..reading import Unreadable, plain, unusable
-from .arms import SAME, apart, in_table_units, size, where
+from ..titles import OF_CRAIG, OF_TABLES
+from .arms import IN_DEGREES, SAME, apart, in_table_units, size, where
+from .entries import COLUMNS, differing
 
 __all__ = ["Table", "as_arm", "numbers"]
 
-OF_TABLES = {  # where the title is about more than a row
-    "tool-missing": Said(
-        "the length along the last axis is left out, or counted twice",
-        next="How far is it along the last axis to the end, and in which row does that stand?",
-    ),
-    "a-alpha-from-previous-row": Said(
-        "a and alpha come from the row before",
-        why="An index off by one, or half of a conversion from Craig's convention.",
-        next="Take row 1 alone: which link have its a and its α been taken from?",
-    ),
-}
-OF_CRAIG = {  # where the catalogue's reason is that of a standard row
-    "alpha-sign": Said(
-        "alpha has the wrong sign",
-        why="Row i of Craig's table holds α_{i-1}: about x_{i-1}, from z_{i-1} to z_i.",
-        next="Thumb along x_{i-1}: do the fingers turn z_{i-1} into z_i?",
-    ),
-    "z-flip-incomplete": Said(
-        "A z axis was turned round, but not everything that hangs on it",
-        why="z_i turned round changes α_{i-1} and α_i, which stand in rows i and i + 1, d_i, θ_i"
-        " and the way joint i counts.",
-        next="Go through the entries of rows i and i + 1 that are about or along this z axis.",
-    ),
-}
 ON_ITS_SIDE = Said(
     "rows and columns have changed places",
     next="One row per joint, with four numbers in each: np.transpose turns a table round.",
@@ -93,19 +73,21 @@ class Table(Exercise):
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         answer = listed(answer)
-        rows = list(answer) if isinstance(answer, (list, tuple)) else []
-        stubs = [
-            i
-            for i, row in enumerate(rows, 1)
-            if untouched(row) or (isinstance(row, (list, tuple)) and any(untouched(x) for x in row))
-        ]
-        if stubs:
-            return self.say(
-                NOT_ATTEMPTED,
-                place=f"row {', row '.join(map(str, stubs))}",
-                next="Put a number in place of every ...",
-            )
         return super().judge(None if self._unchanged(answer, variant) else answer, variant)
+
+    def gaps(self, answer: Any) -> list[str]:
+        rows = answer if isinstance(answer, (list, tuple)) else []
+        return [
+            f"row {i}" if untouched(row) else f"row {i}, {joined(names)}"
+            for i, row in enumerate(rows, 1)
+            if (names := [c for c, x in zip(COLUMNS, _entries(row)) if untouched(x)])
+        ]
+
+    def so_far(self, answer: Any, variant: int) -> str:
+        right = self.right_arm(variant).table.rows * IN_DEGREES
+        filled = filled_up([_entries(row) for row in answer], right)
+        fits = filled is not None and not differing(filled, right).any()
+        return PART_IS_RIGHT if fits else ""
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         right = self.right_arm(variant)
@@ -235,6 +217,11 @@ class Table(Exercise):
         return self.wrong(
             headline=f"expected {len(right)} rows, found {len(arm)}", next="One row per joint."
         )
+
+
+def _entries(row):
+    """The four entries of a row; of one that is left open, four that are."""
+    return [row] * len(COLUMNS) if is_open(row) and np.ndim(row) == 0 else row
 
 
 def as_arm(answer: Any, right: Arm) -> Arm:
