@@ -111,12 +111,3 @@ def miscopied(arm: str, rows: list[list[float]]) -> Mistakes:
         Said("the columns stand as printed: θ, a, d, α", next="Which two change places?"),
         right[:, [0, 2, 1, 3]],
     )
-    for order in ([0, 3, 2, 1], [3, 1, 2, 0]):
-        yield (
-            "columns-misread",
-            Said(
-                "the columns stand in another order than θ, d, a, α",
-                next="Print one row beside the maker's: where did each number go?",
-            ),
-            right[:, order],
-        )
