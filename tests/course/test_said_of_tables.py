@@ -41,6 +41,20 @@ def test_what_is_said_of_steps_along_parallel_axes(key, entries, said, unsaid):
     assert judged(E[key], verdict, answer, 0), verdict
 
 
+@pytest.mark.parametrize(
+    "factors, said",
+    [
+        ([np.pi / 180, 1, 1, np.pi / 180], "other units: θ and α in radians; degrees are asked"),
+        ([1, 1000, 1000, 1], "other units: d and a in millimetres; metres are asked"),
+    ],
+)
+def test_a_slip_of_units_and_one_number_more_are_told_as_two(factors, said):
+    rows = np.array(changed("04.5", a2=-0.5)) * factors
+    verdict = E["04.5"].judge(rows.tolist())
+    assert said in verdict.headline and "; and one number " in verdict.headline
+    assert verdict.place == "row 2, a, once that is put right"
+
+
 def sheet(key, change):
     """The right arm's axes at its zero, changed, as an arm."""
     axes, end = {"09.2": AR4, "09.4": PIPER}[key]

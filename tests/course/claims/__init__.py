@@ -39,7 +39,10 @@ def holds_of(said, answer, given):
     """Whether one sentence is true of an answer; None where no predicate knows."""
     twofold = re.fullmatch(r"two slips: (.+?); and ((?:in other units: )?.+)", said)
     if twofold:
-        return _both(answer, given, *_halves(said.removeprefix("two slips: ")))
+        halves = _halves(said.removeprefix("two slips: "))
+        if said.endswith(", once that is put right"):
+            return _one_after_the_other(answer, given, *halves)
+        return _both(answer, given, *halves)
     for pattern, holds in [*CLAIMS.get(given["exercise"].id, ()), *GENERAL]:
         found = re.fullmatch(pattern, said) or re.fullmatch(pattern, in_latin(said))
         if found:
@@ -54,6 +57,12 @@ def _halves(said):
         return one, f"in other units: {other}"
     one, _, other = said.rpartition("; and ")
     return one, other
+
+
+def _one_after_the_other(answer, given, one, other):
+    """With the first slip of a table taken back, the second is all that is wrong."""
+    mended = tables.put_right(one, np.array(answer, dtype=float))
+    return holds_of(other.removesuffix(", once that is put right"), mended, given)
 
 
 def _both(answer, given, one, other):

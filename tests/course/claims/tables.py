@@ -68,6 +68,20 @@ def in_units(answer, given, found):
     return same(with_rows(arm, rows), right, 2e-2) and not same(arm, right)
 
 
+def put_right(slip, rows):
+    """Rows of a table without a slip that is told."""
+    if found := re.fullmatch(r"rows (\d) and (\d) have changed places", slip):
+        i, k = int(found[1]) - 1, int(found[2]) - 1
+        rows[[i, k]] = rows[[k, i]]
+    elif found := re.fullmatch(r"([θdaα]) and ([θdaα]) have changed places", slip):
+        i, k = COLUMN[found[1]], COLUMN[found[2]]
+        rows[:, [i, k]] = rows[:, [k, i]]
+    else:
+        found = re.fullmatch(r"in other units: (.+) in (\w+); \w+ are asked", slip)
+        rows[:, [COLUMN[name] for name in found[1].split(" and ")]] *= FACTORS[found[2]]
+    return rows
+
+
 def _straightened(answer, given, found):
     """The two angles beside a link, turned against each other, and its length make the right arm;
     as it stands it is not.

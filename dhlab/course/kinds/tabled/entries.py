@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ....printing import listed
 from ..exercise import Said
+from ..twofold import TWO
 from ..units import LOOSELY, Group, in_other_units
 
 __all__ = ["COLUMNS", "KINDS", "differing", "difference", "in_part", "places"]
@@ -19,6 +20,10 @@ KINDS = "offset", "length", "length", "alpha"  # in the catalogue's ids
 ANGLES = np.array([True, False, False, True])
 ALIKE = np.array([1e-4, 1e-6, 1e-6, 1e-4])  # degrees, metres
 EXCHANGED = {(0, 3): "theta-alpha-exchanged", (1, 2): "a-d-exchanged"}
+IN_OTHER_UNITS = [  # mistake, columns, what they are in, what is asked, and the factor to it
+    *(("angle-unit", c, "radians", "degrees", 180 / np.pi) for c in ([0], [3], [0, 3])),
+    *(("length-unit", c, "millimetres", "metres", 1e-3) for c in ([1], [2], [1, 2])),
+]
 NEAR = 0.1  # of the largest number of the column: a rounded number is no further off
 
 
@@ -76,7 +81,12 @@ def _named(mask, right, name):
 def difference(rows: NDArray, right: NDArray) -> tuple[str | None, Said]:
     """How rows differ from the right ones, as (mistake, what is said of it)."""
     off = differing(rows, right)
-    return _moved(rows, right, off) or _changed(rows, right, off)
+    return (
+        _moved(rows, right, off)
+        or _changed(rows, right, off)
+        or _doubled(rows, right, off)
+        or _others(off)
+    )
 
 
 def _moved(rows, right, off):
@@ -108,30 +118,73 @@ def _exchanged(rows, off):
 
 
 def _changed(rows, right, off):
-    """Signs, two numbers in each other's places, zeros, digits or other values."""
-    n, kinds = int(off.sum()), {KINDS[k] for k in np.flatnonzero(off.any(axis=0))}
-    kind = kinds.pop() if len(kinds) == 1 else ""
-    are = "one number is" if n == 1 else f"{n} numbers are"
-    mistake, place = f"{kind}-value" if kind else None, places(off)
+    """Signs, two numbers in each other's places, zeros or digits; None of other values."""
+    n, kind = int(off.sum()), _kind(off)
     if not differing(rows, np.where(off, -right, right)).any():
         mistake, said = _signs(right, off, kind)
     elif n == 2 and not differing(_exchanged(rows, off), right).any():
         mistake, said = None, "two numbers have changed places"
     elif not rows[off].any():
-        mistake = "offset-missing" if kind == "offset" else mistake
-        said = f"{are} 0, and should not be"
+        mistake = "offset-missing" if kind == "offset" else kind and f"{kind}-value"
+        said = f"{_are(n)} 0, and should not be"
     elif all(_is_rounded(rows[i, k], right, i, k) for i, k in np.argwhere(off)):
-        mistake, said = "pi-rounded", f"{are} rounded"
-    elif 2 * n <= off.size:
-        said = f"{are} not right"
+        mistake, said = "pi-rounded", f"{_are(n)} rounded"
     else:
-        said, place = f"{n} of {off.size} numbers are not right", f"{_first(off)} is the first"
-    return mistake, Said(said, place=place)
+        return None
+    return mistake or None, Said(said, place=places(off))
 
 
-def _first(off):
-    i, k = np.argwhere(off)[0]
-    return f"row {i + 1}, {COLUMNS[k]}"
+def _others(off):
+    """So many numbers of which nothing more is known."""
+    n, kind = int(off.sum()), _kind(off)
+    if 2 * n <= off.size:
+        said, place = f"{_are(n)} not right", places(off)
+    else:
+        i, k = np.argwhere(off)[0]
+        said = f"{n} of {off.size} numbers are not right"
+        place = f"row {i + 1}, {COLUMNS[k]} is the first"
+    return f"{kind}-value" if kind else None, Said(said, place=place)
+
+
+def _doubled(rows, right, off):
+    """Columns or rows in each other's places or columns in another unit, and, once that is put
+    right, one number or two more; None. Of what differs the first explains the most.
+    """
+    for mistake, said, mended in _put_right(rows):
+        left = differing(mended, right)
+        if 0 < left.sum() <= min(2, off.sum() // 3):
+            _, more = _changed(mended, right, left) or _others(left)
+            return mistake, Said(
+                TWO.format(said, more.headline), place=f"{more.place}, once that is put right"
+            )
+    return None
+
+
+def _put_right(rows):
+    """Rows with one slip taken back: (mistake, what it is, the rows)."""
+    for i, k in combinations(range(4), 2):
+        order = np.arange(4)
+        order[[i, k]] = k, i
+        said = f"{COLUMNS[i]} and {COLUMNS[k]} have changed places"
+        yield EXCHANGED.get((i, k), "columns-misread"), said, rows[:, order]
+    for i, k in combinations(range(len(rows)), 2):
+        order = np.arange(len(rows))
+        order[[i, k]] = k, i
+        yield None, f"rows {i + 1} and {k + 1} have changed places", rows[order]
+    for mistake, columns, found, asked, factor in IN_OTHER_UNITS:
+        names = listed([COLUMNS[k] for k in columns])
+        scaled = rows * np.where(np.isin(np.arange(4), columns), factor, 1)
+        yield mistake, f"in other units: {names} in {found}; {asked} are asked", scaled
+
+
+def _kind(off):
+    """The kind of the numbers of a mask, in the catalogue's ids; "" of several kinds."""
+    kinds = {KINDS[k] for k in np.flatnonzero(off.any(axis=0))}
+    return kinds.pop() if len(kinds) == 1 else ""
+
+
+def _are(n):
+    return "one number is" if n == 1 else f"{n} numbers are"
 
 
 def _signs(right, off, kind):
