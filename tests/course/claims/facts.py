@@ -137,12 +137,20 @@ def sum_of_d_counts():
     )
 
 
+UR5E = np.column_stack([  # the maker's numbers, degrees and metres
+    np.zeros(6), (0.1625, 0, 0, 0.1333, 0.0997, 0.0996), (0, -0.425, -0.3922, 0, 0, 0),
+    (90, 0, 0, 90, -90, 0),
+])  # fmt: skip
+
+
+def ur5e(q):
+    """The end of a UR5e, by its maker's numbers."""
+    return _pose(np.column_stack([q, UR5E[:, 1:3], np.radians(UR5E[:, 3])]), STANDARD)
+
+
 def reaches(q, T):
-    """Whether the UR5e's end comes to the place of T, to a millimetre: by its maker's numbers."""
-    d, a = (0.1625, 0, 0, 0.1333, 0.0997, 0.0996), (0, -0.425, -0.3922, 0, 0, 0)
-    alpha = np.pi / 2 * np.array([1, 0, 0, 1, -1, 0])
-    end = _pose(np.column_stack([q, d, a, alpha]), STANDARD)
-    return np.linalg.norm(end[:3, 3] - np.asarray(T)[:3, 3]) < 1.1e-3
+    """Whether the UR5e's end comes to the place of T, to a millimetre."""
+    return np.linalg.norm(ur5e(q)[:3, 3] - np.asarray(T)[:3, 3]) < 1.1e-3
 
 
 def straight_line_of_a_bend():

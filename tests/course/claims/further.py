@@ -2,6 +2,8 @@
 the others why nothing decides them.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from . import facts
@@ -103,6 +105,64 @@ def whirl():
     )
 
 
+CUP, OTHER_WRIST = [30, 60, -80, -30, 40, 0], [30, 60, -80, 150, -40, 180]
+
+
+def no_nearer_to_singular():
+    """Both wrists reach one pose, and are as far from a singularity, whose cond has no end."""
+    one, other = (np.linalg.cond(jacobian(q)) for q in (CUP, OTHER_WRIST))
+    return (
+        same(article(CUP), article(OTHER_WRIST))
+        and np.isclose(one, other)
+        and np.linalg.cond(jacobian([30, 60, -80, -30, 0.01, 0])) > 1e3
+    )
+
+
+def both_jump_by_half_a_turn():
+    return sorted(np.abs(np.subtract(CUP, OTHER_WRIST))[[3, 5]]) == [180, 180]
+
+
+def turned_base():
+    """Of a UR5e: how far the ends are apart, seen from two bases half a turn about z away."""
+    q = np.random.default_rng(9).uniform(-2, 2, (8, 6))
+    ends = [facts.ur5e(x)[:3, 3] for x in q]
+    apart = [np.linalg.norm(p - turn("z", 180) @ p) for p in ends]
+    return max(apart) > 1
+
+
+def three_x_turned():
+    """Of the maker's UR5e, x2, x3 and x5 turned round: two lengths change their signs, no pose."""
+    other = facts.UR5E.copy()
+    for k in (2, 3, 5):
+        other[k - 1, 2:] *= -1
+        other[k - 1 : k + 1, 0] += 180
+    changed = (other[:, 2] != facts.UR5E[:, 2]).sum()
+    return same(walk(other, Q), walk(facts.UR5E, Q)) and changed == 2
+
+
+def numbers_of(frames):
+    """The rows of frames, each z, origin and x, from the way between neighbours."""
+    poses = []
+    for z, o, x in np.array(frames, dtype=float):
+        poses.append(np.column_stack([x, np.cross(z, x), z, o]))
+    rows = []
+    for A, B in pairwise(poses):
+        R, p = A[:, :3].T @ B[:, :3], A[:, :3].T @ (B[:, 3] - A[:, 3])
+        angles = np.degrees([np.arctan2(R[1, 0], R[0, 0]), np.arctan2(R[2, 1], R[2, 2])])
+        rows.append([angles[0], p[2], p @ R[:, 0], angles[1]])
+    return np.array(rows)
+
+
+def ada_and_bo():
+    """Two learners' frames of one arm: more than half of the twelve numbers differ."""
+    Z, Y, X, H = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0], [0.1, 0, 0.4]], dtype=float)
+    elbow = [0.1, 0, 0.8]
+    ada = [[Z, 0 * X, X], [Y, H, X], [Y, elbow, Z], [X, [0.1, 0.1, 0.8], -Z]]
+    bo = [[Z, 0.2 * Z, Y], [-Y, H, -X], [Y, [0.1, 0.3, 0.8], Z], [Y, [0.5, 0.1, 0.8], X]]
+    off = np.abs(numbers_of(ada) - numbers_of(bo)) > 1e-6
+    return off.any(axis=1).all() and 2 * off.sum() > off.size
+
+
 OPTIONS = {
     ("01.6", "flange-and-tip"): lambda: constant("tool") and not constant("base"),
     ("02.2", "link-length"): lambda: (
@@ -121,12 +181,22 @@ OPTIONS = {
     ("06.8", "wrong-pose"): no_limit,
     ("07.5", "measurement"): lambda: on_a_circle(np.random.default_rng(4).uniform(-2, 2, (6, 4))),
     ("07.5", "nothing"): coupled_leaves_the_circle,
+    ("08.12", "singular"): no_nearer_to_singular,
+    ("08.12", "branch"): no_nearer_to_singular,
+    ("08.12", "limit"): both_jump_by_half_a_turn,
     ("09.9", "nothing"): lambda: same(
         article(Q, np.array(ARTICLE) + np.outer(np.eye(6)[5], [0, 0, 0, 70]))[:3, 3],
         article(Q)[:3, 3],
     ),
 }
-OUTCOMES = {"04.P1": foot_on_the_new_axis, "04.P3": x_is_the_way_across, "08.P2": whirl}
+OUTCOMES = {
+    "04.P1": foot_on_the_new_axis,
+    "04.P2": ada_and_bo,
+    "04.P3": x_is_the_way_across,
+    "08.P2": whirl,
+    "09.P1": three_x_turned,
+    "09.P2": turned_base,
+}
 UNDECIDED = {
     ("01.6", "tilted"): STORY,
     ("01.6", "transposed"): STORY,
@@ -137,11 +207,8 @@ UNDECIDED = {
     ("04.3", "housing"): NAMES,
     ("08.3", "limit"): NAMES,
     **{("08.7", o): LESSON for o in ("solver-wrong", "clip", "another-answer", "more-damping")},
-    **{("08.12", o): LESSON for o in ("singular", "branch", "limit", "damping")},
+    ("08.12", "damping"): NAMES,
     "00.P2": LESSON,
-    "04.P2": LESSON,
     "08.P3": LESSON,
     "08.P4": LESSON,
-    "09.P1": LESSON,
-    "09.P2": LESSON,
 }
