@@ -149,7 +149,7 @@ class Hand:
 
     def __init__(self, page, rng):
         self.page, self.rng, self.count = page, rng, Counter()
-        self.refused = []  # (step, value, whether that fits) of the wrong choices
+        self.refused = []  # (step, value) of the wrong choices
         self.known = set()  # (step, number) of these
         page.wait_for_function(FOUND)
 
@@ -178,7 +178,7 @@ class Hand:
                 lines.keep(step, value, point or [0, 0, 0])
                 done += 1
                 continue
-            self.refused.append((step, value, fits))
+            self.refused.append((step, value))
             same = [one["value"] == value and one.get("point") == point for one in offers]
             self.known |= {(step, j) for j, equal in enumerate(same) if equal}
 
@@ -332,21 +332,36 @@ def one(shown, key, variant, rng, count):
         same = np.allclose(explorer.arm.forward(q), expected, atol=1e-4)
         count["finished arms that are the arm" if same else "finished arms that are another"] += 1
     if wanted == "wrong":
-        sure = [(step, value) for step, value, fits in hand.refused if fits is False]
-        # of a line the notebook keeps the direction: beside a parallel one it is right all the same
-        sure = [one for one in sure if one[0][0] != "z" or _turned(one, rows)]
-        if not sure:
+        spoilt = [with_step(rows, step, value) for step, value in hand.refused]
+        spoilt = [one for one in spoilt if breaks_a_rule(given, one)]
+        if not spoilt:
             return "right", rows
-        step, value = sure[int(rng.integers(len(sure)))]
-        rows = [list(row) for row in rows]
-        rows[int(step[1:])]["zox".index(step[0])] = list(value)
+        rows = spoilt[int(rng.integers(len(spoilt)))]
     return wanted, rows
 
 
-def _turned(refused, rows):
-    """Whether a refused z runs another way than the one that stands in the rows."""
-    (_, value), z = refused, rows[int(refused[0][1:])][0]
-    return z is ... or np.linalg.norm(np.cross(value, z)) > NEAR
+def with_step(rows, step, value):
+    """Finished rows, one step of them another."""
+    rows = [list(row) for row in rows]
+    rows[int(step[1:])]["zox".index(step[0])] = list(value)
+    return rows
+
+
+def breaks_a_rule(given, rows):
+    """Whether finished rows are wrong as a notebook holds them: of a line it keeps the direction.
+    Where no joint fixes it, at the end and on a sliding joint, it goes through the origin: an
+    origin refused beside the line that a hand had chosen may be right on one that is parallel to
+    it.
+    """
+    axes, lines = given["axes"], Lines(given["axes"], given["end"])
+    for i, row in enumerate(rows):
+        fixed = i < len(axes) and len(axes[i]) == 2
+        point = axes[i][0] if fixed else row[1]
+        for step, value in zip((f"z{i}", f"o{i}", f"x{i}"), row):
+            if lines.fits(step, value, point) is False:
+                return True
+            lines.keep(step, value, point)
+    return False
 
 
 def exponentials(given, q):
