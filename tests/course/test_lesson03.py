@@ -74,6 +74,9 @@ def test_whose_frame_it_is_seen_from_the_frames():
     assert np.allclose([craig.frames(Q[0, :6])[i][:3, 2] for i in range(1, 7)], axes), (
         "Craig's z_i is the axis of joint i"
     )
+    aside = arm.table.rows
+    aside[5, 2] = 0.1  # the last link leads away from the last axis
+    arm = dh.Arm(dh.DHTable.standard(aside, angle="rad"))
     moved = {"standard": [], "craig": []}
     for name, steps in moved.items():
         for i in range(1, 7):
@@ -84,6 +87,7 @@ def test_whose_frame_it_is_seen_from_the_frames():
                 )
             )
     assert max(moved["craig"]) < 1e-12 and max(moved["standard"]) > 0.1
+    assert moved["standard"][5] > 0.05, "the standard plate {n} need not sit on a joint's axis"
 
 
 def test_every_order_that_gives_craigs_matrix_passes_and_no_other():

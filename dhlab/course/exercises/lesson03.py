@@ -62,7 +62,7 @@ EXERCISES = [
             "$z_i$ lies on the axis of joint i",
             "$z_i$ lies on the axis of joint i+1",
             "row i holds the a and α of link i−1",
-            "turning joint i alone always leaves the origin of {i} where it is",
+            "the last plate, {n}, always sits on the axis of a joint",
             "plate {i} is bolted to the far end of link i",
             "in row i the joint's own turn comes first, then the link behind it",
         ),

@@ -51,6 +51,13 @@ ZEROS = [
 ]  # where each table of 03.5 has a = 0 and α = 0
 
 
+# 03.P1 asks what moves when one joint turns, so 03.1 does not say it
+WHICH_END = (
+    "Link i runs from the axis of joint i to that of joint i+1, the last one to where no joint is."
+    " Which end has plate i?"
+)
+
+
 def _orders_of(matrix):
     row = 0.3, 0.2, 0.4, 0.5
     return [
@@ -75,7 +82,9 @@ def _numbered(what, numbers):
 def explain_sides(given: list[str]) -> Known | None:
     wrong = _wrong_numbers(given, SIDES)
     if len(wrong) == 6:
-        return "frame-at-other-end", "all six: the two conventions have changed places"
+        return "frame-at-other-end", Said(
+            "all six: the two conventions have changed places", next=WHICH_END
+        )
     named = _numbered("statement", wrong)
     if set(wrong) <= {3, 6}:
         return "frame-at-other-end", Said(
@@ -85,10 +94,7 @@ def explain_sides(given: list[str]) -> Known | None:
                 " it, that before the joint or that behind it?"
             ),
         )
-    return "frame-at-other-end", Said(
-        f"look again at {named}",
-        next="Which convention's plate i swings when joint i turns, and which one's stays?",
-    )
+    return "frame-at-other-end", Said(f"look again at {named}", next=WHICH_END)
 
 
 STANDARD_ORDER = Said(

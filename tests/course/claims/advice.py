@@ -232,6 +232,8 @@ ASSERTED = [
     (r"Axes on one line have all points in common: these two have not\.", not_so("line")),
     (r"Axes that meet have a point in common: these two have none\.", not_so("meet")),
     (r"The points given are somewhere on the axes, and lines go on beyond them\.", of("04.11")),
+    (r"Link i runs from the axis of joint i to that of joint i\+1, the last one to where no joint"
+     r" is\.", of("03.1")),
 ]  # fmt: skip
 
 GRANTED = [  # words that take something for granted, and where it is there
