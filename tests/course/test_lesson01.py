@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 from draws import variants
 
-import dhlab as dh
-from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.transform import from_xyz_rpy, trans
@@ -103,15 +101,6 @@ def test_the_tip_of_the_gripper(variant):
     }
     for headline, answer in words.items():
         assert headline in said("01.7", answer, variant).headline
-
-
-def test_the_numbers_of_the_story_stand_in_the_text():
-    cup = dh.load("article-6r").forward(np.deg2rad([30, 60, -80, -30, 40, 0]))[:3, 3]
-    source = reading.sources(["01"])[0].read_text(encoding="utf-8")
-    assert (
-        f"({', '.join(f'{value:.3f}' for value in cup)}) m, the hand stopped at (0.434, 0.224,"
-        " 0.376) m" in source
-    )
 
 
 def test_the_order_of_the_chain():

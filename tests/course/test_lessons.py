@@ -100,7 +100,7 @@ def test_a_changed_source_is_noticed(tmp_path, monkeypatch):
     assert build.stale() == []
     source = tmp_path / "solutions" / "01-frames.md"
     source.write_text(
-        source.read_text(encoding="utf-8").replace("In lesson 07 you", "In lesson 08 you"),
+        source.read_text(encoding="utf-8").replace("lesson 07 you", "lesson 08 you"),
         encoding="utf-8",
     )
     sheet = tmp_path / "solutions" / "teacher" / "01-frames.md"
@@ -128,7 +128,7 @@ BREAKS = {
     "new terms": ("(glossary.md#pose)", "(elsewhere.md#pose)"),
     "checks": ('check("01.5", chain)', 'print("01.5")'),
     "predictions": ('reveal("01.P1")', 'print("01.P1")'),
-    "misconceptions": ("**Against it.** Compare", "Compare"),
+    "misconceptions": ("**Against it.** The quarter", "The quarter"),
     "choices": (':exercise: "01.6"\n', ""),
     "worked example": (":tags: [worked]", ":tags: [shown]"),
     "why": ("[exercise, why]", "[exercise]"),

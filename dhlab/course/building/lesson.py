@@ -16,7 +16,7 @@ from .reading import in_practice, read_source, sitting_of
 __all__ = ["Lesson", "library_calls", "words"]
 
 WORDS_A_MINUTE = 110  # technical prose by who reads it in a second language
-CODE_MINUTES = 0.5  # to read and run a cell that is no exercise
+CODE_MINUTES = 0.6  # to read and run a cell that is no exercise, and to look at what it shows
 CHECK_MINUTES = 0.2  # to run a check; to mend the answer belongs to the exercise
 
 
@@ -44,6 +44,11 @@ class Lesson:
         core = copy(self)
         core.cells = [cell for cell in self.cells if not in_practice(cell)]
         return core
+
+    @property
+    def sittings(self) -> "list[Lesson]":
+        """The lesson's sittings, one file each: "04" and "04b" are one lesson."""
+        return [Lesson(path) for path in sorted(self.path.parent.glob(f"{self.number[:2]}*-*.md"))]
 
     @property
     def markdown(self) -> list[NotebookNode]:

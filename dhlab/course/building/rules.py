@@ -45,7 +45,7 @@ VERBS = frozenset(
 
 
 def time(lesson: Lesson) -> tuple[bool, str]:
-    """The core's minutes are stated, near what is counted, and mostly spent on exercises."""
+    """The core's minutes are stated, those counted to the nearest five, much of them exercises."""
     core, stated = lesson.core, lesson.about.get("minutes", 0)
     total = core.total
     doing = sum(core.minutes(cell) for cell in core.code if "minutes" in cell.metadata)
@@ -66,7 +66,7 @@ def practice(lesson: Lesson) -> tuple[bool, str]:
 
 
 def _near(stated, counted):
-    return abs(stated - counted) <= 0.2 * stated
+    return stated % 5 == 0 and abs(stated - counted) <= 2.5
 
 
 def opening(lesson: Lesson) -> tuple[bool, str]:
@@ -121,11 +121,11 @@ def checks(lesson: Lesson) -> tuple[bool, str]:
         clock += lesson.minutes(cell)
         if cell.cell_type == "code" and cell.source.startswith("check("):
             times.append(clock)
-    gaps = [b - a for a, b in zip([0, *times], [*times, clock])]
+    gaps = [round(b - a) for a, b in zip([0, *times], [*times, clock])]
     complete = set(lesson.called("check")) == set(lesson.exercises)
     return (
         len(times) >= 3 and gaps[0] <= 8 and max(gaps[1:]) <= 12 and complete,
-        f"{len(times)} checks, first after {gaps[0]:.0f} min, widest gap {max(gaps[1:]):.0f} min",
+        f"{len(times)} checks, first after {gaps[0]} min, widest gap {max(gaps[1:])} min",
     )
 
 
@@ -201,15 +201,19 @@ def tag(*tags: str) -> Callable[[Lesson], tuple[bool, str]]:
 
 
 def typing(lesson: Lesson) -> tuple[bool, str]:
-    """An exercise without typing."""
-    core = lesson.core.called("check")
-    orders = [key for key in core if isinstance(lesson.exercises.get(key), (Order, PreTest))]
+    """An exercise without typing, in one of the lesson's sittings."""
+    orders = [
+        key
+        for sitting in lesson.sittings
+        for key in sitting.core.called("check")
+        if isinstance(sitting.exercises.get(key), (Order, PreTest))
+    ]
     return bool(orders), ", ".join(orders)
 
 
 def debugging(lesson: Lesson) -> tuple[bool, str]:
-    """From lesson 03 on, something to repair."""
-    cells = lesson.core.tagged("debug")
+    """From lesson 03 on, something to repair, in one of the lesson's sittings."""
+    cells = [cell for sitting in lesson.sittings for cell in sitting.core.tagged("debug")]
     return len(cells) >= (int(lesson.number[:2]) >= 3), f"{len(cells)} cells"
 
 

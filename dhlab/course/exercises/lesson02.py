@@ -96,21 +96,6 @@ EXERCISES = [
             ),
         },
     ),
-    Prediction(
-        id="02.P2",
-        title="A tape measure between two origins",
-        question="What does the tape say?",
-        options={
-            "a-alone": "0.40 m, that is a",
-            "hypotenuse": "0.50 m",
-            "sum": "0.70 m, that is d + a",
-        },
-        correct="hypotenuse",
-        outcome=(
-            "d and a stand at right angles, so the tape says √(0.3² + 0.4²) = 0.5 m: neither d"
-            " nor a."
-        ),
-    ),
     Value(
         id="02.4",
         title="A link that goes backwards",
@@ -200,6 +185,22 @@ EXERCISES = [
                 "x1 points from axis to axis. At q2 = 0 it goes 53.5 forward for 284.5 up:"
                 " np.arctan2 gives its angle, and q2 is added."
             ),
+        ),
+    ),
+    Prediction(
+        id="02.P2",
+        practice=True,
+        title="A tape measure between two origins",
+        question="What does the tape say?",
+        options={
+            "a-alone": "0.40 m, that is a",
+            "hypotenuse": "0.50 m",
+            "sum": "0.70 m, that is d + a",
+        },
+        correct="hypotenuse",
+        outcome=(
+            "d and a stand at right angles, so the tape says √(0.3² + 0.4²) = 0.5 m: neither d"
+            " nor a."
         ),
     ),
     Value(

@@ -5,6 +5,7 @@ the common normals.
 from ..kinds import Choice, Option, Order, Prediction
 from ..kinds.frames.placed import Frames
 from .answers04 import OF_Z, draw_colleagues, draw_shoulder, draw_skew, draw_sliding, explain_lines
+from .answers04b import PAIRS, explain_pairs
 
 __all__ = ["EXERCISES"]
 
@@ -49,22 +50,6 @@ EXERCISES = [
             " along that line."
         ),
     ),
-    Frames(
-        id="04.2",
-        title="Two skew axes",
-        draw=draw_skew,
-        praise="The foot of the common normal, and x along it.",
-        hints=(
-            (
-                "Which is the shortest way from the axis of joint 1 to the axis of joint 2? Where"
-                " does it arrive?"
-            ),
-            (
-                "All points of axis 2 have the same x and the same z. Only y is open, and axis 1"
-                " has its own y."
-            ),
-        ),
-    ),
     Choice(
         id="04.3",
         title="Why there",
@@ -104,6 +89,22 @@ EXERCISES = [
             ),
         },
     ),
+    Frames(
+        id="04.2",
+        title="Two skew axes",
+        draw=draw_skew,
+        praise="The foot of the common normal, and x along it.",
+        hints=(
+            (
+                "Which is the shortest way from the axis of joint 1 to the axis of joint 2? Where"
+                " does it arrive?"
+            ),
+            (
+                "All points of axis 2 have the same x and the same z. Only y is open, and axis 1"
+                " has its own y."
+            ),
+        ),
+    ),
     Prediction(
         id="04.P3",
         title="An x that points forward",
@@ -122,8 +123,32 @@ EXERCISES = [
             " one axis to the other."
         ),
     ),
+    Order(
+        id="04.11",
+        title="Five pairs of axes",
+        question=(
+            "How does each axis of the article's arm lie to the one before it? Five letters; a"
+            " letter may come twice."
+        ),
+        repeats=True,
+        items={
+            "parallel": "parallel, apart",
+            "skew": "skew",
+            "line": "on one line",
+            "meet": "they meet",
+        },
+        places=("axes 1 and 2", "axes 2 and 3", "axes 3 and 4", "axes 4 and 5", "axes 5 and 6"),
+        accepts=lambda cases: cases == PAIRS,
+        explain=explain_pairs,
+        praise="Two that meet at the foot, three parallel axes, and a wrist whose axes meet.",
+        hints=(
+            "Parallel: the same direction or the opposite one. Do two others have a common point?",
+            "Axis 5 is vertical. Does the vertical line meet axis 4, and axis 6?",
+        ),
+    ),
     Frames(
         id="04.4",
+        practice=True,
         title="Shoulder and elbow",
         points=2,
         draw=draw_shoulder,
@@ -141,6 +166,7 @@ EXERCISES = [
     ),
     Frames(
         id="04.7",
+        practice=True,
         title="A colleague's frames",
         draw=draw_colleagues,
         sparing=True,

@@ -5,45 +5,20 @@ off them, what is free, and three beginner's mistakes.
 from ...arm import Arm
 from ...robots import load
 from ...table import DHTable
-from ..kinds import Choice, Option, Order, Prediction
+from ..kinds import Choice, Option, Prediction
 from ..kinds.frames.placed import Frames
 from .answers04 import ReadTable, draw_read, rows_read
 from .answers04b import (
-    PAIRS,
     draw_half_arm,
     draw_roll_wrist,
     draw_spoilt_wrist,
     draw_whole_arm,
-    explain_pairs,
     off_axis_4,
 )
 
 __all__ = ["EXERCISES"]
 
 EXERCISES = [
-    Order(
-        id="04.11",
-        title="Five pairs of axes",
-        question=(
-            "How does each axis of the article's arm lie to the one before it? Five letters; a"
-            " letter may come twice."
-        ),
-        repeats=True,
-        items={
-            "parallel": "parallel, apart",
-            "skew": "skew",
-            "line": "on one line",
-            "meet": "they meet",
-        },
-        places=("axes 1 and 2", "axes 2 and 3", "axes 3 and 4", "axes 4 and 5", "axes 5 and 6"),
-        accepts=lambda cases: cases == PAIRS,
-        explain=explain_pairs,
-        praise="Two that meet at the foot, three parallel axes, and a wrist whose axes meet.",
-        hints=(
-            "Parallel: the same direction or the opposite one. Do two others have a common point?",
-            "Axis 5 is vertical. Does the vertical line meet axis 4, and axis 6?",
-        ),
-    ),
     Frames(
         id="04.12",
         title="The article's arm, shoulder to forearm",
