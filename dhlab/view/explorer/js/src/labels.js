@@ -33,13 +33,13 @@ export class Ink {
 
 const overlaps = (a, b) => a.left < b.right + 2 && b.left < a.right + 2 && a.top < b.bottom + 1 && b.top < a.bottom + 1;
 
-// The places of labels {text, at, toward, far, key}, as boxes in pixels; `before` remembers each one's ray, so that it does not jump about.
-export function placeLabels(labels, camera, ink, measure, before) {
-  const placed = [], points = labels.map((label) => camera.flat(label.at));
+// The places of labels {text, at, toward, far, key}, as boxes in pixels; `before` remembers each one's ray, so that it does not jump about. `marked` are other points that a label beside them would seem to name.
+export function placeLabels(labels, camera, ink, measure, before, marked = []) {
+  const placed = [], points = labels.map((label) => camera.flat(label.at)), named = [...points, ...marked.map((at) => camera.flat(at))];
   for (const [k, label] of labels.entries()) {
     const at = points[k], [width, height] = measure(label);
     if (placed.some((one) => one.label.text === label.text && one.label.color === label.color && Math.hypot(one.at[0] - at[0], one.at[1] - at[1]) < SAME)) continue;
-    const others = points.filter((p) => apart(p, at) > SAME);
+    const others = named.filter((p) => apart(p, at) > SAME);
     const best = cheapest(candidates(label, at, camera), (ray) => {
       const box = boxAt(ray, at, width, height);
       return price(ray, box, placed, ink, camera, before.get(label.key)) + (strays(box, at, others) ? SWAPPED : 0);
@@ -55,7 +55,7 @@ export function placeLabels(labels, camera, ink, measure, before) {
 const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 const gapTo = (box, p) => apart(p, [Math.max(box.left, Math.min(box.right, p[0])), Math.max(box.top, Math.min(box.bottom, p[1]))]);
 
-// Whether a label stands nearer to what another one names than to its own: it then costs more, and gets a line.
+// Whether a label stands nearer to what another one names, or to a mark, than to its own point: it then costs more, and gets a line.
 const strays = (box, at, others) => others.some((p) => gapTo(box, p) < gapTo(box, at) + 2);
 
 function candidates(label, at, camera) {

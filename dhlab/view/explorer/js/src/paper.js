@@ -149,7 +149,8 @@ export class Paper {
     const { context: c } = this, ink = new Ink(camera.width, camera.height);
     for (const solids of [scene.body, scene.frames]) for (const solid of solids) this.darken(ink, solid, camera);
     for (const { flat = [] } of scene.over) for (let k = 1; k < flat.length; k++) ink.line(flat[k - 1], flat[k], 2);
-    this.labels = placeLabels(scene.labels, camera, ink, (label) => this.measure(label), this.places);
+    const marked = scene.over.filter((mark) => mark.ring).map((mark) => mark.ring);
+    this.labels = placeLabels(scene.labels, camera, ink, (label) => this.measure(label), this.places, marked);
     c.textAlign = "center";
     c.textBaseline = "middle";
     for (const box of this.labels) this.letter(box, scene);
