@@ -13,8 +13,8 @@ EXERCISES = [
     Order(
         id="04.1",
         title="Six lines, three axes",
-        question="Which line carries z0, which z1, which z2? Three letters, in this order.",
-        length=3,
+        question="Which line carries each z? Three letters.",
+        places=("z0", "z1", "z2"),
         repeats=True,
         items={
             "upper-arm": "the line from joint 2 to joint 3, along the upper arm",
@@ -127,7 +127,7 @@ EXERCISES = [
         id="04.11",
         title="Five pairs of axes",
         question=(
-            "How does each axis of the article's arm lie to the one before it? Five letters; a"
+            "How does each axis of this arm lie to the one before it? Five letters; a"
             " letter may come twice."
         ),
         repeats=True,
