@@ -53,11 +53,12 @@ class Equivalence:
         return self.message
 
     def _repr_html_(self) -> str:
+        if not self.equal:
+            return f"<p><strong>Not the same arm.</strong> {escape(self.message)}</p>"
+        if not self.differences:
+            return f"<p>{escape(self.message)}</p>"
         items = "".join(f"<li>{escape(choice.message)}</li>" for choice in self.differences)
-        verdict = "The same arm" if self.equal else "Not the same arm"
-        return f"<p><strong>{verdict}.</strong> {escape(self.message)}</p>" + (
-            f"<ul>{items}</ul>" if items else ""
-        )
+        return f"<p><strong>The same arm.</strong> Table b is table a with:</p><ul>{items}</ul>"
 
 
 def unlike_joints(a: Arm, b: Arm) -> Equivalence | None:

@@ -198,6 +198,7 @@ function judged(host, mode, redraw) {
     const { said, next, left } = answer;
     verdict.className = `verdict ${said ? (said.right ? "right" : "wrong") : ""}`;
     verdict.replaceChildren(...(said ? [h("b", {}, said.right ? "✓ Right. " : "✗ Not yet. "), `${pretty(said.step)}: ${said.message}`] : [START]));
+    verdict.hidden = !said && !next;
     offers.hidden = what.hidden = submit.hidden = !next;
     back.disabled = again.disabled = !answer.placed.length;
     slide.element.hidden = !next || next[0] !== "o" || !line();
