@@ -24,10 +24,8 @@ EXERCISES = [
     Order(
         id="02.1",
         title="About and along which arrow",
-        question=(
-            "Where is each of θ, d, a, α measured? Four letters, in this order; two are left over."
-        ),
-        length=4,
+        question=("Where is each of the four measured? Four letters; two are left over."),
+        places=("θ", "d", "a", "α"),
         items={
             "along-new-x": "a length along new x",
             "about-old-z": "an angle about old z",
