@@ -10,6 +10,7 @@ noise may never be said to agree.
 """
 
 import argparse
+import os
 import sys
 import time
 import warnings
@@ -18,6 +19,9 @@ from pathlib import Path
 
 import numpy as np
 from scipy.spatial.transform import Rotation
+
+# to compile takes numba some 15 s, once on a machine: they are not the doctor's
+os.environ.setdefault("DHLAB_NUMBA", "0")
 
 import dhlab as dh
 from dhlab.doctor import diagnose
