@@ -22,6 +22,7 @@ __all__ = [
     "require_pose",
 ]
 
+IDENTITY = np.eye(4)
 RIGID_TOLERANCE = 1e-6  # a pose typed with seven digits passes, one with four does not
 
 
@@ -135,8 +136,8 @@ def _shift(length: ArrayLike, axis: int) -> NDArray[np.float64]:
 
 
 def _identity(shape: tuple[int, ...]) -> NDArray[np.float64]:
-    T = np.zeros((*shape, 4, 4))
-    T[..., range(4), range(4)] = 1.0
+    T = np.empty((*shape, 4, 4))
+    T[...] = IDENTITY
     return T
 
 

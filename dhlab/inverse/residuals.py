@@ -2,15 +2,12 @@
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
+from ..rotations import rotation_vectors
 from ..transform import RIGID_TOLERANCE, pose_fault
 
-__all__ = ["missing", "require_targets", "residuals", "rotation_vector"]
-
-SMALL = 1e-8  # rad: below, sine and angle are the same number
-NEARLY_HALF_A_TURN = -0.99  # the cosine of 172°
+__all__ = ["missing", "require_targets", "residuals"]
 
 
 def missing(arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -26,32 +23,7 @@ def missing(arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray
     """
     here = arm.forward(q)
     turn = T[:, :3, :3] @ np.swapaxes(here[:, :3, :3], -1, -2)
-    return np.concatenate([T[:, :3, 3] - here[:, :3, 3], rotation_vector(turn)], axis=1)
-
-
-def rotation_vector(R: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rotation vectors (m, 3) of rotations (m, 3, 3), in radians.
-
-    ``sin(angle) · axis`` stands in ``R - Rᵀ`` (Siciliano et al., Robotics, eq. 2.27); near half a
-    turn, where that fades, scipy goes by the quaternion.
-
-    Examples
-    --------
-    >>> from dhlab.transform import rot_z
-    >>> rotation_vector(rot_z(np.array([0.3, np.pi]))[:, :3, :3]).round(6)
-    array([[0.      , 0.      , 0.3     ],
-           [0.      , 0.      , 3.141593]])
-    """
-    skew = R - np.swapaxes(R, -1, -2)
-    vector = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1) / 2
-    sine = np.sqrt((vector**2).sum(axis=1))
-    cosine = (R[:, 0, 0] + R[:, 1, 1] + R[:, 2, 2] - 1) / 2
-    vector *= np.divide(np.arctan2(sine, cosine), sine, out=np.ones_like(sine), where=sine > SMALL)[
-        :, None
-    ]
-    if (half := cosine < NEARLY_HALF_A_TURN).any():
-        vector[half] = Rotation.from_matrix(R[half]).as_rotvec()
-    return vector
+    return np.concatenate([T[:, :3, 3] - here[:, :3, 3], rotation_vectors(turn)], axis=1)
 
 
 def residuals(arm: Arm, q: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:

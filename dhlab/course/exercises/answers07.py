@@ -11,6 +11,7 @@ from ...arm import Arm
 from ...doctor.programs.wrong.links import standard
 from ...doctor.programs.wrong.products import product
 from ...robots import load
+from ...rotations import from_rotation_vectors
 from ...table import DHTable
 from ..kinds import Known, Mistakes, Said
 from .answers06 import ARTICLE
@@ -89,11 +90,9 @@ def _points(rng, arm, q, noise):
 
 
 def _poses(rng, arm, q, noise, turn):
-    from scipy.spatial.transform import Rotation
-
     T = arm.forward(q)
     T[:, :3, 3] += rng.normal(0, noise, (len(q), 3))
-    T[:, :3, :3] = T[:, :3, :3] @ Rotation.from_rotvec(rng.normal(0, turn, (len(q), 3))).as_matrix()
+    T[:, :3, :3] = T[:, :3, :3] @ from_rotation_vectors(rng.normal(0, turn, (len(q), 3)))
     return T
 
 

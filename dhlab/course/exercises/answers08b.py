@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...doctor.programs.wrong.products import product
 from ...robots import load
+from ...rotations import from_rotation_vectors, rotation_vectors
 from ..kinds import Known, Mistakes, Said, Value
 from ..verdict import Verdict
 from .answers08 import general, random_pose
@@ -61,10 +62,8 @@ def in_other_axes(of: str = "") -> dict:
 
 def draw_two_poses(rng: np.random.Generator) -> tuple:
     """A pose and a goal, turned against it by less than half a turn."""
-    from scipy.spatial.transform import Rotation
-
     T, turned = random_pose(rng), np.eye(4)
-    turned[:3, :3] = Rotation.from_rotvec(general(rng, 0.2, 1.2, 3)).as_matrix()
+    turned[:3, :3] = from_rotation_vectors(general(rng, 0.2, 1.2, 3))
     T_goal = turned @ T
     T_goal[:3, 3] = general(rng, 0.1, 0.6, 3)
     return T, T_goal
@@ -72,10 +71,8 @@ def draw_two_poses(rng: np.random.Generator) -> tuple:
 
 def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
     """The broken pose error of 08.4."""
-    from scipy.spatial.transform import Rotation
-
     return np.concatenate(
-        [T_goal[:3, 3] - T[:3, 3], Rotation.from_matrix(T[:3, :3].T @ T_goal[:3, :3]).as_rotvec()]
+        [T_goal[:3, 3] - T[:3, 3], rotation_vectors(T[:3, :3].T @ T_goal[:3, :3])]
     )
 
 
@@ -227,10 +224,8 @@ class Reaches(Value):
 
 def _off(q, T_goal):
     """(metres, degrees) from the end of the UR5e at q to a pose."""
-    from scipy.spatial.transform import Rotation
-
     T = load("ur5e").forward(q)
-    turn = Rotation.from_matrix(T_goal[:3, :3] @ T[:3, :3].T).magnitude()
+    turn = np.linalg.norm(rotation_vectors(T_goal[:3, :3] @ T[:3, :3].T))
     return float(np.linalg.norm(T[:3, 3] - T_goal[:3, 3])), float(np.rad2deg(turn))
 
 

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from ...printing import number
+from ...rotations import rotation_vectors
 from ..budget import CHOICE
 from ..mistakes.themes.models import models
 from .search.fitting import misfit
-from .search.measured import limit, rotation_vectors
+from .search.measured import limit
 from .search.singles import Explanation, singles
 
 __all__ = ["all_but_one", "of_the_library", "right_part", "still_right"]

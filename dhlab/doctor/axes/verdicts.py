@@ -7,8 +7,9 @@ import numpy as np
 
 from ...formats.axisfile import AxisSheet
 from ...geometry.procedure.frames import assign_frames
+from ...rotations import rotation_vectors
 from ..arms.given import distinct
-from ..arms.search.measured import limit, rotation_vectors
+from ..arms.search.measured import limit
 from ..arms.words.ranking import differs, telling_pose
 from ..diagnosis import AGREES, CALIBRATED, EXPLAINED, UNDECIDED, UNEXPLAINED, Diagnosis
 from .search import everything

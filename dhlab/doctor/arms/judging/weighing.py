@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....rotations import rotation_vectors
 from ...mistakes.registry import preference
 from ...mistakes.remade import A, D
 from ..given import distinct
-from ..search.measured import rotation_vectors
 
 __all__ = [
     "Weighed",

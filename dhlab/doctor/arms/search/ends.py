@@ -4,9 +4,9 @@ from itertools import product
 
 import numpy as np
 
+from ....rotations import rotation_vectors
 from ....transform import inverse
 from ...mistakes.remade import with_parts
-from .measured import rotation_vectors
 
 __all__ = ["place_ends", "carried", "rigid"]
 

@@ -5,14 +5,14 @@ numbers to them.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from .... import kinematics
 from ....arm import Arm
 from ....fast.plain import Plain
+from ....rotations import from_rotation_vectors, rotation_vectors
 from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .ends import place_ends, rigid
-from .measured import limit, rotation_vectors
+from .measured import limit
 
 __all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
 
@@ -232,6 +232,6 @@ def _moved(arm, step, free, base, tool):
 
 def _pose(twist):
     T = np.eye(4)
-    T[:3, :3] = Rotation.from_rotvec(twist[:3]).as_matrix()
+    T[:3, :3] = from_rotation_vectors(twist[:3])
     T[:3, 3] = twist[3:]
     return T

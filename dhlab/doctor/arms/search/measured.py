@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import chdtri
 
-__all__ = ["Measured", "limit", "rotation_vectors"]
+from ....rotations import rotation_vectors
 
-HALF_A_TURN = -1.98  # twice the cosine of 172°
+__all__ = ["Measured", "limit"]
+
 FALSE_ALARM = 1e-7  # how often right data may look wrong
 
 
@@ -58,36 +59,3 @@ class Measured:
 def limit(freedom):
     """The χ² that noise alone passes once in ten million draws."""
     return chdtri(max(freedom, 1), FALSE_ALARM)
-
-
-def rotation_vectors(R):
-    """Rotation vectors (..., 3) of rotation matrices (..., 3, 3).
-
-    From the skew part, which is sin(angle) times the axis; near half a turn, where that is small,
-    the axis comes from the symmetric part.
-    """
-    skew = np.stack(
-        [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]],
-        axis=-1,
-    )
-    twice_sine = np.sqrt((skew * skew).sum(-1))
-    twice_cosine = np.trace(R, axis1=-2, axis2=-1) - 1
-    small = twice_sine < 1e-9
-    angle = np.arctan2(twice_sine, twice_cosine)
-    vectors = skew * np.where(small, 0.5, angle / np.where(small, 1, twice_sine))[..., None]
-    half = twice_cosine < HALF_A_TURN
-    if half.any():
-        vectors[half] = _half_turns(R[half], skew[half]) * angle[half, None]
-    return vectors
-
-
-def _half_turns(R, skew):
-    """The axes (m, 3) of rotations by nearly half a turn: R + Rᵀ is a multiple of the identity and
-    one of axis · axisᵀ, of which the column with the largest diagonal is taken.
-    """
-    both = R + np.swapaxes(R, -1, -2)
-    both[:, range(3), range(3)] += (1 - np.trace(R, axis1=-2, axis2=-1))[:, None]
-    k = np.arange(len(R)), np.argmax(np.diagonal(both, axis1=-2, axis2=-1), axis=-1)
-    axes = both[k]
-    axes /= np.linalg.norm(axes, axis=-1, keepdims=True)
-    return axes * np.where((axes * skew).sum(-1) < 0, -1.0, 1.0)[:, None]

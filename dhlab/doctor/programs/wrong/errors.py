@@ -6,6 +6,7 @@ Each entry of :data:`WRONG_ERRORS` is ``(mistake, place, function)``, a function
 
 import numpy as np
 
+from ....rotations import rotation_vectors
 from ....transform import from_xyz_rpy
 from .versions import Versions
 
@@ -26,17 +27,11 @@ def pose_error(T, T_goal):
     return _error(T, T_goal)
 
 
-def _vector(R):
-    from scipy.spatial.transform import Rotation
-
-    return Rotation.from_matrix(R).as_rotvec()
-
-
 def _error(
     T,
     T_goal,
     way=lambda R, R_goal, p, p_goal: p_goal - p,
-    turn=lambda R, R_goal: _vector(R_goal @ R.T),
+    turn=lambda R, R_goal: rotation_vectors(R_goal @ R.T),
 ):
     R, R_goal = T[:3, :3], T_goal[:3, :3]
     return np.concatenate([way(R, R_goal, T[:3, 3], T_goal[:3, 3]), turn(R, R_goal)])
@@ -57,10 +52,8 @@ def _skew(A):
 
 def _quaternion(R):
     """Its vector part, with w positive."""
-    from scipy.spatial.transform import Rotation
-
-    x, y, z, w = Rotation.from_matrix(R).as_quat()
-    return np.array([x, y, z]) * (1 if w >= 0 else -1)
+    vector = rotation_vectors(R)
+    return vector / 2 * np.sinc(np.linalg.norm(vector) / (2 * np.pi))
 
 
 def _angles(order):
@@ -84,7 +77,7 @@ def _backwards(way, turn):
     return lambda e: np.concatenate([way * e[:3], turn * e[3:]])
 
 
-_TOOL_TURN = {"turn": lambda R, R_goal: _vector(R.T @ R_goal)}
+_TOOL_TURN = {"turn": lambda R, R_goal: rotation_vectors(R.T @ R_goal)}
 _TOOL_WAY = {"way": lambda R, R_goal, p, p_goal: R.T @ (p_goal - p)}
 
 _ALL = [
@@ -95,7 +88,7 @@ _ALL = [
     (
         "orientation-error-frame",
         "the orientation is R_goalᵀ R, the way back in the goal's axes",
-        _made(turn=lambda R, R_goal: _vector(R_goal.T @ R)),
+        _made(turn=lambda R, R_goal: rotation_vectors(R_goal.T @ R)),
     ),
     ("orientation-error-frame", "the position is in the tool's axes", _made(**_TOOL_WAY)),
     ("orientation-error-frame", "both are in the tool's axes", _made(**_TOOL_WAY, **_TOOL_TURN)),
@@ -107,12 +100,12 @@ _ALL = [
     (
         "pose-inverted",
         "a transpose is missing: R_goal R where R_goal Rᵀ belongs",
-        _made(turn=lambda R, R_goal: _vector(R_goal @ R)),
+        _made(turn=lambda R, R_goal: rotation_vectors(R_goal @ R)),
     ),
     (
         "pose-inverted",
         "a transpose is missing: R R_goal",
-        _made(turn=lambda R, R_goal: _vector(R @ R_goal)),
+        _made(turn=lambda R, R_goal: rotation_vectors(R @ R_goal)),
     ),
     ("rotation-difference", "", _made(turn=lambda R, R_goal: _skew(R_goal - R))),
     (
@@ -140,7 +133,7 @@ _ALL = [
     (
         "angles-subtracted",
         "rotation vectors",
-        _made(turn=lambda R, R_goal: _vector(R_goal) - _vector(R)),
+        _made(turn=lambda R, R_goal: rotation_vectors(R_goal) - rotation_vectors(R)),
     ),
     (
         "rotation-vector-misread",
@@ -165,7 +158,11 @@ _ALL = [
     (
         "rotation-vector-misread",
         "the axis alone, without the angle",
-        _made(turn=lambda R, R_goal: _vector(R_goal @ R.T) / np.linalg.norm(_vector(R_goal @ R.T))),
+        _made(
+            turn=lambda R, R_goal: (
+                rotation_vectors(R_goal @ R.T) / np.linalg.norm(rotation_vectors(R_goal @ R.T))
+            )
+        ),
     ),
     (
         "rotation-vector-misread",
@@ -179,7 +176,9 @@ _ALL = [
     (
         "wrong-frame-compared",
         "this is the goal itself, not the way to it",
-        _made(way=lambda R, R_goal, p, p_goal: p_goal, turn=lambda R, R_goal: _vector(R_goal)),
+        _made(
+            way=lambda R, R_goal, p, p_goal: p_goal, turn=lambda R, R_goal: rotation_vectors(R_goal)
+        ),
     ),
     ("integer-arrays", "", _changed(np.trunc)),
 ]
