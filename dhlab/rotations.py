@@ -6,7 +6,7 @@ scipy does this too, and takes 20 MB to load; nearly every room needs no more of
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["rotation_vectors", "from_rotation_vectors"]
+__all__ = ["rotation_vectors", "from_rotation_vectors", "skew"]
 
 SMALL = 1e-9  # twice the sine: below, sine and angle are the same number
 HALF_A_TURN = -1.98  # twice the cosine of 172°
@@ -65,9 +65,20 @@ def from_rotation_vectors(vectors: ArrayLike) -> NDArray[np.float64]:
     """
     v = np.asarray(vectors, dtype=float)
     angle = np.sqrt((v * v).sum(-1))[..., None, None]
-    K = np.zeros((*v.shape, 3))
-    K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = np.moveaxis(v, -1, 0)
-    K -= np.swapaxes(K, -1, -2)
+    K = skew(v)
     # sin(x)/x and (1 - cos(x))/x², also where x is 0
     half = np.sinc(angle / (2 * np.pi))
     return np.eye(3) + np.sinc(angle / np.pi) * K + half * half / 2 * (K @ K)
+
+
+def skew(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The matrices (..., 3, 3) that multiply as the cross product with vectors (..., 3).
+
+    Examples
+    --------
+    >>> skew(np.array([1.0, 2.0, 3.0])) @ [0, 0, 1], np.cross([1, 2, 3], [0, 0, 1])
+    (array([ 2., -1.,  0.]), array([ 2, -1,  0]))
+    """
+    K = np.zeros((*vectors.shape, 3))
+    K[..., 2, 1], K[..., 0, 2], K[..., 1, 0] = np.moveaxis(vectors, -1, 0)
+    return K - np.swapaxes(K, -1, -2)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .. import units
 from ..checks import checked_joints
+from ..rotations import from_rotation_vectors, skew
 from ..transform import from_xyz_rpy
 from .files import read_text
 from .plainyaml import FLOAT
@@ -220,13 +221,11 @@ def _number(cell, where):
 
 def _rotations(orientation, values, to_rad, path, rows):
     """(m, 3, 3) rotation matrices of the orientation's columns."""
-    from scipy.spatial.transform import Rotation  # large: only where it is asked for
-
     if orientation == ORIENTATIONS["fixed-axis angles"]:
         angles = units.convert(values, to_rad)
         return from_xyz_rpy(np.zeros_like(angles), angles)[:, :3, :3]
     if orientation == ORIENTATIONS["a rotation vector"]:
-        return Rotation.from_rotvec(units.convert(values, to_rad)).as_matrix()
+        return from_rotation_vectors(units.convert(values, to_rad))
     norms = np.linalg.norm(values, axis=1)
     bad = np.flatnonzero(np.abs(norms - 1) > UNIT_TOLERANCE)
     if len(bad):
@@ -235,4 +234,10 @@ def _rotations(orientation, values, to_rad, path, rows):
             f" found one of length {norms[bad[0]]:.4g}; are the columns in the order the header"
             " says?"
         )
-    return Rotation.from_quat(values[:, [1, 2, 3, 0]]).as_matrix()
+    return _of_quaternions(values / norms[:, None])
+
+
+def _of_quaternions(values):
+    """(m, 3, 3) from unit quaternions, w first: v'= v + 2 w (u × v) + 2 u × (u × v)."""
+    w, K = values[:, :1, None], skew(values[:, 1:])
+    return np.eye(3) + 2 * w * K + 2 * K @ K

@@ -41,7 +41,7 @@ NOT_TO_THE_PEN = (  # of the levers that the doctor knows, by its places
 
 def general(rng: np.random.Generator, low: float, high: float, *shape: int) -> NDArray:
     """Numbers of either sign, none of them small."""
-    return rng.uniform(low, high, shape) * rng.choice([-1, 1], shape)
+    return rng.uniform(low, high, shape) * (2 * rng.integers(0, 2, shape) - 1)
 
 
 def random_pose(rng: np.random.Generator) -> NDArray:

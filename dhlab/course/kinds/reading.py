@@ -60,7 +60,7 @@ def unusable(answer: Any) -> str:
     >>> unusable([1, 2j])
     'complex numbers, with an imaginary part that is not 0'
     """
-    if isinstance(answer, np.ma.MaskedArray) and np.ma.is_masked(answer):
+    if hasattr(answer, "mask") and np.ma.is_masked(answer):  # np.ma loads when it is asked for
         hidden = int(np.ma.getmaskarray(answer).sum())
         are = "is" if hidden == 1 else "are"
         return f"a masked array in which {hidden} of {answer.size} numbers {are} hidden"

@@ -28,7 +28,7 @@ from ..inside.clock import WAIT
 from ..settings import LEVELS, Limits
 from . import stage
 from .folder import Folder, readable_by_others
-from .listener import Listener, Run
+from .listener import Listener, Run, used
 from .sight import OPEN, OWN, hidden, kept, packages, readable_without
 from .talk import Talk
 
@@ -56,6 +56,7 @@ RISKS = {
 ALWAYS_WARM = tuple(
     "dhlab dhlab.course dhlab.view numpy.random numpy.typing heapq encodings.utf_8_sig".split()
 )
+AS_NEEDED = ("dhlab.grading.inside.magics",)
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 
@@ -69,7 +70,7 @@ class Cage:
         None: bubblewrap; the others are weaker and must be asked for.
     limits : Limits
     warm : sequence of str
-        Modules to load once, for all.
+        Modules that are loaded once, for all, as soon as one submission has loaded them.
     room : "open" or "own"
         With the library, or without any kinematics.
     lessons : sequence of str
@@ -89,8 +90,12 @@ class Cage:
         room: str = OPEN,
         lessons: Iterable[str] = (),
     ) -> None:
-        self.level, self.limits, self.warm = _known(level) or required_level(), limits, tuple(warm)
+        self.level, self.limits = _known(level) or required_level(), limits
+        self.warm = frozenset({*AS_NEEDED, *warm})
         self.room, self.lessons = room, tuple(lessons)
+        # of the modules to be warm: those that submissions loaded, and those that are warm by now
+        self._used: set[str] = set()
+        self._loaded: set[str] = set()
         # all three None while nothing runs
         self._process: Any = None
         self._folder: Any = None
@@ -125,6 +130,7 @@ class Cage:
             run = Listener(
                 answers, WAIT * request["cell_seconds"] + GRACE, begun + WAIT * seconds
             ).listen()
+            self._used |= used(run.lines[-1:], self.warm)
             status, seconds = self._finish()
             run.seconds = _counted(seconds, begun)
             if status == -signal.SIGXCPU:
@@ -155,6 +161,7 @@ class Cage:
         try:
             self._send(request, notebook, theirs.detach())
             yield talk
+            self._used |= used(talk.first, self.warm)
             talk.status, seconds = self._finish()
             talk.seconds = _counted(seconds, begun)
         except OSError:
@@ -172,7 +179,9 @@ class Cage:
                 file.write(json.dumps(request).encode() + b"\n" + notebook)
                 file.flush()
                 file.seek(0)
-                socket.send_fds(self._control, [b"go"], [file.fileno(), channel])
+                wanted = json.dumps(sorted(self._used - self._loaded)).encode()
+                socket.send_fds(self._control, [wanted], [file.fileno(), channel])
+                self._loaded |= self._used
         finally:
             os.close(channel)
 
@@ -200,6 +209,7 @@ class Cage:
     def _try(self, proc):
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = Folder()
+        self._loaded = set()
         staged, work = self._folder.staged, self._folder.work
         stage.stage(staged, self.room)
         self._control, theirs = socket.socketpair()
@@ -235,7 +245,7 @@ class Cage:
             "work": "/tmp" if bubblewrap else work,
             "user": user,
             "own_processes": bubblewrap,
-            "warm": [*ALWAYS_WARM, *self.warm],
+            "warm": ALWAYS_WARM,
             "limits": asdict(self.limits) | {"own_user": own_user},
             "readable": (
                 [*readable_without(self._covered()), staged] if self.level == "landlock" else []

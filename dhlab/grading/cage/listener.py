@@ -5,10 +5,11 @@ import json
 import os
 import select
 import time
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Listener", "Run"]
+__all__ = ["Listener", "Run", "used"]
 
 
 MOST = 3_000_000  # bytes that one submission may answer
@@ -24,6 +25,19 @@ class Run:
     ended: str = "crashed"
     cell: int | None = None
     seconds: float = 0.0
+
+
+def used(lines: Iterable[dict[str, Any]], known: Collection[str]) -> set[str]:
+    """The modules that a submission says it has loaded, of those that are known: what it says may
+    be made up, and a list of which each may be loaded is all that it can choose from.
+
+    Examples
+    --------
+    >>> used([{"loaded": ["scipy", "sympy.tests", 3]}, {"done": ""}], ("scipy", "sympy"))
+    {'scipy'}
+    """
+    said = [line["loaded"] for line in lines if isinstance(line.get("loaded"), list)]
+    return {name for found in said for name in found if name in known}
 
 
 class Listener:

@@ -14,16 +14,18 @@ from pathlib import Path
 from ..settings import Limits
 from .sight import OPEN, OWN, PACKAGE, SYSTEM, hidden, kept, packages, readable
 
-__all__ = ["stage", "python_command", "bubblewrap_command", "environment"]
+__all__ = ["library", "stage", "python_command", "bubblewrap_command", "environment"]
 
 STAND_IN = PACKAGE / "grading" / "inside" / "stand_in"
-LEFT_OUT = shutil.ignore_patterns("course", "grading", "lessons", "teacher", "view", "cli", "*.tmp")
+NOT_STAGED = "course", "grading", "lessons", "teacher", "view", "cli"
+LEFT_OUT = shutil.ignore_patterns(*NOT_STAGED, "*.tmp")
 KEPT = ("units.py", "checks.py", "table.py")  # of the library, in the second
 # of the course: what lessons call and what holds no exercise
 FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
 CALLS = PACKAGE / "doctor" / "programs" / "running"
 CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
 LOADED = re.compile(r'dh\.load\(\\?"([\w.-]+)\\?"\)')
+NEEDED = re.compile(r"^\s*(?:import|from)\s+((?:scipy|sympy)[\w.]*)", re.MULTILINE)
 INSIDE = "/cage"  # where the staged library stands inside bubblewrap
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
@@ -61,6 +63,25 @@ def stage(folder: str, room: str = OPEN) -> None:
             shutil.copy2(PACKAGE / "course" / name, target / "course")
     for path in (Path(folder), *Path(folder).rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
+
+
+@cache
+def library() -> tuple[str, ...]:
+    """The modules of the library that are copied into the room ``OPEN``, and what they load of
+    ``NEEDED``.
+
+    Examples
+    --------
+    >>> {"dhlab.geometry.equivalence", "scipy.optimize", "dhlab.course.check"} - {*library()}
+    {'dhlab.course.check'}
+    """
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+        if not {*NOT_STAGED, "__main__"} & {*parts}:
+            found.add(".".join(parts).removesuffix(".__init__"))
+            found |= set(NEEDED.findall(path.read_text(encoding="utf-8")))
+    return tuple(sorted(found))
 
 
 @cache

@@ -29,6 +29,7 @@ class Talk:
         self.late = False
         self.status: int | None = None
         self.seconds = 0.0
+        self.first: list[dict[str, Any]] = []  # what it said before it was asked
 
     @property
     def stopped(self) -> str:
@@ -45,7 +46,11 @@ class Talk:
             line = self._line(min(time.monotonic() + self._most, self._deadline))
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)
-                return found if isinstance(found, dict) else None
+                if not isinstance(found, dict):
+                    return None
+                if question is None:
+                    self.first.append(found)
+                return found
         return None
 
     def _line(self, deadline):

@@ -12,6 +12,7 @@ import random
 import sys
 import types
 from base64 import b64decode
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -21,19 +22,19 @@ from .calling import Fault, call, fits, is_stub, quiet
 from .cells import run_statement
 from .clock import limited
 from .slices import Statement, needed, statements
-from .space import space
+from .space import loaded, space
 from .wire import decode, encode
 
 __all__ = ["answer"]
 
 
-def answer(request: dict[str, Any], raw: bytes, channel: int) -> None:
+def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[str]) -> None:
     """Find the program that a notebook hands in for an exercise, say whether there is one, then
     answer call after call until nobody asks any more.
     """
     room = _Room(request, notebooks.read(raw, request["checks"]))
     with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked:
-        line = room.begin()
+        line = room.begin() | {"loaded": loaded(warm)}
         while line is not None:
             data = json.dumps(line | {"closed": room.closed()}).encode() + b"\n"
             while data:

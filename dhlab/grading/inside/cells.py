@@ -7,12 +7,9 @@ import builtins
 import linecache
 import sys
 from functools import cache
-from importlib import import_module
-from importlib.machinery import PathFinder
-from types import ModuleType
 from typing import Any
 
-__all__ = ["magics", "parsed", "run_cell", "run_statement"]
+__all__ = ["parsed", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
@@ -132,27 +129,9 @@ def _plain(source):
         for line in source.splitlines()
     ):
         return source
-    return magics().TransformerManager().transform_cell(source)
+    from .magics import without_magics  # large: only where there is one
 
-
-@cache
-def magics() -> Any:
-    """IPython's rules for magics, without the rest of IPython: that is large, and no cell needs
-    it for this.
-    """
-    name = "IPython.core.inputtransformer2"
-    if "IPython" in sys.modules:
-        return import_module(name)
-    found = PathFinder.find_spec("IPython")
-    if found is None:
-        raise ImportError("IPython is not here")
-    package = sys.modules["IPython"] = ModuleType("IPython")
-    try:
-        package.__path__ = list(found.submodule_search_locations or ())
-        return import_module(name)
-    finally:
-        for part in [one for one in sys.modules if one.partition(".")[0] == "IPython"]:
-            del sys.modules[part]
+    return without_magics(source)
 
 
 def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None:

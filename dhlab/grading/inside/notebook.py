@@ -27,14 +27,15 @@ class Cell:
 
 @dataclass
 class Cells:
-    """A notebook's code; which lesson it is; the handed-out checks' expressions, and the exercises
-    for which no place was found.
+    """A notebook's code; which lesson it is; the handed-out checks' expressions, the exercises for
+    which no place was found; and the notebook without what is not code.
     """
 
     code: list[Cell]
     lesson: str | None
     expressions: dict[str, str]
     unplaced: list[str]
+    slim: dict[str, Any]
 
     def last_for(self, only: Iterable[str]) -> int | None:
         """The number of the last cell that has to do with these exercises; None when it is not
@@ -67,9 +68,8 @@ def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     lesson = _lesson(notebook, code, names, checks)
     wanted = checks.get(lesson, {})
     unplaced = [key for key, (_, stub) in wanted.items() if not _place(key, stub, code, names)]
-    return Cells(
-        code, lesson, {key: expression for key, (expression, _) in wanted.items()}, unplaced
-    )
+    expressions = {key: expression for key, (expression, _) in wanted.items()}
+    return Cells(code, lesson, expressions, unplaced, _slim(notebook))
 
 
 def without_outputs(raw: bytes) -> dict[str, Any]:
@@ -82,7 +82,10 @@ def without_outputs(raw: bytes) -> dict[str, Any]:
     >>> without_outputs(json.dumps({"cells": cells}).encode())["cells"]
     [{'cell_type': 'code', 'source': 'x', 'metadata': {}, 'id': 'a'}]
     """
-    notebook = _json(raw)
+    return _slim(_json(raw))
+
+
+def _slim(notebook):
     return {
         "metadata": {"dhlab": _dict(_dict(notebook.get("metadata")).get("dhlab"))},
         "cells": [

@@ -1,15 +1,17 @@
 """Runs one notebook inside the cage, cell by cell, and writes what it noted as lines of JSON.
 Nothing that is wanted here is a secret.
 
-Every line is an object: ``{"cell": 3, "ids": [...]}`` when a cell begins, ``{"cell": 3, "ended":
-"error", ...}`` when it ends badly, ``{"check": "05.1", ...}`` for an answer, ``{"done": ...}`` at
-the end, ``{"unreadable": ...}`` when there is nothing to run.
+Every line is an object: ``{"slim": ...}``, the notebook's code, before any of it runs; ``{"cell":
+3, "ids": [...]}`` when a cell begins, ``{"cell": 3, "ended": "error", ...}`` when it ends badly,
+``{"check": "05.1", ...}`` for an answer, ``{"done": ...}`` at the end, ``{"unreadable": ...}`` when
+there is nothing to run.
 """
 
 import ast
 import json
 import os
 import random
+from collections.abc import Collection
 
 import numpy as np
 
@@ -19,7 +21,7 @@ from .book import Book
 from .cells import run_cell
 from .clock import limited
 from .demonstrations import skippable
-from .space import space
+from .space import loaded, space
 from .wire import decode
 
 __all__ = ["run"]
@@ -28,8 +30,10 @@ LONGEST = 1_000_000  # bytes of a line
 MOST_CODE = 2_000_000  # bytes of a notebook without its outputs
 
 
-def run(request_file: int, answer_file: int) -> None:
-    """Read the request and the notebook from one open file, write the answers to the other."""
+def run(request_file: int, answer_file: int, warm: Collection[str] = ()) -> None:
+    """Read the request and the notebook from one open file, write the answers to the other;
+    ``warm`` are the modules that need not be told of.
+    """
     with os.fdopen(request_file, "rb") as file:
         request = json.loads(file.readline())
         raw = file.read()
@@ -37,7 +41,7 @@ def run(request_file: int, answer_file: int) -> None:
         _slim(raw, answer_file)
         return
     if "call" in request:
-        calls.answer(request, raw, answer_file)
+        calls.answer(request, raw, answer_file, warm)
         return
     send = _sender(answer_file)
     try:
@@ -51,8 +55,9 @@ def run(request_file: int, answer_file: int) -> None:
             }
         )
         return
+    send({"slim": cells.slim})
     _Run(request, cells, send).go()
-    send({"done": cells.lesson})
+    send({"done": cells.lesson, "loaded": loaded(warm)})
 
 
 def _slim(raw, answer_file):

@@ -3,11 +3,14 @@
 import builtins
 import sys
 import types
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
 
-__all__ = ["space"]
+__all__ = ["loaded", "space"]
+
+MOST_MODULES = 2000
 
 
 def space(book: Any) -> dict[str, Any]:
@@ -27,3 +30,10 @@ def space(book: Any) -> dict[str, Any]:
         __builtins__=builtins,
     )
     return module.__dict__
+
+
+def loaded(warm: Collection[str]) -> list[str]:
+    """The modules that are loaded here beyond those that the warm parent has, which may load them
+    for all.
+    """
+    return sorted(name for name in sys.modules if name not in warm)[:MOST_MODULES]

@@ -38,14 +38,15 @@ def main() -> None:
         _warm(config["warm"], lessons)
     control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
     while not problem:
-        message, files, _, _ = socket.recv_fds(control, 16, 2)
+        message, files, _, _ = socket.recv_fds(control, 1 << 16, 2)
         if not message or len(files) != 2:
             return
+        _load(json.loads(message))
         config["limits"]["in_use"] = confine.memory_in_use()
         child = os.fork()
         if child == 0:
             control.close()
-            _submission(config, *files)
+            _submission(config, frozenset(sys.modules), *files)
         for file in files:
             os.close(file)
         if not _told_that_it_is_over(control, child, config):
@@ -144,14 +145,11 @@ def _warm(modules, lessons):
     the arms that these load; what this machine does not have is passed over.
     """
     import dhlab
-    from dhlab.grading.inside import cells, runner, slices  # noqa: F401
+    from dhlab.grading.inside import runner, slices  # noqa: F401
 
-    cells.magics()
     for source in lessons:
         slices.statements(0, source)
-    for name in modules:
-        with contextlib.suppress(Exception):
-            importlib.import_module(name)
+    _load(modules)
     for arm in sorted(set(LOADED.findall("\n".join(lessons)))):
         with contextlib.suppress(Exception):
             dhlab.load(arm)
@@ -159,7 +157,17 @@ def _warm(modules, lessons):
     gc.freeze()
 
 
-def _submission(config, request, answers):
+def _load(modules):
+    """Load modules once, for all submissions from now on."""
+    for name in modules:
+        with contextlib.suppress(Exception):
+            importlib.import_module(name)
+    if modules:
+        gc.collect()
+        gc.freeze()
+
+
+def _submission(config, warm, request, answers):
     """In the copy: the last limits, then the stranger's program; this never returns."""
     try:
         os.setsid()
@@ -173,7 +181,7 @@ def _submission(config, request, answers):
             confine.restrict_calls(config["calls"])
         from dhlab.grading.inside import runner
 
-        runner.run(request, answers)
+        runner.run(request, answers, warm)
     finally:
         os._exit(0)
 

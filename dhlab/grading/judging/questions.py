@@ -12,8 +12,6 @@ from base64 import b64encode
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
 from typing import Any
 
 from ...course.exercises import exercises
@@ -34,24 +32,9 @@ __all__ = [
     "request",
     "scored",
     "seed",
-    "warm_modules",
 ]
 
 IMPORT = re.compile(r"^\s*(?:import|from)\s+([A-Za-z_][\w.]*)", re.MULTILINE)
-# what nearly every lesson comes to load, and no lesson names
-ALWAYS = """dhlab.arm dhlab.fast dhlab.fast.chain dhlab.fast.many dhlab.fast.one
-dhlab.fast.straight dhlab.fast.walk dhlab.formats.tablefile dhlab.geometry.equivalence
-dhlab.geometry.freedoms dhlab.geometry.procedure.frames dhlab.geometry.zeros dhlab.placing
-dhlab.printing dhlab.robots dhlab.robots.examples dhlab.table tempfile""".split()
-LATER = {
-    "dh.diagnose": "dhlab.doctor.arms.poses",
-    "dh.diagnose(": "dhlab.doctor.mistakes.themes",
-    "dh.diagnose_function": "dhlab.doctor.programs.functions",
-    "dh.recognise": "dhlab.doctor.tables.recognise",
-    "dh.symbolic": "sympy",
-    "dh.calibrate": "dhlab.measure",
-    "dh.fit_circles": "dhlab.measure",
-}
 
 
 @dataclass(frozen=True)
@@ -153,18 +136,6 @@ def _checks(source):
             and isinstance(node.args[0], ast.Constant)
         ):
             yield node.args[0].value, ast.unparse(node.args[1])
-
-
-def warm_modules(lessons: Collection[str]) -> list[str]:
-    """What the lessons come to load at some point: loaded once, before the first submission."""
-    text = "\n".join(handed_out_cells(lessons))
-    found = {*ALWAYS, *named_modules(lessons)}
-    found |= {module for call, module in LATER.items() if call in text}
-    if LATER["dh.diagnose("] in found:  # the doctor reads them one by one
-        themes = import_module(LATER["dh.diagnose("])
-        found |= {f"{themes.__name__}.{one.name}" for one in iter_modules(themes.__path__)}
-        found.add("dhlab.doctor.mistakes.entries")
-    return sorted(found)
 
 
 def named_modules(lessons: Collection[str]) -> list[str]:

@@ -15,6 +15,7 @@ from typing import Any
 from ...course.kinds import Explain
 from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
+from ..cage.stage import library
 from ..intake.notebooks import lessons_of, numbers_of
 from ..own_items import install
 from ..results.marks import (
@@ -40,7 +41,6 @@ from .questions import (
     handed_out_checks,
     named_modules,
     request,
-    warm_modules,
 )
 
 __all__ = ["Handed", "Task", "work", "handed_in", "close"]
@@ -136,8 +136,8 @@ def _work(task, course):
         return replace(graded, marks=without_marks(course, status))
     with _lock:
         cage = _cage(course, OPEN)
-        answers, notes, trouble, skipped = _run_all(cage, task, course, variant)
-        programs = _Programs(task, course, variant, skipped)
+        answers, notes, trouble, called = _run_all(cage, task, course, variant)
+        programs = _Programs(task, course, variant, called)
         said = OwnWords(task.notebooks)
         found = [
             _mark(exercise, answers, variant, course.settings, programs.ask, said)
@@ -162,8 +162,8 @@ def _work(task, course):
 class _Programs:
     """Calls a student's programs, each in the room that its task allows."""
 
-    def __init__(self, task, course, variant, skipped):
-        self.task, self.course, self.variant, self.skipped = task, course, variant, skipped
+    def __init__(self, task, course, variant, called):
+        self.task, self.course, self.variant, self.called = task, course, variant, called
         self.left = course.settings.limits.seconds
 
     def ask(self, exercise, line, handed):
@@ -178,14 +178,13 @@ class _Programs:
 
     def _asked(self, exercise, line, handed, number, room):
         cell = line["cell"] if isinstance(line.get("cell"), int) else 0
-        asking = call_request(
-            self.course, self.variant, exercise, cell, self.skipped.get(handed.name, ())
-        )
+        raw, skip = self.called[handed.name]
+        asking = call_request(self.course, self.variant, exercise, cell, skip)
         cage = _cage(self.course, room)
         for whole in (False, True):
             if self.left <= 0:
                 return Asked(stopped="timed out")
-            asked = ask(cage, asking | {"whole": whole}, handed.raw, exercise, number)
+            asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
             self.left -= asked.seconds
             # reading alone may miss what a program depends on
             if not asked.missing:
@@ -199,7 +198,7 @@ def _cage(course, room):
     if key not in _cages:
         if _cages and next(iter(_cages))[:3] != key[:3]:
             close()
-        warm = warm_modules(course.lessons) if room == OPEN else named_modules(course.lessons)
+        warm = [*(library() if room == OPEN else ()), *named_modules(course.lessons)]
         cells = handed_out_cells(course.lessons)
         _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room, cells)
     return _cages[key]
@@ -218,24 +217,25 @@ util.Finalize(None, close, exitpriority=1)
 
 def _run_all(cage, task, course, variant):
     """Run every notebook; (answers, notes, what kept the whole from being graded: a status or
-    None, the cells of each notebook that were not run).
+    None, of each notebook what its programs are called from: its code, and the cells that were not
+    run).
     """
-    answers, notes, runs, skipped = Answers(), [], [], {}
+    answers, notes, runs, called = Answers(), [], [], {}
     seconds = course.settings.limits.seconds
     left = TOGETHER * seconds
     for number, (handed, large) in enumerate(_slim(cage, task.notebooks)):
         notes += large
         most = min(seconds, left / (len(task.notebooks) - number))
-        run, why, skipped[handed.name], used = _run(cage, handed, course, variant, answers, most)
+        run, why, called[handed.name], used = _run(cage, handed, course, variant, answers, most)
         left -= used
         runs.append(run)
         notes += [f"{handed.name}: {note}" for note in why]
     if any(run.ended == "timed out" for run in runs):
-        return answers, notes, TIMED_OUT, skipped
+        return answers, notes, TIMED_OUT, called
     unread = all(
         run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs
     )
-    return answers, notes, UNREADABLE if unread else None, skipped
+    return answers, notes, UNREADABLE if unread else None, called
 
 
 def _slim(cage, notebooks):
@@ -247,10 +247,17 @@ def _slim(cage, notebooks):
             yield handed, []
             continue
         run = cage.run({"slim": 1, "cell_seconds": 10}, handed.raw, 20)
-        slim = run.lines[-1].get("slim") if run.lines else None
-        raw = json.dumps(slim).encode() if slim else handed.raw[:LARGE]
-        told = [] if slim else [f"{handed.name}: large, and not for its outputs: not run"]
-        yield replace(handed, raw=raw), told
+        raw = _code(run)
+        told = [] if raw else [f"{handed.name}: large, and not for its outputs: not run"]
+        yield replace(handed, raw=raw or handed.raw[:LARGE]), told
+
+
+def _code(run):
+    """The notebook without what is not code, as it was told before any of it ran; empty where it
+    was not told.
+    """
+    slim = run.lines[0].get("slim") if run.lines else None
+    return json.dumps(slim).encode() if slim else b""
 
 
 def _run(cage, handed, course, variant, answers, most):
@@ -258,9 +265,10 @@ def _run(cage, handed, course, variant, answers, most):
     the rest is run again without it.
     """
     skip: set[int] = set()
-    notes, left = [], most
+    notes, left, raw = [], most, handed.raw
     while True:
-        run = cage.run(request(course, variant, skip), handed.raw, left)
+        run = cage.run(request(course, variant, skip), raw, left)
+        raw = _code(run) or raw
         answers.add(run, handed)
         left -= run.seconds
         broken = [
@@ -277,7 +285,7 @@ def _run(cage, handed, course, variant, answers, most):
         ):
             if run.ended != "done":
                 notes.append(f"stopped: {run.ended}")
-            return run, notes, sorted(skip), most - left
+            return run, notes, (raw, sorted(skip)), most - left
         skip.add(run.cell)
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
