@@ -2,21 +2,23 @@
 seconds each, peak memory, the marks that come out.
 
     python benchmarks/grading.py                # ours, nbgrader, otter
+    python benchmarks/grading.py --count 4 --minutes 5   # the same in small
     python benchmarks/grading.py --many 1000    # ours alone, on so many submissions with two jobs
     python benchmarks/grading.py --lessons 20   # ours alone, so many solutions of each lesson
 
-Otter is installed into a temporary environment.
+Otter is installed into a temporary environment. A grader that is not done when the minutes are
+over is stopped and its line says so.
 
-"Each" is the time of 20 less the time of 1 (the best of three), divided by 19: what one more
-submission costs once everything runs; "whole" is all 20. Memory is the largest sum of what the
+"Each" is the time of all less the time of 1 (the best of three), divided by their number less 1:
+what one more submission costs once everything runs. Memory is the largest sum of what the
 grader's processes hold for themselves (PSS), sampled twenty times a second.
 """
 
 import argparse
 import csv
 import json
+import math
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -68,13 +70,18 @@ def submissions(count):
     return found
 
 
+class Late(Exception):
+    """The minutes are over."""
+
+
 class Watched:
     """Runs commands, and remembers the largest sum of memory that their processes held, and the
-    seconds of processor that they took, both with those of ``others`` beside them.
+    seconds of processor that they took, both with those of ``others`` beside them. What still runs
+    at ``until``, on the clock, is stopped, and Late is raised.
     """
 
-    def __init__(self, others=(), interval=0.05):
-        self.peak, self.processor = 0, 0.0
+    def __init__(self, others=(), interval=0.05, until=math.inf):
+        self.peak, self.processor, self.until = 0, 0.0, until
         self.others, self.interval = [psutil.Process(other) for other in others], interval
 
     def run(self, command, cwd=None, env=None):
@@ -89,11 +96,21 @@ class Watched:
         over = threading.Event()
         watcher = threading.Thread(target=self._watch, args=(process, over))
         watcher.start()
-        out, _ = process.communicate()
-        over.set()
-        watcher.join()
+        try:
+            out, _ = process.communicate(timeout=self.left())
+        except subprocess.TimeoutExpired:
+            for one in [*_children(process), process]:
+                one.kill()
+            raise Late from None
+        finally:
+            over.set()
+            watcher.join()
         if process.returncode:
             raise SystemExit(f"{command[:4]}: exit {process.returncode}\n{out[-2000:]}")
+
+    def left(self):
+        """Seconds that are left; None where there is no end."""
+        return None if self.until == math.inf else max(0.1, self.until - time.monotonic())
 
     def _watch(self, process, over):
         while not over.wait(self.interval):
@@ -115,13 +132,13 @@ def _children(process):
         return []
 
 
-def timed(grader, many, one):
+def timed(grader, many, one, until):
     """(seconds each, seconds in all, MB, marks) of a grader on many submissions and on one."""
-    watched, singles = Watched(), []
+    watched, singles = Watched(until=until), []
     for _ in range(3):
         # the first is slow for reasons of its own: files not in memory, modules not compiled yet
         begun = time.perf_counter()
-        grader(one, Watched())
+        grader(one, Watched(until=until))
         singles.append(time.perf_counter() - begun)
     single = min(singles)
     begun = time.perf_counter()
@@ -171,7 +188,7 @@ def nbgrader(handed_in, watched):
             ["db", "assignment", "import", "assignments.csv"],
             ["generate_assignment", LESSON],
         ):
-            Watched().run([*command, *words], course, env)
+            Watched(until=watched.until).run([*command, *words], course, env)
         release = json.loads(
             (course / "release" / LESSON / f"{LESSON}.ipynb").read_text(encoding="utf-8")
         )
@@ -201,29 +218,28 @@ def _answered(release, text):
     }
 
 
-def otter_environment(folder):
+def otter_environment(folder, watched):
     """A temporary environment with otter-grader, which sees this environment's packages behind its
     own.
     """
     venv.create(folder, with_pip=True)
     python = Path(folder) / "bin" / "python"
-    subprocess.run(
-        [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", OTTER],
-        check=True,
-    )
+    watched.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", OTTER])
     own = next(Path(folder).glob("lib/python*/site-packages"))
     (own / "dhlab_bench.pth").write_text(
         f"import site; site.addsitedir({str(Path(np.__file__).parents[1])!r})\n", encoding="utf-8"
     )
-    return python
 
 
-def otter(python):
+def otter(environment):
     """``otter run``, submission by submission, with one test an exercise that asks the exercise
-    itself.
+    itself; the environment is a folder.
     """
 
     def grade(handed_in, watched):
+        python = environment / "bin" / "python"
+        if not python.exists():
+            otter_environment(environment, watched)
         with tempfile.TemporaryDirectory() as top:
             tests = Path(top) / "tests"
             tests.mkdir()
@@ -346,17 +362,28 @@ def _peak(lesson, files, count, jobs):
     return watched.peak / 1e6
 
 
-def table(rows, marks):
-    """The table in Markdown, and in how many submissions each agrees with ours."""
+def compare(graders, count, until):
+    """The table in Markdown, each line as soon as it is known; ours is the first."""
+    many, one, own = submissions(count), submissions(1), None
     print(
-        "| grader | seconds each | whole (20) | times ours, whole | peak MB | same marks as ours"
-        " |\n|---|---|---|---|---|---|"
+        f"| grader | seconds each | whole ({count}) | times ours, whole | peak MB | same marks as"
+        " ours |\n|---|---|---|---|---|---|",
+        flush=True,
     )
-    for name, (each, whole, peak, own) in rows.items():
-        same = sum(abs(own[student] - points) < 1e-9 for student, points in marks.items())
+    for name, grader in graders.items():
+        try:
+            each, whole, peak, marks = timed(grader, many, one, until)
+        except (Late, subprocess.TimeoutExpired):
+            print(f"| {name} | not done when the minutes were over | | | | |", flush=True)
+            if own is None:
+                return
+            continue
+        own = own or (whole, marks)
+        same = sum(abs(marks[student] - points) < 1e-9 for student, points in own[1].items())
         print(
-            f"| {name} | {each:.3f} | {whole:.1f} | {whole / rows['dhlab grade'][1]:.0f} |"
-            f" {peak:.0f} | {same} of {len(marks)} |"
+            f"| {name} | {each:.3f} | {whole:.1f} | {whole / own[0]:.0f} | {peak:.0f} |"
+            f" {same} of {len(own[1])} |",
+            flush=True,
         )
 
 
@@ -366,6 +393,8 @@ def main():
     )
     parser.add_argument("--many", type=int, default=0)
     parser.add_argument("--lessons", type=int, default=0)
+    parser.add_argument("--count", type=int, default=20)
+    parser.add_argument("--minutes", type=float, default=20)
     options = parser.parse_args()
     if options.lessons:
         of_each_lesson(options.lessons)
@@ -379,14 +408,10 @@ def main():
             f" {seconds / len(marks):.3f} s each; {watched.peak / 1e6:.0f} MB at most"
         )
         return
-    many, one = submissions(20), submissions(1)
-    rows = {"dhlab grade": timed(ours, many, one), "nbgrader 0.9": timed(nbgrader, many, one)}
-    folder = tempfile.mkdtemp()
-    try:
-        rows["otter-grader 7.0"] = timed(otter(otter_environment(folder)), many, one)
-    finally:
-        shutil.rmtree(folder)
-    table(rows, rows["dhlab grade"][3])
+    until = time.monotonic() + 60 * options.minutes
+    with tempfile.TemporaryDirectory() as folder:
+        graders = {"dhlab grade": ours, "nbgrader 0.9": nbgrader}
+        compare(graders | {"otter-grader 7.0": otter(Path(folder))}, options.count, until)
 
 
 if __name__ == "__main__":

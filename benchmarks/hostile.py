@@ -573,8 +573,19 @@ STOP += [
     ),
 ]
 ATTACKS = [*EARN, *READ, *STOP]
-# where nothing protects the machine only these are run
-HARMLESS = [one for one in ATTACKS if one[0] not in {"a million empty files", "forty zips"}][:16]
+# not run where nothing protects the machine: they signal others or take its room
+HARMFUL = {
+    "a signal by way of an open file",
+    "the same by the older way",
+    "a million empty files",
+    "many files of half the size",
+    "a folder that cannot be removed",
+    "threads that work",
+    "files without a name",
+    "a file in another's place",
+    "room without a size",
+}
+HARMLESS = [one for one in ATTACKS if one[0] not in HARMFUL]
 
 
 def run(level, top):

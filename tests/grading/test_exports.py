@@ -213,6 +213,20 @@ def test_and_these_are_the_right_marks(exported, ours):
     assert ours["borrowed"].points == 5
 
 
+def test_nbgraders_own_gradebook_says_the_same(course, exported):
+    """Its database, by its own programming interface."""
+    from nbgrader.api import Gradebook
+
+    with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
+        for name, row in exported.items():
+            found = book.find_submission(LESSON, name)
+            assert (found.score, found.max_score) == (
+                pytest.approx(float(row["raw_score"])),
+                float(row["max_score"]),
+            )
+            assert not found.needs_manual_grade
+
+
 def test_nbgrader_without_our_grader_agrees_with_the_exercises_themselves(course, exported):
     for name in ("noisy", "untouched"):
         notebook = nbformat.read(
@@ -302,6 +316,30 @@ def autograder(tmp_path, answers, user="ada@example.org", key=None):
     return json.loads((root / "results" / "results.json").read_text(encoding="utf-8")), root
 
 
+# Gradescope's documentation, Autograder Specifications, "Output format"; there is no checker of it
+TOLD = {
+    "score": (int, float),
+    "execution_time": int,
+    "output": str,
+    "visibility": str,
+    "stdout_visibility": str,
+    "tests": list,
+}
+OF_A_TEST = {
+    "score": (int, float),
+    "max_score": (int, float),
+    "status": str,
+    "name": str,
+    "number": str,
+    "output": str,
+    "visibility": str,
+}
+
+
+def of_the_format(told, known):
+    return all(name in known and isinstance(value, known[name]) for name, value in told.items())
+
+
 @pytest.mark.cage
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
 def test_gradescope_in_its_own_folders(tmp_path):
@@ -326,6 +364,9 @@ def test_gradescope_in_its_own_folders(tmp_path):
         all({"name", "max_score", "status", "output"} <= test.keys() for test in results["tests"])
         and results["stdout_visibility"] == "hidden"
     )
+    assert of_the_format(results, TOLD)
+    assert all(of_the_format(test, OF_A_TEST) for test in results["tests"])
+    assert {test["status"] for test in results["tests"]} <= {"passed", "failed"}
     assert (
         results["execution_time"] >= 0 and "Run in" in results["output"] and "score" not in results
     )
@@ -395,6 +436,21 @@ def test_canvas_gets_its_columns_and_no_silent_zero(tmp_path):
     assert rows[2][0] == 'Lovelace, "Ada"' and not any(
         cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row
     )
+
+
+def test_another_reader_of_canvas_files_finds_the_same_points(tmp_path):
+    """Of finalgrade, which is written for what Canvas itself exports; an empty cell is no 0. No
+    extra installs it: it wants an older ruamel.yaml than dhlab is tested with.
+    """
+    pytest.importorskip("finalgrade")
+    from finalgrade.canvas.read import is_canvas_export, read_canvas
+
+    path = tmp_path / "canvas.csv"
+    path.write_text(canvas_csv(read_marks(graded_folder(tmp_path)), CLASS), encoding="utf-8")
+    found = read_canvas(path)
+    assert is_canvas_export(path) and found["points"].to_dict() == {"dhlab05": 4}
+    points, given = found["df_score"]["dhlab05"], found["df_submit"]["dhlab05"]
+    assert points[given].to_dict() == {"ada": 2.25, "dee": 0}
 
 
 def test_moodle_likewise(tmp_path):
