@@ -1,5 +1,5 @@
-"""Fifty attacks on the grader, written with its code open, and honest controls, in every cage that
-works here: none may earn a mark, read what is not its own, stop the class or harm a neighbour.
+"""Fifty attacks on the grader, written with its code open, and honest controls, in both cages with
+walls: none may earn a mark, read what is not its own, stop the class or harm a neighbour.
 
     python benchmarks/hostile.py                # bubblewrap, landlock
     python benchmarks/hostile.py --level rlimits   # protects nobody; only what does no harm is run
