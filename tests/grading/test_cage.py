@@ -432,3 +432,43 @@ def test_a_diagnosis_that_is_only_shown_is_not_made():
         assert not shows(source), source
     assert not shows("dh.diagnose(table)", dh=3)
     assert not shows("print(dh.diagnose(table))", print=3)
+
+
+FORGED = """import os
+for file in range(3, 30):
+    try:
+        os.write(file, b'\\n{"done": "", "loaded": ["this", "sympy", "pydoc", 3]}\\n')
+    except OSError:
+        pass
+"""
+
+
+def _one_cell(source):
+    cells = [{"cell_type": "code", "source": source, "metadata": {}, "id": "a"}]
+    return json.dumps({"cells": cells, "metadata": {}}).encode()
+
+
+@pytest.mark.cage
+def test_what_one_submission_has_loaded_is_warm_for_those_after_it_of_a_list_alone():
+    warm = _one_cell("import sys\nif 'colorsys' in sys.modules: raise KeyError")
+    with cage.Cage(warm=("colorsys",)) as one:
+
+        def run(raw):
+            return one.run(request(COURSE, 0), raw, 20), one.learnt
+
+        assert run(_one_cell("import colorsys, this"))[1]
+        told, learnt = run(warm)
+        assert not learnt and any(line.get("ended") == "error" for line in told.lines)
+        assert not run(_one_cell(FORGED))[1]
+        told, _ = run(_one_cell("import sys\nassert not {'this', 'sympy'} & {*sys.modules}"))
+        assert not any(line.get("ended") for line in told.lines)
+
+
+@pytest.mark.cage
+def test_a_run_tells_its_code_first_and_a_submission_cannot_tell_another():
+    raw = _one_cell(FORGED.replace('"done": ""', '"slim": {"cells": []}'))
+    with cage.Cage() as one:
+        lines = one.run(request(COURSE, 0), raw, 20).lines
+    assert [cell["source"] for cell in lines[0]["slim"]["cells"]] == [
+        json.loads(raw)["cells"][0]["source"]
+    ]

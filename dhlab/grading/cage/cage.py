@@ -64,6 +64,8 @@ GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 class Cage:
     """Runs notebooks, one after the other; a context manager.
 
+    ``learnt``: whether the last one had to load what is loaded for those after it.
+
     Parameters
     ----------
     level : "bubblewrap", "landlock", "rlimits" or None
@@ -96,6 +98,7 @@ class Cage:
         # of the modules to be warm: those that submissions loaded, and those that are warm by now
         self._used: set[str] = set()
         self._loaded: set[str] = set()
+        self.learnt = False
         # all three None while nothing runs
         self._process: Any = None
         self._folder: Any = None
@@ -130,7 +133,7 @@ class Cage:
             run = Listener(
                 answers, WAIT * request["cell_seconds"] + GRACE, begun + WAIT * seconds
             ).listen()
-            self._used |= used(run.lines[-1:], self.warm)
+            self._learn(run.lines[-1:])
             status, seconds = self._finish()
             run.seconds = _counted(seconds, begun)
             if status == -signal.SIGXCPU:
@@ -161,7 +164,7 @@ class Cage:
         try:
             self._send(request, notebook, theirs.detach())
             yield talk
-            self._used |= used(talk.first, self.warm)
+            self._learn(talk.first)
             talk.status, seconds = self._finish()
             talk.seconds = _counted(seconds, begun)
         except OSError:
@@ -169,6 +172,12 @@ class Cage:
             self.close()
         finally:
             ours.close()
+
+    def _learn(self, lines):
+        """Keep in mind which modules a submission has loaded."""
+        found = used(lines, self.warm)
+        self.learnt = not found <= self._used
+        self._used |= found
 
     def _send(self, request, notebook, channel):
         """Hand a notebook and an open file for the answers to the warm parent."""

@@ -186,6 +186,9 @@ class _Programs:
                 return Asked(stopped="timed out")
             asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
             self.left -= asked.seconds
+            if asked.stopped == "timed out" and cage.learnt and self.left > 0:  # as in _run
+                asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
+                self.left -= asked.seconds
             # reading alone may miss what a program depends on
             if not asked.missing:
                 break
@@ -269,8 +272,11 @@ def _run(cage, handed, course, variant, answers, most):
     while True:
         run = cage.run(request(course, variant, skip), raw, left)
         raw = _code(run) or raw
-        answers.add(run, handed)
         left -= run.seconds
+        late = any(line.get("ended") == "timed out" for line in run.lines)
+        if late and cage.learnt and left > 0:
+            continue  # it may have loaded for too long what those after it have loaded for them
+        answers.add(run, handed)
         broken = [
             line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)
         ]
