@@ -9,7 +9,7 @@ from .columns import ROLES
 from .dialects.arrays import arrays_in
 from .language.roles import role_of
 
-__all__ = ["joints_said", "require_accounted"]
+__all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
 
 NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
@@ -62,6 +62,11 @@ SLIDING = re.compile(
     r"|[#%/]\s*prismatic\s*$",
     re.IGNORECASE | re.MULTILINE,
 )
+SLIDES = re.compile(
+    r"\bprismati\w+|\bscara\b|\bstroke\b|\btelescop\w+|\b(?:sliding|linear) (?:joint|axis|rail)"
+    r"|\b(?=R*PR*\b)[RP]{3,6}\b",
+    re.IGNORECASE,
+)
 # joint 2 turns in the negative direction, q .* [1 -1 1]
 BACKWARDS = re.compile(
     r"\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
@@ -83,6 +88,25 @@ def joints_said(source):
     return {n for n in said if n > 1}
 
 
+def counts_in(source):
+    """How many joints the text speaks of, in words or by a whole set of variables, in order."""
+    named = {int(k) for k in VARIABLE.findall(source.code)} - {0}
+    whole = len(named) > 1 and max(named) == len(named)
+    return tuple(sorted(joints_said(source) | ({len(named)} if whole else set())))
+
+
+def speaks_of_sliding(source):
+    """Whether the text calls its arm one of which a joint slides.
+
+    Examples
+    --------
+    >>> from .evidence.source import source_of
+    >>> speaks_of_sliding(source_of("a SCARA with a stroke of 200 mm"))
+    True
+    """
+    return bool(SLIDES.search(source.text))
+
+
 def require_accounted(table, source, others=()):
     """Nothing that the text says of the rows may be lost.
 
@@ -98,6 +122,7 @@ def require_accounted(table, source, others=()):
     ValueError
         One question: what the rows leave out.
     """
+    _require_in_order(table)
     if table.roles is None or (table.form and not table.form.startswith("calls of")):
         return
     _require_joints(table, source)
@@ -114,6 +139,30 @@ def require_accounted(table, source, others=()):
                 f"recognise_table: expected one table, found two of {len(table.rows)} and"
                 f" {len(other.rows)} rows with different numbers; which one is meant? Leave the"
                 " other out"
+            )
+
+
+def _require_in_order(table):
+    """Rows stand from the base to the tool, and each joint has a variable of its own."""
+    families: dict = {"": [int(label) for label in table.labels if str(label).isdigit()]}
+    for row in table.rows:
+        moving = next((cell for cell in row if cell.variable in ("theta", "q", "d")), None)
+        named = re.fullmatch(r"([A-Za-z]+)_?\[?(\d+)\]?", moving.letters[0][0]) if moving else None
+        if named:
+            families.setdefault(named[1], []).append(int(named[2]))
+    for name, numbers in families.items():
+        again = next((k for k in numbers if numbers.count(k) > 1), None)
+        if again is not None and name:
+            raise ValueError(
+                f"recognise_table: expected a variable of its own in each row, found {name}{again}"
+                f" in {numbers.count(again)} rows; are the joints coupled? Give one of them another"
+                " name, or leave its row without a variable"
+            )
+        if again is None and numbers != sorted(numbers):
+            raise ValueError(
+                "recognise_table: expected the rows from the base to the tool, found"
+                f" {', '.join(f'{name}{k}' for k in numbers[:9])}; in which order do the links"
+                " follow each other? Sort the rows"
             )
 
 

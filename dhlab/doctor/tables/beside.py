@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
 from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
-from .joints import FLANGE, MAYBE
+from .still import FLANGE, GRASPS, MAYBE
 
 __all__ = [
     "DASH",
@@ -197,7 +197,7 @@ def labelled(table, grid, source):
     still = all(cell.is_constant for row in table.rows for cell in row)
     if len(words) < 2 or any(table.kinds) or not still or JOINT.search(words[-1]):
         return table
-    if not FLANGE.search(words[-1]):
+    if not (FLANGE.search(words[-1]) or GRASPS.search(words[-1])):
         return table
     if not all(JOINT.search(word) for word in words[:-1]):
         return replace(table, labels=(*table.labels[:-1], MAYBE)) if table.labels else table

@@ -1,18 +1,17 @@
-"""Which row of a pasted table has a joint, of which kind, and how its variable counts; letters that
+"""Of which kind the joint of each row of a pasted table is, and how its variable counts; letters that
 stand for nothing are asked about.
 """
 
 import re
 
-__all__ = ["FLANGE", "MAYBE", "fixed_rows", "joints_of"]
+__all__ = ["by_number", "joints_of", "named_alone"]
 
-MAYBE = "a flange, or a joint"  # as a comment behind the row leaves it
-FLANGE = re.compile(r"flange|tool|hand|\bee\b|end|tcp|gripper|->\s*(ee|g|n)\b")
 MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
 
 
-def joints_of(table, columns, fixed):
-    """("R", "P" or "" of each row, the sign of each).
+def joints_of(table, columns, still):
+    """("R", "P" or "" of each row, the sign of each); ``still`` says it of rows that have no
+    variable, as (row number from 0, letter).
 
     Raises
     ------
@@ -20,23 +19,23 @@ def joints_of(table, columns, fixed):
         Letters stand for numbers that the text does not give, or a joint variable where none can
         be.
     """
-    n = len(table.rows)
+    n, silent = len(table.rows), dict(still)
     kinds = table.kinds or ("",) * n
     turning = any(not cell.is_constant for cell in columns["theta"])
     letters, signs, unknown = [], [], {}
     for i in range(n):
         theta, d = columns["theta"][i], columns["d"][i]
-        said = kinds[i] or _by_number(columns, i)
+        said = kinds[i] or by_number(columns, i)
         slides = said == "P" or (
             not said
             and theta.is_constant
             and (
-                _named_alone(columns, i)
+                named_alone(columns, i)
                 if d.is_constant
                 else d.variable in MOVES["d"] and (turning or d.variable == "q" or "*" in d.text)
             )
         )
-        letter = "" if i in fixed else "P" if slides else "R"
+        letter = silent.get(i, "P" if slides else "R")
         cell = d if letter == "P" else theta
         letters.append(letter)
         signs.append((table.signs[i] if table.signs else 1) * (cell.sign if letter else 1))
@@ -50,7 +49,7 @@ def joints_of(table, columns, fixed):
     return letters, signs
 
 
-def _named_alone(columns, i):
+def named_alone(columns, i):
     """Whether the d of a row is the one length of the table that has a name and no number, beside
     angles that are variables: it may be where a sliding joint stands, or a constant.
     """
@@ -62,7 +61,8 @@ def _named_alone(columns, i):
     return bool(named and turning) and not any(re.search(r"[A-Za-z]", one.text) for one in others)
 
 
-def _by_number(columns, i):
+def by_number(columns, i):
+    """ "P" or "R" as a column sigma has it, "" without one."""
     if "sigma" not in columns:
         return ""
     return "P" if columns["sigma"][i].value else "R"
@@ -96,37 +96,3 @@ def _ask(unknown):
         f" {role}); what is it? Give it beside the table, as {first} = 0.1, or with values={{"
         f"{first!r}: 0.1}}"
     )
-
-
-def fixed_rows(table, columns, right):
-    """Which rows have no joint, as tuples of row numbers from 0: by their kind, by the missing
-    variable, by their label, or by the number of joints asked for.
-    """
-    n = len(table.rows)
-    kinds = table.kinds or ("",) * n
-    labels = table.labels or ("",) * n
-    moves = [
-        (kinds[i] or _by_number(columns, i)) in ("R", "P")
-        or not columns["theta"][i].is_constant
-        or columns["d"][i].variable in ("d", "q", "?")
-        for i in range(n)
-    ]
-    if any(kind == "fixed" for kind in kinds):
-        return [tuple(i for i in range(n) if kinds[i] == "fixed")]
-    if n < 2:
-        return [()]
-    if any(moves):
-        still = tuple(i for i in range(n) if not moves[i])
-        inner = [
-            i for i in still if (any(moves[:i]) and any(moves[i + 1 :])) or _named_alone(columns, i)
-        ]
-        return [still, tuple(i for i in still if i not in inner)] if inner else [still]
-    if labels[-1] == MAYBE:
-        return [(n - 1,), ()]
-    if labels[0] in ("base", "0 (base)"):
-        return [(0,)]
-    if FLANGE.search(labels[-1]):
-        return [(n - 1,)]
-    if right is not None and n == len(right) + 1:
-        return [(0,), (n - 1,)]
-    return [(), (0,)] if labels[0] == "0" and table.form == "" else [()]

@@ -16,7 +16,8 @@ class Pasted:
     ``roles`` are the columns' names in order, None when nothing says them, and ``why`` how they are
     known; ``units`` by role; ``convention`` as far as it is said, and ``because`` how; ``labels``,
     ``kinds`` ("R", "P", "fixed" or ""), ``signs`` and ``limits`` one per row; ``form`` is what
-    dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers.
+    dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers,
+    ``joints`` how many it speaks of, ``slides`` whether it speaks of one that slides.
     """
 
     rows: tuple
@@ -32,6 +33,8 @@ class Pasted:
     form: str = ""
     length: str = ""
     angle: str = ""
+    joints: tuple = ()
+    slides: bool = False
     notes: tuple = ()
 
 

@@ -12,8 +12,9 @@ from ...kinematics import link_matrices
 from ...table import COLUMNS, DHTable
 from .chain import arm_of, rows_of
 from .columns import orders, snapped
-from .joints import fixed_rows, joints_of
+from .joints import joints_of
 from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
+from .still import unwritten
 
 __all__ = ["QUESTIONS", "Reading", "readings"]
 
@@ -64,7 +65,7 @@ def readings(table, order, convention, angle, length, right, tidy):
             _conventions(table, columns, convention, found),
             angle_units(table, columns, angle),
             length_units(table, columns, length),
-            fixed_rows(table, columns, right),
+            unwritten(table, columns, right),
         )
         for choice in choices:
             yield _reading(table, columns, found, choice, tidy)
@@ -103,8 +104,8 @@ def _looks_like_craig(columns):
 
 
 def _reading(table, columns, order, choice, tidy):
-    (convention, known), (unit, angle_why), (metre, length_why), fixed = choice
-    joints, signs = joints_of(table, columns, fixed)
+    (convention, known), (unit, angle_why), (metre, length_why), still = choice
+    joints, signs = joints_of(table, columns, still)
     assumed = []
     rows = np.column_stack(
         [
@@ -127,13 +128,13 @@ def _reading(table, columns, order, choice, tidy):
         BOOKS[convention] + (f", {known}" if known else ""),
         UNIT_WORDS[unit] + _why(angle_why),
         UNIT_WORDS[metre] + _why(length_why),
-        *_row_words(fixed, len(rows)),
+        *_row_words(still, len(rows)),
     ]
     return Reading(
         _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
         "; ".join(words),
         tuple(dict.fromkeys([*assumed, *twice])),
-        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, fixed, ""))),
+        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, ""))),
     )
 
 
@@ -156,14 +157,17 @@ def _angle(cell, role, unit, tidy, assumed):
     return value
 
 
-def _row_words(fixed, n):
+def _row_words(still, n):
+    """What is said of rows without a variable."""
+    fixed = [i for i, letter in still if not letter]
+    words = [f"the joint of row {i + 1} slides" for i, letter in still if letter == "P"]
     if not fixed:
-        return []
+        return words
     if set(fixed) == {0}:
-        return ["the first row has no joint and is the base"]
+        return ["the first row has no joint and is the base", *words]
     if set(fixed) == {n - 1}:
-        return ["the last row has no joint and is the flange"]
-    return [f"rows without a joint: {', '.join(str(i + 1) for i in fixed)}"]
+        return ["the last row has no joint and is the flange", *words]
+    return [f"rows without a joint: {', '.join(str(i + 1) for i in fixed)}", *words]
 
 
 def _limits(table, joints, unit, metre):

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .accounted import require_accounted
+from .accounted import counts_in, require_accounted, speaks_of_sliding
 from .beside import with_added
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
@@ -151,7 +151,7 @@ def _with_words(table, source):
     if table.because.startswith("by the index i-1") and _contradicts(source):
         note = "the index i-1 in the header is Craig's, and the text computes or names the other"
         table = replace(table, convention=None, because="", notes=(*table.notes, note))
-        return _with_units(table, source)
+        return _with_sayings(table, source)
     if not table.convention:
         computed = convention_in(source)
         if computed and source.convention and computed[0] != source.convention:
@@ -164,7 +164,7 @@ def _with_words(table, source):
             table = replace(table, convention="craig", because="by the index i-1 in the comment")
         elif source.convention:
             table = replace(table, convention=source.convention, because="as the text says")
-    return _with_units(table, source)
+    return _with_sayings(table, source)
 
 
 def _contradicts(source):
@@ -173,6 +173,12 @@ def _contradicts(source):
     return found is not None and found[0] == "standard"
 
 
-def _with_units(table, source):
-    """The table with what words of the text say of its units."""
-    return replace(table, length=table.length or source.length, angle=table.angle or source.angle)
+def _with_sayings(table, source):
+    """The table with what words of the text say of its units and joints."""
+    return replace(
+        table,
+        length=table.length or source.length,
+        angle=table.angle or source.angle,
+        joints=counts_in(source),
+        slides=speaks_of_sliding(source),
+    )

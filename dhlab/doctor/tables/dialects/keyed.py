@@ -21,13 +21,19 @@ WORDED = re.compile(  # theta 0 d 0.42; link length 0.06, link twist -90
     r"(-?\d[\d.]*\s*(?:deg|°|mm|cm|m|rad)?(?![\w*/])"
     r"|-?\d*\s*\*?\s*pi(?:\s*/\s*\d)?(?!\w))"
 )
+NAMED = re.compile(  # gripper: of a block, - name: gripper
+    r"\s*-?\s*['\"]?([\w .-]*[a-z][\w .-]*?)['\"]?\s*:\s*(?:\{.*)?$"
+    r"|\s*-?\s*['\"]?(?:name|joint|link|label|id|frame)['\"]?\s*:\s*['\"]?([\w .-]+?)['\"]?\s*,?\s*$",
+    re.IGNORECASE,
+)
 BLOCK = re.compile(r"\s*-|\s*[\w .-]+:\s*$|\s*['\"]?\w+['\"]?\s*:\s*\{")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
+LABELS = ("name", "joint", "link", "label", "id", "frame")
 
 
 def read(source, nominal=None):
     """The Pasted table of named numbers; None when no two rows have them."""
-    rows, row, block = [], {}, -1
+    rows, row, block, name = [], {}, -1, ""
     lines = [(line, _pairs(_said(line), source)) for line in source.code.split("\n")]
     listed = [len(pairs) for line, pairs in lines if pairs and re.match(r"\s*-\s", line)]
     one_a_line = listed and len(listed) == sum(bool(pairs) for _, pairs in lines)
@@ -36,8 +42,9 @@ def read(source, nominal=None):
             set(row) & set(pairs) - {"index"}
         ):
             rows, row = [*rows, row] if row else rows, {}
+        name = (found[1] or found[2]).strip() if (found := NAMED.match(line)) else name
         if pairs:
-            row = {**row, **pairs}
+            row = {"label": name, **row, **pairs}
             block = number
         if row and not pairs and not line.strip() and number > block + 1:
             rows, row = [*rows, row], {}
@@ -45,6 +52,7 @@ def read(source, nominal=None):
     if len(rows) < 2:
         return None
     kinds = [one.pop("type", "") for one in rows]
+    labels = [one.pop("label") for one in rows]
     indices = [one.pop("index", "") for one in rows]
     if len(set(indices)) < len(indices) and any(indices):
         return None
@@ -60,7 +68,8 @@ def read(source, nominal=None):
     if "alpha" not in held or not held & {"a", "d"}:
         return None
     return from_rows(
-        [Row(one, kind) for one, kind in zip(rows, kinds)], why="as the names beside them say"
+        [Row(one, kind, label) for one, kind, label in zip(rows, kinds, labels)],
+        why="as the names beside them say",
     )
 
 
@@ -116,11 +125,12 @@ def in_groups(source):
     """The Pasted table of dictionaries and structures, one a row; None without two of them."""
     rows = []
     found = groups(source.code)
+    said = dict(source.comments)
     for group in found:
         own_class = group.mark == "(" and group.name.lower() != "dict"
         if _is_made_room_for(group, source):
             continue
-        row = {}
+        row = {"label": said.get(group.line, "").strip()}
         for pair in _items(group):
             role = role_of(pair[0])[0] if pair else None
             value = (
@@ -132,6 +142,8 @@ def in_groups(source):
                 row[role] = cell_of(value, pair[1])
             elif pair and (role == "type" or pair[0] in ("type", "joint_type", "kind")):
                 row["type"] = pair[1].strip("'\"").lower()
+            elif pair and pair[0].lower() in LABELS:
+                row["label"] = pair[1].strip("'\"")
         wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
         if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
             _require_read(group, row)
@@ -143,10 +155,11 @@ def in_groups(source):
             {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
         ]
     kinds = [row.pop("type", "")[:1].upper() for row in rows]
+    labels = [row.pop("label") for row in rows]
     return from_rows(
         [
-            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""))
-            for row, kind in zip(rows, kinds)
+            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""), label)
+            for row, kind, label in zip(rows, kinds, labels)
         ],
         why="as their names say",
     )

@@ -1,0 +1,111 @@
+"""Which rows of a pasted table have no joint: those of a base, a flange or a fixed frame; and what a
+row of numbers only may be among rows of variables.
+"""
+
+import re
+
+from .joints import by_number, named_alone
+
+__all__ = ["FLANGE", "MAYBE", "unwritten"]
+
+MAYBE = "a flange, or a joint"  # as a comment behind the row leaves it
+BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\w+")
+# 6->T, 3-E, or T alone below rows that are counted
+FLANGE = re.compile(
+    r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|-|\bto |/) *[teghnf]$"
+)
+GRASPS = re.compile(r"hand\b|grip|claw|finger|pinza|greifer")  # a tool, or the joint of one
+OF_JOINTS = re.compile(r"joint|axis|gelenk|achse|articula|junta|motor|servo|^[jq] *_?\d")
+COUNTED = re.compile(r"\d|^$")
+PARTS = re.compile(r"shoulder|elbow|waist|torso|upper|fore|lower")  # the base turns in such tables
+
+
+def unwritten(table, columns, right):
+    """What the rows may be of which nothing says whether they have a joint, the likeliest first.
+
+    Parameters
+    ----------
+    table : Pasted
+    columns : dict of str to list of Cell
+    right : Arm or None
+        The arm that it should be.
+
+    Returns
+    -------
+    list of tuple of (int, str)
+        Each tuple holds row numbers from 0 with "" (no joint), "R" or "P".
+    """
+    n = len(table.rows)
+    kinds = table.kinds or ("",) * n
+    if any(kind == "fixed" for kind in kinds):
+        return [_fixed(i for i in range(n) if kinds[i] == "fixed")]
+    if n < 2:
+        return [()]
+    moves = [
+        (kinds[i] or by_number(columns, i)) in ("R", "P")
+        or not columns["theta"][i].is_constant
+        or columns["d"][i].variable in ("d", "q", "?")
+        for i in range(n)
+    ]
+    found = _among_moving(table, columns, moves) if any(moves) else _by_labels(table, right)
+    return _counted(found, table, moves)
+
+
+def _fixed(rows):
+    return tuple((i, "") for i in rows)
+
+
+def _among_moving(table, columns, moves):
+    """Rows of numbers among rows of variables: at the ends base and flange, within a fixed frame or
+    a joint whose variable is not written.
+    """
+    still = [i for i, moving in enumerate(moves) if not moving]
+    inner = [
+        i for i in still if (any(moves[:i]) and any(moves[i + 1 :])) or named_alone(columns, i)
+    ]
+    sliding = [
+        i for i in (still if table.slides else inner)
+        if not columns["theta"][i].value and (table.slides or columns["d"][i].value)
+    ]  # fmt: skip
+    slid = "P" in table.kinds or any(
+        moving and cell.is_constant for moving, cell in zip(moves, columns["theta"])
+    )
+    sliding = sliding if len(sliding) == 1 and not slid else []
+    found = [_fixed(still)]
+    if inner:
+        found.append(_fixed(i for i in still if i not in inner))
+    for i in sliding:
+        found.insert(0 if table.slides else 1, (*_fixed(k for k in still if k != i), (i, "P")))
+    return found
+
+
+def _by_labels(table, right):
+    """Rows of numbers only: by what stands before or behind them."""
+    n = len(table.rows)
+    labels = [str(label).lower() for label in table.labels or ("",) * n]
+    last, first = _fixed([n - 1]), _fixed([0])
+    if labels[-1] == MAYBE:
+        return [last, ()]
+    if BASE.fullmatch(labels[0]) and not any(PARTS.search(label) for label in labels):
+        return [first] if all(COUNTED.search(label) for label in labels[1:]) else [(), first]
+    if FLANGE.search(labels[-1]) and not FLANGE.search(labels[0]):
+        return [(), last] if OF_JOINTS.search(labels[-1]) else [last]
+    if GRASPS.search(labels[-1]):
+        return [(), last] if OF_JOINTS.search(labels[-1]) else [last, ()]
+    if right is not None and n == len(right) + 1:
+        return [first, last]
+    return [(), first] if labels[0] == "0" and table.form == "" else [()]
+
+
+def _counted(found, table, moves):
+    """What is found, and what else makes as many joints as the text says that there are."""
+    n = len(moves)
+    counts = [n - sum(not letter for _, letter in one) for one in found]
+    if not table.joints or set(counts) & set(table.joints):
+        return found
+    ends = [i for i in (n - 1, 0) if not moves[i]]
+    more = [()] if n in table.joints and not all(moves) else []
+    more += [_fixed([i]) for i in ends if n - 1 in table.joints]
+    if n - 2 in table.joints and len(ends) == 2:
+        more.append(_fixed(sorted(ends)))
+    return [*(one for one in more if one not in found), *found]
