@@ -84,6 +84,8 @@ def _named(table):
     missing = [role for role in ROLES if role not in roles]
     if not missing:
         return [Order(roles, table.why)]
+    if "offset" in roles and missing == ["d"] and _are_lengths(table, roles.index("offset")):
+        return [Order(_swapped(roles, offset="d"), f"{table.why}, the offset being that along z")]
     if "r" in roles and missing == ["d"]:
         return [Order(_swapped(roles, r="d"), f"{table.why}, r being the offset along z")]
     if "r" in roles and missing == ["a"]:
@@ -92,6 +94,13 @@ def _named(table):
         f"recognise_table: the header has no column {' and '.join(missing)}; expected theta, d, a"
         " and alpha"
     )
+
+
+def _are_lengths(table, k):
+    """Whether no cell of a column of offsets can be an angle."""
+    column = [row[k] for row in table.rows]
+    unit = table.units.get("offset")
+    return unit in LENGTHS or (unit is None and _kind(column) in ("length", "any"))
 
 
 def _offset_or_length(roles, table):

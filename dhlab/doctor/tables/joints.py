@@ -1,5 +1,5 @@
-"""Of which kind the joint of each row of a pasted table is, and how its variable counts; letters that
-stand for nothing are asked about.
+"""Of which kind the joint of each row of a pasted table is, and how its variable counts; letters
+that stand for nothing are asked about.
 """
 
 import re

@@ -1,5 +1,5 @@
-"""Which rows of a pasted table have no joint: those of a base, a flange or a fixed frame; and what a
-row of numbers only may be among rows of variables.
+"""Which rows of a pasted table have no joint: those of a base, a flange or a fixed frame; and what
+a row of numbers only may be among rows of variables.
 """
 
 import re

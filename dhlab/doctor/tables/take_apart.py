@@ -152,6 +152,10 @@ def _with_words(table, source):
         note = "the index i-1 in the header is Craig's, and the text computes or names the other"
         table = replace(table, convention=None, because="", notes=(*table.notes, note))
         return _with_sayings(table, source)
+    if table.because.startswith("by the index i-1") and source.convention == "standard":
+        note = "the index i-1 in the header is Craig's, and the text speaks of the standard rows"
+        table = replace(table, convention=None, because="", notes=(*table.notes, note))
+        return _with_sayings(table, source)
     if not table.convention:
         computed = convention_in(source)
         if computed and source.convention and computed[0] != source.convention:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ..cells import cell_of, read_cell
 from ..columns import misplaced
 from ..language.brackets import Item, cells_in, groups, keyword
-from ..language.roles import role_of
+from ..language.roles import kind_said, role_of
 from ..pasted import Pasted, Row, from_rows
 from .functions import definitions
 
@@ -169,7 +169,7 @@ def _is_inner(group):
 
 
 def _row(group, name, known, source, notes, number):
-    cells, said, limits, sign, kind = {}, "", None, 1, ""
+    cells, said, limits, sign, kind, label = {}, "", None, 1, "", ""
     order = OLD_LINK if name == "link" and known[0] == "link" else known[3]
     items = [item.text for item in group.items]
     pairs, loose = _pairs(items)
@@ -181,13 +181,19 @@ def _row(group, name, known, source, notes, number):
             sign = -1 if text.lower() in ("true", "1") else 1
         elif key.lower() in ("mdh", "modified"):
             said = "craig" if text.lower() in ("true", "1") else ""
+        elif key.lower() in ("name", "label"):
+            label = text.strip("'\"")
+        elif one := kind_said(key, text):
+            kind = one
         elif key.lower() in ("sigma", "jointtype", "type", "joint_type"):
             kind = "P" if text.strip("'\"").lower()[:1] in ("p", "1") else "R"
         elif role in NAMED and not (role == "r" and text[:1] in "[("):  # a centre of mass
             cells[role] = _cell(text, source, number, role)
     for text in loose:
         word = text.strip("'\"").lower()
-        if word == "flip":
+        if word == "prismatic":
+            kind = "P"
+        elif word == "flip":
             sign = -1
         elif word in ("modified", "mdh", "standard", "dh", "stdh"):
             said = "craig" if word in ("modified", "mdh") else "standard"
@@ -204,11 +210,12 @@ def _row(group, name, known, source, notes, number):
         return None, ""
     sigma = cells.pop("sigma", None)
     kind = ("P" if sigma.value else "R") if sigma is not None else kind
-    kind = kind or ("P" if name.lower().startswith("prismatic") else "R")
+    of_joints = known[1] not in ("DHLink", "")  # other classes may hold a flange
+    kind = kind or ("P" if name.lower().startswith("prismatic") else "R" if of_joints else "")
     _ignore_theta(cells, kind, known, notes, number)
     if "r" in cells:
         cells["a"] = cells.pop("r")
-    return Row(cells, kind, "", sign, limits), said
+    return Row(cells, kind, label, sign, limits), said
 
 
 def _pairs(items):
@@ -260,7 +267,7 @@ def _limits(text, source):
 def _ignore_theta(cells, kind, known, notes, number):
     """The toolbox takes q + offset for the angle of a turning joint; theta counts for nothing."""
     theta = cells.get("theta")
-    if known[1] != ROBOTICS_TOOLBOX or kind != "R" or theta is None or not theta.is_constant:
+    if known[1] != ROBOTICS_TOOLBOX or kind == "P" or theta is None or not theta.is_constant:
         return
     if theta.value:
         notes.append(

@@ -32,6 +32,7 @@ KINDS = {
     "直動": "P", "prismática": "P",
     "fixed": "fixed", "f": "fixed", "static": "fixed",
 }  # fmt: skip
+STILL = ("fixed", "const", "constant", "static", "locked", "none")  # in place of a joint's variable
 SIGNS = {
     **dict.fromkeys(("+", "+1", "1", "+z", "z+", "z", "ccw", "positive", "normal"), 1),
     **dict.fromkeys(("-", "-1", "-z", "z-", "cw", "negative", "reversed", "inverted"), -1),
@@ -147,7 +148,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         labels, kinds, signs, form=form, notes=notes,
     )  # fmt: skip
     table = _even(table)
-    if said == "i" and _ends_as_standard(table):
+    named = source.convention if source else ""
+    if said == "i" and named != "craig" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
     return table
 
@@ -246,6 +248,9 @@ def _row(cells, roles, where, source):
             sign = _sign(word, where, SIGNS)
         elif role == "turned":
             sign = _sign(word, where, {**TURNED, **SIGNS, "1": -1})
+        elif role == "theta" and word in STILL:
+            kept.append(Cell(0.0, text=word))
+            kind = "fixed"
         elif role == "theta" and not word and isinstance(cell, str):
             kept.append(IMPLIED)
         elif role in KEPT:

@@ -6,7 +6,7 @@ import re
 
 from ..cells import cell_of
 from ..language.brackets import groups, keyword
-from ..language.roles import role_of
+from ..language.roles import kind_said, role_of
 from ..pasted import Row, from_rows
 
 __all__ = ["in_groups", "read"]
@@ -23,7 +23,8 @@ WORDED = re.compile(  # theta 0 d 0.42; link length 0.06, link twist -90
 )
 NAMED = re.compile(  # gripper: of a block, - name: gripper
     r"\s*-?\s*['\"]?([\w .-]*[a-z][\w .-]*?)['\"]?\s*:\s*(?:\{.*)?$"
-    r"|\s*-?\s*['\"]?(?:name|joint|link|label|id|frame)['\"]?\s*:\s*['\"]?([\w .-]+?)['\"]?\s*,?\s*$",
+    r"|\s*-?\s*['\"]?(?:name|joint|link|label|id|frame)['\"]?\s*:\s*"
+    r"['\"]?([\w .-]+?)['\"]?\s*,?\s*$",
     re.IGNORECASE,
 )
 BLOCK = re.compile(r"\s*-|\s*[\w .-]+:\s*$|\s*['\"]?\w+['\"]?\s*:\s*\{")
@@ -102,9 +103,8 @@ def _pairs(line, source):
         return found  # one name for each number
     for match in PAIR.finditer(line):
         role = role_of(match[1])[0]
-        if match[1].lower() in ("type", "joint_type", "jointtype"):
-            word = match[3].strip(" '\"").lower()
-            found["type"] = {"r": "R", "p": "P", "f": "fixed"}.get(word[:1], "")
+        if kind := kind_said(match[1], match[3]):
+            found["type"] = kind
             continue
         value = source.value(match[3] + (f" {match[4]}" if match[4] else ""))
         if value is None:  # without what follows it: a unit, or a remark in brackets
@@ -140,8 +140,8 @@ def in_groups(source):
             )
             if value is not None:
                 row[role] = cell_of(value, pair[1])
-            elif pair and (role == "type" or pair[0] in ("type", "joint_type", "kind")):
-                row["type"] = pair[1].strip("'\"").lower()
+            elif pair and (kind := kind_said("type" if role == "type" else pair[0], pair[1])):
+                row["type"] = kind
             elif pair and pair[0].lower() in LABELS:
                 row["label"] = pair[1].strip("'\"")
         wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
@@ -154,13 +154,10 @@ def in_groups(source):
         rows = [
             {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
         ]
-    kinds = [row.pop("type", "")[:1].upper() for row in rows]
+    kinds = [row.pop("type", "") for row in rows]
     labels = [row.pop("label") for row in rows]
     return from_rows(
-        [
-            Row(row, {"R": "R", "P": "P", "F": "fixed"}.get(kind, ""), label)
-            for row, kind, label in zip(rows, kinds, labels)
-        ],
+        [Row(row, kind, label) for row, kind, label in zip(rows, kinds, labels)],
         why="as their names say",
     )
 

@@ -92,6 +92,7 @@ def unified(text):
     ('-pi/2', 'theta1', 'theta_1-((pi)/(2))')
     """
     text = STYLED.sub(lambda m: unicodedata.normalize("NFKC", m[0]), text).translate(SAME)
+    text = re.sub(r"\\[()]", "", text)  # \(x\) is $x$
     text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
     text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
     text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)

@@ -5,7 +5,7 @@ import unicodedata
 
 from .letters import unified
 
-__all__ = ["ROLES", "role_of", "unit_in"]
+__all__ = ["ROLES", "kind_said", "role_of", "unit_in"]
 
 ROLES = ("theta", "d", "a", "alpha")
 PREVIOUS = re.compile(
@@ -69,10 +69,31 @@ LABELS = (
     " bemerkung kommentar beschreibung remark remarks note notes comment comments description"
     " observaciones remarque 备注 说明 備考 序号 關節 軸 関節 リンク".split()
 )
+KINDS_BY_FLAG = {  # what True says, and False
+    "fixed": ("fixed", ""),
+    **dict.fromkeys(("movable", "actuated", "active"), ("", "fixed")),
+    "revolute": ("R", "P"),
+    "prismatic": ("P", "R"),
+}
 FILLER = re.compile(
     r"\b(dh|mdh|sdh|params?|parameters?|vals?|values?|list|arr|array|vec|vector|robot|self|this|std"
     r"|nominal|i|j|n|in|arm|my|the|column|link|const|double|float|constants?|config|table)\b"
 )
+
+
+def kind_said(name, said):
+    """The kind of joint, "R", "P", "fixed" or "", that a named flag or type says.
+
+    Examples
+    --------
+    >>> kind_said("fixed", "True"), kind_said("joint_type", "'prismatic'"), kind_said("d", "1")
+    ('fixed', 'P', '')
+    """
+    name, said = name.lower().replace("_", ""), said.strip(" '\"").lower()
+    if name in ("type", "jointtype", "kind"):
+        return {"r": "R", "p": "P", "f": "fixed"}.get(said[:1], "")
+    yes, no = KINDS_BY_FLAG.get(name.removeprefix("is"), ("", ""))
+    return yes if said in ("true", "1", "yes") else no if said in ("false", "0", "no") else ""
 
 
 def _without_accents(text):
