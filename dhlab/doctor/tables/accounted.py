@@ -207,7 +207,7 @@ def _named_zero(source, table):
     for name, said in ZERO.findall(source.code):
         if name in used or OF_AN_END.search(name):
             continue  # a length by its name
-        number = re.search(r"[1-9]|pi\b", said)
+        number = re.search(r"(?<!\w)[\d.]*[1-9]|pi\b", said)
         if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):
             return f"{name} = {said}"
     return ""

@@ -84,8 +84,11 @@ def _named(table):
     missing = [role for role in ROLES if role not in roles]
     if not missing:
         return [Order(roles, table.why)]
-    if "offset" in roles and missing == ["d"] and _are_lengths(table, roles.index("offset")):
-        return [Order(_swapped(roles, offset="d"), f"{table.why}, the offset being that along z")]
+    offsets = [k for k, role in enumerate(roles) if role == "offset"] if missing == ["d"] else []
+    along = [k for k in offsets if _are_lengths(table, k, strict=len(offsets) > 1)]
+    if len(along) == 1:
+        named = tuple("d" if k == along[0] else role for k, role in enumerate(roles))
+        return [Order(named, f"{table.why}, the offset being that along z")]
     if "r" in roles and missing == ["d"]:
         return [Order(_swapped(roles, r="d"), f"{table.why}, r being the offset along z")]
     if "r" in roles and missing == ["a"]:
@@ -96,11 +99,11 @@ def _named(table):
     )
 
 
-def _are_lengths(table, k):
-    """Whether no cell of a column of offsets can be an angle."""
-    column = [row[k] for row in table.rows]
+def _are_lengths(table, k, strict):
+    """Whether a column of offsets holds lengths; not strict, whether it may."""
+    kind = _kind([row[k] for row in table.rows])
     unit = table.units.get("offset")
-    return unit in LENGTHS or (unit is None and _kind(column) in ("length", "any"))
+    return unit in LENGTHS or (unit is None and kind in ("length", "" if strict else "any"))
 
 
 def _offset_or_length(roles, table):

@@ -88,11 +88,20 @@ def _read(source, nominal, length):
         if found is not None:
             if not isinstance(found, Pasted):
                 return found
-            table = with_added(_with_words(found, source), source)
             later = READERS[READERS.index(read) + 1 :]
+            if _lacks_values(found):  # rows of numbers say more than rows of names
+                others = _tables(later, source)
+                found = next((one for one in others if not _lacks_values(one)), found)
+            table = with_added(_with_words(found, source), source)
             require_accounted(table, source, _tables(later, source))
             return table
     raise AssertionError  # the last reader answers or raises
+
+
+def _lacks_values(table):
+    """Whether a length or a twist is a letter without a value."""
+    kept = [k for k, role in enumerate(table.roles or ()) if role in ("a", "r", "alpha")]
+    return any(not row[k].is_constant for row in table.rows for k in kept)
 
 
 def _tables(readers, source):

@@ -58,7 +58,14 @@ def header(cells):
         return None
     if sum(_try(cell) is not None and _try(cell).is_constant for cell in cells) > 1:
         return None
-    previous = any(was and role in ("a", "alpha", "r") for role, was, _ in found)
+    before = {role for role, was, _ in found if was}
+    if "d" in before and "theta" not in before and {"theta", "d"} <= set(roles):
+        raise ValueError(
+            "recognise_table: the header counts d from the link before, i-1, and theta from this"
+            " one; does each d belong to its own row or to the row above? Write d(i), each in the"
+            " row of its joint"
+        )
+    previous = bool(before & {"a", "alpha", "r"}) and not {"d", "theta"} <= before
     if {"a", "d", "r"} <= set(roles):  # Khalil and Kleinfinger; their a(j) is the link before
         renamed = {"a": None, "d": "a", "r": "d"}
         roles, previous = tuple(renamed.get(role, role) for role in roles), True

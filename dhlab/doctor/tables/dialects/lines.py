@@ -1,8 +1,8 @@
 """Which lines of a text are the table, and where their cells end."""
 
 import re
-from collections import Counter
 from dataclasses import replace
+from itertools import groupby
 
 from ..cells import read_cell
 from ..evidence.orders import order_in, order_of_names
@@ -169,9 +169,9 @@ def _splitter(lines):
 
 
 def _alike(rows):
-    """How many rows have the commonest width of four or more."""
-    widths = Counter(len(row) for row in rows if len(row) >= 4)
-    return max(widths.values(), default=0)
+    """How many rows of one width, four or more, follow each other."""
+    runs = ((width, len(list(run))) for width, run in groupby(map(len, rows)))
+    return max((length for width, length in runs if width >= 4), default=0)
 
 
 def _trimmed(cells, mark):

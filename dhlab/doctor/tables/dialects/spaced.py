@@ -14,6 +14,10 @@ PHRASE = re.compile(  # the gap in link length, joint angle
     r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
     r"|(?<=\bjoint)\s+(?=(?:angle|offset|distance)\b)|(?<=\btwist)\s+(?=angle\b)"
 )
+# 0.1091 -0.3923 are two numbers, however narrow the gap
+SIGNED = re.compile(
+    r"(?<![\w.+*/-])([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?) (?=[-+][\d.])", re.IGNORECASE
+)
 LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
 
 
@@ -21,6 +25,7 @@ def spaced_cells(line, wide):
     """Cells separated by spaces; "q2 - 90", "pi / 2", "90 deg" and "i - 1" are one cell each."""
     line = _joined(line)
     if wide:
+        line = SIGNED.sub(r"\1  ", line) if "  " in line.strip() else line
         return [cell for cell in re.split(r"\s{2,}", line.strip()) if cell]
     return cells_in(line.replace(",", " ") if not re.search(r"\d,\d", line) else line)
 

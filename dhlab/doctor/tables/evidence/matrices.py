@@ -38,6 +38,7 @@ ONE = re.compile(r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d)\s*[\])]")
 INDEX = re.compile(
     r"(?<=\w)\s*(?:\[[^\[\]]*\]|\((?:\d+|[ijkn])(?:\s*[-+]\s*1)?(?:\s*,\s*[\d:]+)?\)|_\{?[ijkn]\}?(?:-1)?(?!\w))"
 )
+FIELD_OF = re.compile(r"\b[A-Za-z_]\w*\.(?=[A-Za-z_]\w*\b(?![\w.]|\s*\())")  # row.alpha
 MOST_UNKNOWN, MOST_TRIED = 4, 8
 NO_NAMES = ("pi", "np", "math", "cos", "sin")
 
@@ -71,7 +72,7 @@ def link_matrix_in(code):
     for entries in _matrices(code):
         if tried == MOST_TRIED:
             break
-        if not re.search(r"\b(?:\w+\.)?(cos|sin|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)):
+        if not re.search(r"\b(?:\w+\.)?((?:cos|sin)\w*|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)):
             continue
         tried += 1
         entries = [_plain(entry, local) for entry in entries]
@@ -192,7 +193,7 @@ def _by_column(entries):
     for name, index in ONE.findall(text):
         held.setdefault(name, set()).add(index)
     text = ONE.sub(lambda m: f"{m[1]}_at{m[2]}" if len(held[m[1]]) > 2 else m[0], text)
-    return INDEX.sub("", text).split("\n")
+    return FIELD_OF.sub("", INDEX.sub("", text)).split("\n")
 
 
 def _order(roles):

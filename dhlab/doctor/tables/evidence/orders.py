@@ -218,13 +218,17 @@ def _unit_after(text, at, role):
 
 
 def convention_in(source):
-    """(convention, why) of the link matrix that the text itself computes; None without one."""
-    for line in re.sub(r"\s*\n\s*(?=[*@])|(?<=[*@])\s*\n\s*", " ", source.text).split("\n"):
-        found = _of_moves(line)
-        if found:
-            return found, "by the order of the elementary moves in it"
+    """(convention, why) of the link matrix that the text itself computes, else of the elementary
+    moves that it names; None without one.
+    """
     found = source.link_matrix
-    return (found.convention, "by the matrix in it") if found and found.convention else None
+    computed = found.convention if found else ""
+    if computed and computed == source.convention:  # a formula in a comment may be wrong
+        return computed, "by the matrix in it"
+    for line in re.sub(r"\s*\n\s*(?=[*@])|(?<=[*@])\s*\n\s*", " ", source.text).split("\n"):
+        if moves := _of_moves(line):
+            return moves, "by the order of the elementary moves in it"
+    return (computed, "by the matrix in it") if computed else None
 
 
 def _of_moves(line):
