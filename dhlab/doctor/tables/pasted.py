@@ -17,7 +17,8 @@ class Pasted:
     known; ``units`` by role; ``convention`` as far as it is said, and ``because`` how; ``labels``,
     ``kinds`` ("R", "P", "fixed" or ""), ``signs`` and ``limits`` one per row; ``form`` is what
     dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers,
-    ``joints`` how many it speaks of, ``slides`` whether it speaks of one that slides.
+    ``joints`` how many it speaks of, ``poses`` the lists that it calls joint values, ``slides``
+    whether it speaks of a joint that slides.
     """
 
     rows: tuple
@@ -34,6 +35,7 @@ class Pasted:
     length: str = ""
     angle: str = ""
     joints: tuple = ()
+    poses: tuple = ()
     slides: bool = False
     notes: tuple = ()
 

@@ -12,6 +12,7 @@ from ...kinematics import link_matrices
 from ...table import COLUMNS, DHTable
 from .chain import arm_of, rows_of
 from .columns import orders, snapped
+from .evidence.poses import theta_meanings
 from .joints import joints_of
 from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
 from .still import unwritten
@@ -26,6 +27,9 @@ QUESTIONS = {
     "row": (
         "Does a row without a joint (base, flange or a fixed frame) stand among these, or does each"
         " row have a motor?"
+    ),
+    "zero": (
+        "Are the numbers of theta added to the joints' values, or are they these values in one pose?"
     ),
     "form": "How is the text meant",
 }
@@ -66,6 +70,7 @@ def readings(table, order, convention, angle, length, right, tidy):
             angle_units(table, columns, angle),
             length_units(table, columns, length),
             unwritten(table, columns, right),
+            theta_meanings(table, columns),
         )
         for choice in choices:
             yield _reading(table, columns, found, choice, tidy)
@@ -104,7 +109,7 @@ def _looks_like_craig(columns):
 
 
 def _reading(table, columns, order, choice, tidy):
-    (convention, known), (unit, angle_why), (metre, length_why), still = choice
+    (convention, known), (unit, angle_why), (metre, length_why), still, zero = choice
     joints, signs = joints_of(table, columns, still)
     assumed = []
     rows = np.column_stack(
@@ -115,6 +120,8 @@ def _reading(table, columns, order, choice, tidy):
             for role in COLUMNS
         ]
     )
+    if zero == "pose":
+        rows[[letter == "R" for letter in joints], 0] = 0.0
     twice = _said_twice(columns)
     for i, cell in enumerate(() if twice else columns.get("offset", ())):
         if joints[i] == "P":
@@ -129,12 +136,13 @@ def _reading(table, columns, order, choice, tidy):
         UNIT_WORDS[unit] + _why(angle_why),
         UNIT_WORDS[metre] + _why(length_why),
         *_row_words(still, len(rows)),
+        *(["theta being the joints' values in one pose"] if zero == "pose" else []),
     ]
     return Reading(
         _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
         "; ".join(words),
         tuple(dict.fromkeys([*assumed, *twice])),
-        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, ""))),
+        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, zero, ""))),
     )
 
 

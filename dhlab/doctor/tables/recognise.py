@@ -144,7 +144,7 @@ def recognise_table(
     >>> found = recognise_table(said, convention="standard")
     >>> print(found)
     Read as columns a, alpha, d, theta, as the header says; standard convention, as you say;
-    degrees, as the cells say; metres by size.
+    degrees, as the cells say; metres by size: all links in a row reach 0.5 m.
     >>> found.arm.table.theta.round(4)
     array([ 0.    , -1.5708])
     """

@@ -7,9 +7,12 @@ import re
 import numpy as np
 
 from ...units import convert
-from .columns import LENGTHS, LONGEST_ARM, snapped
+from .columns import LENGTHS, snapped
 
-__all__ = ["UNIT_WORDS", "angle_units", "length_units", "in_metres", "in_radians"]
+__all__ = [
+    "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units", "reached",
+    "units_by_size",
+]  # fmt: skip
 
 TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 UNIT_WORDS = {
@@ -22,7 +25,11 @@ UNIT_WORDS = {
     "in": "inches",
 }
 SCALED = re.compile(r"mm_?(?:2|to)_?m|[*/]\s*(?:1000(?:\.0*)?|1e-?0?3|0?\.001|10\^-3)(?![\d.])")
-SMALL_ARM, TOY = 70.0, 3.0  # the longest number: above, millimetres; between, nobody knows
+# an arm that somebody gives in this unit: how far, in metres, all its links reach in a row
+REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05, 1.5)}
+LONGEST = {"cm": 70.0, "in": 70.0}  # a link, in its unit
+SHORT_LINK = 0.5  # a number as small as this is in metres, where metres make an arm at all
+TOY = 3.0  # the longest number: up to it, "mm" in the text is doubtful
 
 
 def angle_units(table, columns, given):
@@ -91,16 +98,48 @@ def length_units(table, columns, given):
             return [("m", "by the factor in the cells")]
         if said == "mm" and longest < TOY:
             return [("m", "though the text says millimetres"), ("mm", why)]
-        if said == "m" and longest > SMALL_ARM and np.median(sizes) > 1:
+        if said == "m" and longest > LONGEST["cm"] and np.median(sizes) > 1:
             return [("mm", "though the text says metres"), ("m", why)]
         return [(said, why)]
-    if longest <= LONGEST_ARM:
-        return [("m", "by size")]
-    if longest <= SMALL_ARM:
-        return [(unit, "by size") for unit in ("cm", "mm", "in", "m")]
-    if np.median(sizes) < 1:
-        return [("m", "by size"), ("mm", "by size")]
-    return [("mm", "by size")]
+    return [(unit, reached(sizes, unit)) for unit in units_by_size(sizes)]
+
+
+def units_by_size(sizes):
+    """The units in which lengths without one make an arm, the likeliest first.
+
+    Parameters
+    ----------
+    sizes : sequence of float
+        The lengths that are not 0, without their signs.
+
+    Examples
+    --------
+    >>> units_by_size([0.333, 0.316, 0.384]), units_by_size([290, 270, 70, 302])
+    (['m'], ['mm'])
+    >>> units_by_size([4, 5, 13]), units_by_size([2, 1])
+    (['cm', 'in', 'm'], ['m', 'in'])
+    """
+    reach, longest = sum(sizes), max(sizes, default=0.0)
+    fits = [
+        unit
+        for unit, (least, most) in REACHES.items()
+        if least <= reach * TO_METRES[unit] <= most and longest <= LONGEST.get(unit, np.inf)
+    ]
+    if not sizes or ("m" in fits and min(sizes) <= SHORT_LINK):
+        return ["m"]
+    if longest > LONGEST["cm"] and np.median(sizes) < 1:
+        return ["m", "mm"]
+    alone = (
+        fits if fits == ["mm"] else [*fits, "m"]
+    )  # numbers of a textbook are lengths as they stand
+    return list(dict.fromkeys(alone))
+
+
+def reached(sizes, unit):
+    """Why a unit is taken, in words: how far the arm reaches in it."""
+    if not sizes:
+        return "by size"
+    return f"by size: all links in a row reach {sum(sizes) * TO_METRES[unit]:.3g} m"
 
 
 def in_metres(cell, unit):

@@ -11,6 +11,7 @@ from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
 from .evidence.axes import axes_in
 from .evidence.orders import convention_in, previous_in
+from .evidence.poses import poses_in
 from .evidence.source import source_of
 from .language.comments import uncommented
 from .pasted import Pasted
@@ -193,5 +194,6 @@ def _with_sayings(table, source):
         length=table.length or source.length,
         angle=table.angle or source.angle,
         joints=counts_in(source),
+        poses=poses_in(source),
         slides=speaks_of_sliding(source),
     )

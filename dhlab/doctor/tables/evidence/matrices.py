@@ -38,7 +38,8 @@ ONE = re.compile(r"\b([A-Za-z_]\w*)\s*[\[(]\s*(\d)\s*[\])]")
 INDEX = re.compile(
     r"(?<=\w)\s*(?:\[[^\[\]]*\]|\((?:\d+|[ijkn])(?:\s*[-+]\s*1)?(?:\s*,\s*[\d:]+)?\)|_\{?[ijkn]\}?(?:-1)?(?!\w))"
 )
-FIELD_OF = re.compile(r"\b[A-Za-z_]\w*\.(?=[A-Za-z_]\w*\b(?![\w.]|\s*\())")  # row.alpha
+# row.alpha, libm::cos
+FIELD_OF = re.compile(r"\b[A-Za-z_]\w*\.(?=[A-Za-z_]\w*\b(?![\w.]|\s*\())|\b[a-z]\w*::(?=\w)")
 MOST_UNKNOWN, MOST_TRIED = 4, 8
 NO_NAMES = ("pi", "np", "math", "cos", "sin")
 
@@ -72,7 +73,9 @@ def link_matrix_in(code):
     for entries in _matrices(code):
         if tried == MOST_TRIED:
             break
-        if not re.search(r"\b(?:\w+\.)?((?:cos|sin)\w*|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)):
+        if not re.search(
+            r"\b(?:\w+\.)?((?:cos|sin)\w*|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)
+        ):
             continue
         tried += 1
         entries = [_plain(entry, local) for entry in entries]

@@ -1,9 +1,7 @@
 """Readings of arms that are told as chains: nothing is to be asked but the unit of the lengths."""
 
-import numpy as np
-
 from ...readings import QUESTIONS, Reading
-from ...scales import LONGEST_ARM, SMALL_ARM, TO_METRES, UNIT_WORDS
+from ...scales import TO_METRES, TOY, UNIT_WORDS, reached, units_by_size
 
 __all__ = ["told"]
 
@@ -22,9 +20,9 @@ def told(form, make, lengths, source, why="", units=None, notes=()):
     notes : tuple of str
         What is worth a second look.
     """
-    sizes = np.abs([length for length in lengths if length])
-    longest = sizes.max(initial=0.0)
-    said = source.length if not (source.length == "mm" and longest < LONGEST_ARM) else ""
+    sizes = [abs(length) for length in lengths if length]
+    small = max(sizes, default=0.0) < TOY
+    said = source.length if not (source.length == "mm" and small) else ""
     if units is None:
         if source.asked_length:
             units = [source.asked_length]
@@ -32,23 +30,22 @@ def told(form, make, lengths, source, why="", units=None, notes=()):
             units = [said]
         elif source.length == "mm":
             units = ["m", "mm"]
-        elif longest <= LONGEST_ARM:
-            units = ["m"]
         else:
-            units = ["mm"] if longest > SMALL_ARM and np.median(sizes) > 1 else ["cm", "mm", "m"]
+            units = units_by_size(sizes)
     return [
         Reading(
             make(TO_METRES[unit]),
-            f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}{_why(unit, said, source)}",
+            f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}"
+            + _why(unit, said, source, sizes),
             (),
-            tuple(zip(QUESTIONS, ((), "", "rad", unit, (), ""))),
+            tuple(zip(QUESTIONS, ((), "", "rad", unit, (), "", ""))),
             tuple(notes),
         )
         for unit in units
     ]
 
 
-def _why(unit, said, source):
+def _why(unit, said, source, sizes):
     if source.asked_length:
         return ", as you say"
-    return ", as the text says" if unit == said else " by size"
+    return ", as the text says" if unit == said else f" {reached(sizes, unit)}"

@@ -118,4 +118,4 @@ def _kinematics(source):
         "from base_link_inertia to wrist_3_link (the driver's base frame is turned by 180° to it)",
         ["m"],
     )
-    return [replace(one, words=one.words.replace(" by size", "")) for one in made]
+    return [replace(one, words=one.words.partition(" by size")[0]) for one in made]

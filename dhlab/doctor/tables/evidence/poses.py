@@ -1,0 +1,58 @@
+"""What the numbers in a column theta are: zeros that are added to the joints' values, or the values
+of one pose, of which the zeros are 0.
+"""
+
+import re
+
+import numpy as np
+
+from ..language.brackets import cells_in
+
+__all__ = ["poses_in", "theta_meanings"]
+
+LISTED = re.compile(
+    r"\b(q(?![a-z]*lim)\w*|joint\w*|angles?\w*|pose\w*|config\w*)[ \t]*[=:][ \t]*[\w.]*\(?"
+    r"[\[({]([^\[\](){}=]{3,200})[\])}]",
+    re.IGNORECASE,
+)
+ZEROS = re.compile(r"off|zero|bias|lim|min|max|type|name|sign|dir", re.IGNORECASE)
+QUARTER_OFF = np.deg2rad(3)  # a zero found by measuring is no further from a quarter turn
+LEAST_ODD = 2  # angles that are neither equal nor quarter turns: one arm may have one such bend
+
+
+def poses_in(source):
+    """The lists of numbers that the text calls joint values.
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> poses_in(source_of("for q = [0, -1.57, 0.5]:"))
+    ((0.0, -1.57, 0.5),)
+    """
+    found = []
+    for name, inside in LISTED.findall(source.text):
+        values = [source.value(cell) for cell in cells_in(inside)]
+        if not ZEROS.search(name) and all(one is not None and not one.letters for one in values):
+            found.append(tuple(one.number for one in values))
+    return tuple(found)
+
+
+def theta_meanings(table, columns):
+    """ "zeros", "pose" or both, the likelier first."""
+    cells = columns["theta"]
+    values = [cell.value for cell in cells]
+    odd = {round(abs(value), 3) for value in values if _is_odd(value)}
+    if not odd or table.form or not all(cell.is_constant for cell in cells):
+        return ["zeros"]
+    if any(len(one) == len(values) and np.allclose(one, values, atol=1e-3) for one in table.poses):
+        return ["pose", "zeros"]
+    named = table.roles is not None and "theta" in table.roles
+    beside = any(cell.value for cell in columns.get("offset", ()))
+    return ["zeros", "pose"] if named and (len(odd) >= LEAST_ODD or beside) else ["zeros"]
+
+
+def _is_odd(value):
+    """Whether a number is no quarter turn, neither in degrees nor in radians."""
+    turns = np.array([np.deg2rad(value), value]) / (np.pi / 2)
+    off = np.abs(turns - np.round(turns)) * np.pi / 2
+    return not (off[1] < QUARTER_OFF or (off[0] < QUARTER_OFF and abs(value) > 2 * np.pi))
