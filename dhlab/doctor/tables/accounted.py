@@ -15,8 +15,9 @@ NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
 }
 SAID = re.compile(
-    rf"(?<![\w.])(\d|{'|'.join(NUMBERS)})[- ]?(?:dofs?\b|degrees?[- ]of[- ]freedom|ax[ei]s\b(?! \d)"
-    r"|joint(?:ed|s)?\b(?! \d)|r\b(?= (?:arm|robot|manip)))",
+    rf"(?<![\w.])(\d|{'|'.join(NUMBERS)})[- _]?"
+    r"(?:dofs?(?![a-z])|degrees?[- ]of[- ]freedom|ax[ei]s\b(?! \d)|joint(?:ed|s)?\b(?! \d)"
+    r"|r\b(?= (?:arm|robot|manip)))",
     re.IGNORECASE,
 )
 VARIABLE = re.compile(r"(?<![\w.])(?:q|theta|th)_?\{?(\d)\}?(?!\w)")

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from .cells import Cell, cell_of, read_cell
 from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
-from .still import FLANGE, GRASPS, MAYBE
+from .language.words import KINDS
 
 __all__ = [
     "DASH",
@@ -22,7 +22,9 @@ __all__ = [
 ]
 
 DASH = Cell(0.0, text="-")
-JOINT = re.compile(r"joint|axis|gelenk|achse|articula|junta|\b[jq]_?\d")
+ENUMERATED = re.compile(  # JointType::Static
+    r"(?:::|\.)(revolute|rotary|rotational|hinge|prismatic|linear|fixed|static)\b", re.IGNORECASE
+)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -189,19 +191,12 @@ def _with_slides(table, source):
 
 
 def labelled(table, grid, source):
-    """The table with its last row fixed where the comments behind the rows call all but this one
-    joints, and this one the tool.
-    """
+    """The table with the comments behind its rows for labels, where it has none."""
     said = dict(source.comments)
-    words = [said.get(int(where.split()[1]), "").lower() for where, _ in grid if "line" in where]
-    still = all(cell.is_constant for row in table.rows for cell in row)
-    if len(words) < 2 or any(table.kinds) or not still or JOINT.search(words[-1]):
+    words = [said.get(int(where.split()[1]), "").strip() for where, _ in grid if "line" in where]
+    if len(words) != len(table.rows) or any(table.labels):
         return table
-    if not (FLANGE.search(words[-1]) or GRASPS.search(words[-1])):
-        return table
-    if not all(JOINT.search(word) for word in words[:-1]):
-        return replace(table, labels=(*table.labels[:-1], MAYBE)) if table.labels else table
-    return replace(table, kinds=(*table.kinds[:-1], "fixed"))
+    return replace(table, labels=tuple(words))
 
 
 def require_no_fifth(names, cells, where):
@@ -226,13 +221,15 @@ def with_types(table, source):
     letters = re.findall(rf"['\"]([RP]{{{len(table.rows)}}})['\"]", source.code)
     listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
     letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
+    typed = [KINDS[one.lower()] for one in ENUMERATED.findall(source.code)]
+    if not any(table.kinds) and len(typed) == len(table.rows):
+        return replace(table, kinds=tuple(typed))
     if not any(table.kinds) and any("P" in one and len(one) == len(table.rows) for one in letters):
         return replace(table, kinds=tuple(letters[0]))
     if "prismatic" not in types or any(table.kinds):
         return table
     if len(types) == len(table.rows):
-        kinds = {"revolute": "R", "prismatic": "P", "fixed": "fixed"}
-        return replace(table, kinds=tuple(kinds[one] for one in types))
+        return replace(table, kinds=tuple(KINDS[one] for one in types))
     if all(cell.is_constant for row in table.rows for cell in row):
         raise ValueError(
             "recognise_table: a joint of this text is prismatic; which row is it? Write its"

@@ -105,6 +105,7 @@ def _trimmed(text):
     text = text.strip().strip("`'\"").strip()
     bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
     text = next(part for part in bold.groups() if part) if bold else text
+    text = re.sub(r"(?<=\w)\s*[(\[]\s*±[^()\[\]]*[)\]]$", "", text)  # theta1 (±180°)
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
     named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)

@@ -2,7 +2,7 @@
 joint.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -29,7 +29,7 @@ QUESTIONS = {
         " row have a motor?"
     ),
     "zero": (
-        "Are the numbers of theta added to the joints' values, or are they these values in one pose?"
+        "Are the numbers of theta added to the joints' values, or are they these in one pose?"
     ),
     "form": "How is the text meant",
 }
@@ -65,6 +65,7 @@ def readings(table, order, convention, angle, length, right, tidy):
         columns = {role: [row[k] for row in table.rows] for k, role in enumerate(found.roles)}
         for role in ("theta", "d", "a", "alpha"):
             columns.setdefault(role, [])
+        columns = _with_own_units(columns, table.units)
         choices = product(
             _conventions(table, columns, convention, found),
             angle_units(table, columns, angle),
@@ -74,6 +75,18 @@ def readings(table, order, convention, angle, length, right, tidy):
         )
         for choice in choices:
             yield _reading(table, columns, found, choice, tidy)
+
+
+def _with_own_units(columns, units):
+    """The columns, where the headings give two of them different units, with these at the cells."""
+    for kinds in (("theta", "alpha", "offset"), ("d", "a")):
+        if len({units[role] for role in kinds if role in units}) > 1:
+            for role in kinds:
+                unit = units.get(role, "")
+                columns[role] = [
+                    replace(cell, unit=cell.unit or unit) for cell in columns.get(role, ())
+                ]
+    return columns
 
 
 def _conventions(table, columns, given, order):

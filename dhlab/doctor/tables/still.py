@@ -6,13 +6,16 @@ import re
 
 from .joints import by_number, named_alone
 
-__all__ = ["FLANGE", "MAYBE", "unwritten"]
+__all__ = ["unwritten"]
 
-MAYBE = "a flange, or a joint"  # as a comment behind the row leaves it
 BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\w+")
 # 6->T, 3-E, or T alone below rows that are counted
 FLANGE = re.compile(
     r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|-|\bto |/) *[teghnf]$"
+)
+NONE = re.compile(
+    r"\b(?:fixed|static|no joint|not a joint|fest(?:er?)?|kein gelenk|fij[oa]|fixe|fiss[oa]|fixo)\b"
+    r"|固定|неподвиж"
 )
 GRASPS = re.compile(r"hand\b|grip|claw|finger|pinza|greifer")  # a tool, or the joint of one
 OF_JOINTS = re.compile(r"joint|axis|gelenk|achse|articula|junta|motor|servo|^[jq] *_?\d")
@@ -37,17 +40,19 @@ def unwritten(table, columns, right):
     """
     n = len(table.rows)
     kinds = table.kinds or ("",) * n
-    if any(kind == "fixed" for kind in kinds):
-        return [_fixed(i for i in range(n) if kinds[i] == "fixed")]
-    if n < 2:
-        return [()]
+    labels = [str(label).lower() for label in table.labels or ("",) * n]
     moves = [
         (kinds[i] or by_number(columns, i)) in ("R", "P")
         or not columns["theta"][i].is_constant
         or columns["d"][i].variable in ("d", "q", "?")
         for i in range(n)
     ]
-    found = _among_moving(table, columns, moves) if any(moves) else _by_labels(table, right)
+    fixed = [
+        i for i in range(n) if kinds[i] == "fixed" or (NONE.search(labels[i]) and not moves[i])
+    ]
+    if fixed or n < 2:
+        return [_fixed(fixed)]
+    found = _among_moving(table, columns, moves) if any(moves) else _by_labels(table, labels, right)
     return _counted(found, table, moves)
 
 
@@ -79,19 +84,18 @@ def _among_moving(table, columns, moves):
     return found
 
 
-def _by_labels(table, right):
+def _by_labels(table, labels, right):
     """Rows of numbers only: by what stands before or behind them."""
-    n = len(table.rows)
-    labels = [str(label).lower() for label in table.labels or ("",) * n]
+    n = len(labels)
     last, first = _fixed([n - 1]), _fixed([0])
-    if labels[-1] == MAYBE:
-        return [last, ()]
+    counted = all(COUNTED.search(label) or OF_JOINTS.search(label) for label in labels[1:-1])
     if BASE.fullmatch(labels[0]) and not any(PARTS.search(label) for label in labels):
-        return [first] if all(COUNTED.search(label) for label in labels[1:]) else [(), first]
+        return [first] if counted else [(), first]
     if FLANGE.search(labels[-1]) and not FLANGE.search(labels[0]):
-        return [(), last] if OF_JOINTS.search(labels[-1]) else [last]
+        return [(), last] if OF_JOINTS.search(labels[-1]) else [last] if counted else [last, ()]
     if GRASPS.search(labels[-1]):
-        return [(), last] if OF_JOINTS.search(labels[-1]) else [last, ()]
+        joints = [bool(OF_JOINTS.search(label)) for label in labels]
+        return [(), last] if joints[-1] else [last] if all(joints[:-1]) else [last, ()]
     if right is not None and n == len(right) + 1:
         return [first, last]
     return [(), first] if labels[0] == "0" and table.form == "" else [()]

@@ -2,9 +2,10 @@
 
 import re
 from collections import Counter
+from dataclasses import replace
 
 from ..beside import labelled
-from ..cells import cell_of
+from ..cells import Cell, cell_of
 from ..evidence.orders import order_in
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
@@ -13,6 +14,9 @@ from ..pasted import Pasted
 __all__ = ["definitions", "read"]
 
 CLASS = re.compile(r"\s*class\s+(\w+)")
+JOIN = r"\s*[.*@·]\s*"
+FACTOR = r"(?P<move>(?:t?rot|r|t|transl?)_?[xyz])\s*\((?P<of>[^()]*)\)"
+MOVES_OF = {"rz": "theta", "tz": "d", "tx": "a", "rx": "alpha"}
 NOT_A_LINK = re.compile(
     r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
     r"|twist|pose|transl?|vec3|tuple|list|origin\w*|size|inertia|cuboid|box|mass|rgba|trplot|axis"
@@ -50,7 +54,38 @@ def read(source, nominal=None):
         tuple(tuple(row) for row in rows), roles, why,
         labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
     )  # fmt: skip
-    return labelled(table, [(f"line {line}", ()) for line in lines], source)
+    table = labelled(table, [(f"line {line}", ()) for line in lines], source)
+    return _with_factors(table, name, source)
+
+
+def _with_factors(table, name, source):
+    """The table with what its calls are multiplied by: ``DH(…).DH(…).Rz(-90)``.
+
+    Raises
+    ------
+    ValueError
+        It is more than one elementary move.
+    """
+    product = rf"(?<!\w){re.escape(name)}\s*\((?:[^()]|\([^()]*\))*\)"
+    rows, kinds = list(table.rows), list(table.kinds)
+    for pattern, at in ((rf"{FACTOR}{JOIN}{product}", 0), (rf"{product}{JOIN}{FACTOR}", len(rows))):
+        found = re.search(pattern, source.code, re.IGNORECASE)
+        if not found:
+            continue
+        move = re.sub("^trot", "rot", found["move"].lower())
+        value, role = source.value(found["of"]), MOVES_OF.get(move[0] + move[-1])
+        if value is None or value.letters or role is None or table.roles is None:
+            raise ValueError(
+                f"recognise_table: the product has {found['move']}({found['of'][:30]}) beside the"
+                f" calls of {name}; which row is it? Write it as a row without a joint"
+            )
+        still = [cell_of(value, found["of"]) if one == role else Cell(0.0) for one in table.roles]
+        rows.insert(at, tuple(still))
+        kinds.insert(at, "fixed")
+    if len(rows) == len(table.rows):
+        return table
+    n = len(rows)
+    return replace(table, rows=tuple(rows), kinds=tuple(kinds), labels=("",) * n, signs=(1,) * n)
 
 
 def definitions(source):

@@ -13,30 +13,12 @@ from ..beside import DASH, explained, require_no_fifth, slid, with_theta
 from ..cells import Cell, plain, read_cell
 from ..columns import IMPLIED, LENGTHS
 from ..language.roles import ROLES, role_of, unit_in
+from ..language.words import KINDS, NO_UNIT, RANGE, ROOM, SIGNS, STILL, TURNED
 from ..pasted import Pasted
 
 __all__ = ["NoRows", "from_grid", "header", "units_of"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
-TURNED = {"yes": -1, "true": -1, "1": -1, "y": -1, "x": -1, "no": 1, "false": 1, "0": 1, "n": 1}
-ROOM = re.compile(
-    r"[-+]?[xyz][-+]?|\(?\s*-?\d[\d.]*(\s*[,; ]\s*-?\d[\d.]*){2}\s*\)?"
-    r"|up|down|left|right|forward|backward|vertical|horizontal"
-)
-NO_UNIT = ("", "-", "1", *"unit units einheit einheiten unite unité unidad 单位 單位".split())
-KINDS = {
-    "revolute": "R", "r": "R", "rotational": "R", "rev": "R", "rotary": "R", "hinge": "R",
-    "prismatic": "P", "p": "P", "linear": "P", "pris": "P", "t": "P", "sliding": "P",
-    "dreh": "R", "drehgelenk": "R", "rotativa": "R", "rotoide": "R", "旋转": "R", "转动": "R",
-    "回転": "R", "schub": "P", "schubgelenk": "P", "prismatica": "P", "移动": "P", "平移": "P",
-    "直動": "P", "prismática": "P",
-    "fixed": "fixed", "f": "fixed", "static": "fixed",
-}  # fmt: skip
-STILL = ("fixed", "const", "constant", "static", "locked", "none")  # in place of a joint's variable
-SIGNS = {
-    **dict.fromkeys(("+", "+1", "1", "+z", "z+", "z", "ccw", "positive", "normal"), 1),
-    **dict.fromkeys(("-", "-1", "-z", "z-", "cw", "negative", "reversed", "inverted"), -1),
-}
 
 
 class NoRows(ValueError):
@@ -118,6 +100,10 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         head = header(cells) if not rows else None
         if head:
             roles, heads, said = head
+            if roles[:2] == ("label", "label") and all(
+                len(row) < len(roles) for place, row in grid if place != where
+            ):  # two words for one column
+                roles, cells = roles[1:], cells[1:]
             roles, notes = _with_directions(roles, grid)
             below = [other for place, other in grid if place != where and not units_of(other)]
             named, (roles, beside) = roles, explained(roles, cells, below)
@@ -145,7 +131,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     if any(cell is DASH for row in cells for cell in row):
         notes = (*notes, "a dash is taken for 0")
     if any(cell is IMPLIED for row in cells for cell in row):
-        notes = (*notes, "an empty cell of theta is taken for the joint's variable")
+        notes = (*notes, "an empty cell of theta, or a range, is taken for the joint's variable")
     if kept:
         cells = tuple(slid(row, kept) for row in cells) if taken else cells
         cells, kept, beside = with_theta(cells, kept) if None not in roles else (cells, kept, ())
@@ -258,7 +244,7 @@ def _row(cells, roles, where, source):
         elif role == "theta" and word in STILL:
             kept.append(Cell(0.0, text=word))
             kind = "fixed"
-        elif role == "theta" and not word and isinstance(cell, str):
+        elif role == "theta" and isinstance(cell, str) and (not word or RANGE.fullmatch(word)):
             kept.append(IMPLIED)
         elif role in KEPT:
             kept.append(_cell(cell, where, k, source))

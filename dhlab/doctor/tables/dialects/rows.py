@@ -13,7 +13,7 @@ from ..evidence.makers import made_by
 from ..evidence.orders import every_column_in, order_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
-from ..language.roles import role_of
+from ..language.roles import ROLES, role_of
 from .arrays import arrays_in
 from .filled import TABLE, filled
 from .grid import from_grid
@@ -102,11 +102,15 @@ def _of_three(matrices, source):
     rows = max(named, key=len, default=None)
     if rows is None or len(rows) < 2:
         return None
-    roles, why = ((*said[0], "theta"), said[1]) if said else (None, "")
-    turning = [(where, [*cells, IMPLIED.text]) for where, cells in rows]
-    table = from_grid(turning, source, roles, why)
-    note = "no column theta: each row is taken for a joint that turns, with its zero at theta = 0"
-    return replace(_with_beside(table, source), notes=(*table.notes, note))
+    roles, why = said or ((), "")
+    left = next((role for role in ROLES if role not in roles), "theta") if said else "theta"
+    turning = [(where, [*cells, IMPLIED.text if left == "theta" else "0"]) for where, cells in rows]
+    table = from_grid(turning, source, (*roles, left) if said else None, why)
+    note = {"theta": "each row is taken for a joint that turns, with its zero at theta = 0"}.get(
+        left, "it is 0, as the text says"
+    )
+    table = labelled(_with_beside(table, source), rows, source)
+    return replace(table, notes=(*table.notes, f"no column {left}: {note}"))
 
 
 def _without_theta(table, source):

@@ -18,6 +18,7 @@ PHRASE = re.compile(  # the gap in link length, joint angle
 SIGNED = re.compile(
     r"(?<![\w.+*/-])([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?) (?=[-+][\d.])", re.IGNORECASE
 )
+INDEXED = re.compile(r"(?<!\w)(alpha|theta|[adrq]) (?=[ijkn](?:\s|$))", re.IGNORECASE)
 LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
 
 
@@ -35,7 +36,7 @@ def _joined(line):
     them.
     """
     if not re.search(r"\d", line):
-        line = PHRASE.sub("_", line)
+        line = INDEXED.sub(r"\1_", PHRASE.sub("_", line))
     line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
     line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
     return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)

@@ -108,8 +108,9 @@ def every_column_in(source, width):
 
 
 def order_of_three(source):
-    """(roles, why) of rows of three numbers, a, d and alpha in some order, where theta stands
-    elsewhere or nowhere; None where nothing says the order.
+    """(roles, why) of rows of three numbers: a, d and alpha in some order, where theta stands
+    elsewhere or nowhere, or alpha, theta and the one length that the text does not say to be 0;
+    None where nothing says the order.
     """
     four = order_in(source)
     if four and "r" not in four[0]:
@@ -124,7 +125,15 @@ def order_of_three(source):
             roles = tuple(role_of(word)[0] for word in words[at : at + 3])
             if set(roles) == {"a", "d", "alpha"}:
                 return roles, why
+            roles = tuple("theta" if role == "offset" else role for role in roles)
+            left = {*ROLES} - {*roles}
+            if len(left) == 1 and left <= {"a", "d"} and _is_0(*left, source.text):
+                return roles, why
     return None
+
+
+def _is_0(name, text):
+    return bool(re.search(rf"(?<![\w.]){name}(?:_?i)?\s*=+\s*0(?![.\d])", text))
 
 
 def previous_in(source):

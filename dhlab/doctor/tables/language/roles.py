@@ -42,6 +42,10 @@ PHRASES = (  # the first that fits
         "d",
     ),
     (r"\blink length|\bcommon normal", "a"),
+    (r"^rot(?:ation|ate)? ?(?:about |around )?z$|^rotz$", "theta"),
+    (r"^rot(?:ation|ate)? ?(?:about |around )?x$|^rotx$", "alpha"),
+    (r"^trans(?:lation|late|l)? ?(?:along |in )?z$|^transz$", "d"),
+    (r"^trans(?:lation|late|l)? ?(?:along |in )?x$|^transx$", "a"),
     (
         r"^(sign|dir|direction|rot\w* dir\w*|joint dir\w*|motor dir\w*|sense|axis dir\w*|polarity"
         r"|rotation|turns)$",
@@ -67,7 +71,7 @@ LABELS = (
     "i j k n no # link joint row name frame axis linki frames links joints transformation"
     " gelenk achse glied nr articulation liaison axe articulacion eje giunto 关节 轴 连杆 关节号"
     " bemerkung kommentar beschreibung remark remarks note notes comment comments description"
-    " observaciones remarque 备注 说明 備考 序号 關節 軸 関節 リンク".split()
+    " observaciones remarque 备注 说明 звено сустав 備考 序号 關節 軸 関節 リンク".split()
 )
 KINDS_BY_FLAG = {  # what True says, and False
     "fixed": ("fixed", ""),
