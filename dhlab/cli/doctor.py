@@ -214,8 +214,18 @@ def _units(told, path):
 def _written_units(path):
     """The line of the poses file that names its units, and the units; 0 and "" where none does."""
     text = read_text(path, "a poses file", LARGEST_POSES)
-    found = re.search(r"^[ \t]*#.*\bunits:[ \t]*([^;\n]*?)[ \t,]*(?:;|$)", text, re.MULTILINE)
-    return (text.count("\n", 0, found.start()) + 1, found[1]) if found else (0, "")
+    pattern = r"^[ \t]*#.*\bunits:[ \t]*([^;\n]*?)[ \t,]*(?:;|$)"
+    lines = [
+        (text.count("\n", 0, found.start()) + 1, found[1])
+        for found in re.finditer(pattern, text, re.MULTILINE)
+    ]
+    for line, said in lines[1:]:
+        if said != lines[0][1]:
+            raise ValueError(
+                f"{path}: line {line}: expected the units of line {lines[0][0]}, {lines[0][1]},"
+                f" found {said}; leave one of the lines out"
+            )
+    return lines[0] if lines else (0, "")
 
 
 def _noise(text):

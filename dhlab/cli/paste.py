@@ -1,6 +1,8 @@
 """The verb ``dhlab paste``: a table or a program from anywhere, read into an arm."""
 
 import json
+import math
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -71,17 +73,22 @@ def paste(
     """A pasted table or program, read and never executed: which reading was taken and why."""
     from ..doctor import recognise_table
 
-    found = recognise_table(
-        _text(file),
-        arm_of(right) if right else None,
-        order=order or None,
-        convention=convention or None,
-        angle=angle or None,
-        length=length or None,
-        values=_values(value or []),
-        nominal=arm_of(nominal) if nominal else None,
-        tidy=tidy,
-    )
+    text, values = _text(file), _values(value or [])
+    known_arm, maker = (arm_of(name) if name else None for name in (right, nominal))
+    try:
+        found = recognise_table(
+            text,
+            known_arm,
+            order=order or None,
+            convention=convention or None,
+            angle=angle or None,
+            length=length or None,
+            values=values,
+            nominal=maker,
+            tidy=tidy,
+        )
+    except ValueError as error:
+        raise ValueError(_as_typed(str(error), file)) from None
     chosen = _chosen(found.readings, take, bool(out))
     if out:
         chosen.arm.save(out)
@@ -102,17 +109,38 @@ def _text(file):
         ) from None
 
 
+def _as_typed(said, file):
+    """What the reader says, with the name of the file, and options in place of arguments."""
+    where = "standard input" if file == "-" else file
+    said = re.sub(r"with values=\{'(\w+)': 0\.1\}", r"with --value \1=0.1", said)
+    said = re.sub(r"nominal=dhlab\.load\(\"ur5e\"\) or ", "", said)
+    given = re.match(r"recognise_table: (order|convention|angle|length|nominal|values): ", said)
+    if given:
+        option = "value" if given[1] == "values" else given[1]
+        return f"paste: --{option}: {said[given.end() :]}"
+    return said.replace("recognise_table", where, 1)
+
+
 def _values(pairs):
     """{name: number} of "a1=0.1" and its like."""
     found = {}
     for pair in pairs:
-        name, _, number = pair.partition("=")
+        name, _, number = (part.strip() for part in pair.partition("="))
         try:
-            found[name.strip()] = float(number)
+            value = float(number)
         except ValueError:
+            value = math.nan
+        if not name or not math.isfinite(value):
             raise ValueError(
-                f"paste: --value: expected a name and a number, as in a1=0.1, found {pair!r}"
-            ) from None
+                f"paste: --value: expected a name and a number, as in a1=0.1, found {pair!r};"
+                " write both"
+            )
+        if found.get(name, value) != value:
+            raise ValueError(
+                f"paste: --value: expected one number for {name}, found {found[name]:g} and"
+                f" {value:g}; leave one out"
+            )
+        found[name] = value
     return found
 
 

@@ -131,6 +131,13 @@ def load(name: str | Path) -> Arm:
     key = known_as(asked)
     if not key:
         near = get_close_matches(asked, robots(), 1)
+        if str(name) and not near and Path(str(name)).exists():
+            folder = Path(str(name)).is_dir()
+            raise ValueError(
+                "load: expected an arm of the library or a file that ends in .yaml, .csv or .urdf,"
+                f" found {'the folder' if folder else 'the file'} {str(name)!r}; "
+                + ("name a file in it" if folder else "dhlab paste reads a table from any text")
+            )
         todo = (
             f"did you mean {near[0]}?"
             if near

@@ -179,7 +179,9 @@ def _equivalent(right, readings):
                 return [reading], (
                     (f"this reading is the right arm but for {words}",) if words else ()
                 )
-    return [], ("no reading is the right arm: an entry differs",)
+    n = len(readings[0].arm)
+    differs = f"it has {len(right)} joints, the text {n}" if n != len(right) else "an entry differs"
+    return [], (f"no reading is the right arm: {differs}",)
 
 
 def _check_answers(order, convention, angle, length):

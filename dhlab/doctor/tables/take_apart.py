@@ -1,5 +1,6 @@
 """What a pasted thing is: the readers of all dialects asked in turn."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,8 @@ from .evidence.orders import convention_in, previous_in
 from .evidence.poses import poses_in
 from .evidence.source import source_of
 from .language.comments import uncommented
+from .language.expressions import key
+from .language.letters import unified
 from .pasted import Pasted
 
 __all__ = ["take_apart"]
@@ -57,7 +60,19 @@ def take_apart(given, values=None, nominal=None, length=None):
     return from_grid([(f"row {i}", row) for i, row in enumerate(cells, 1)])
 
 
+def _require_used(text, values):
+    """A value is given for a letter of the text, or it does nothing."""
+    written = {key(name) for name in re.findall(r"[^\W\d]\w*", unified(text))}
+    for name in values or ():
+        if re.fullmatch(r"\w+", str(name)) and key(unified(str(name))) not in written:
+            raise ValueError(
+                f"recognise_table: values: expected a letter of the text, found {str(name)[:30]!r},"
+                " which is not in it; write it as the text does"
+            )
+
+
 def _from_text(text, values, nominal, length):
+    _require_used(text, values)
     try:
         return _read(source_of(text, values), nominal, length)
     except ValueError as error:
@@ -76,6 +91,11 @@ def _from_text(text, values, nominal, length):
 def _read(source, nominal, length):
     source.asked_length = length or ""
     for read in READERS:
+        if nominal is not None and read is not universal.read:
+            raise ValueError(
+                "recognise_table: nominal: expected a calibration that holds differences to it,"
+                " found none in the text; leave it out"
+            )
         try:
             found = read(source, nominal)
         except ValueError:

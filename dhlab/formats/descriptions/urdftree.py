@@ -95,6 +95,8 @@ def _ends(links, above, base, tip, path):
                 f"{path}: expected one root link, found {listed(roots)}; name one of them as base"
             )
         base = roots[0]
+    for link in above:
+        _path(above, link, path)  # a loop that hangs on nothing is no part of any chain
     if tip is None:
         return base, *_last_link(links, above, base, path)
     return base, tip, ""

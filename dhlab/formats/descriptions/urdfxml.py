@@ -64,6 +64,11 @@ def read_robot(
     are written with macros; as :func:`read_parts` otherwise.
     """
     robot = parsed(path, "a URDF file")
+    if (arguments or packages) and not _wants_expanding(robot, set()):
+        raise ValueError(
+            f"{path}: expected a xacro file for the arguments and packages given, found a plain"
+            " one; leave them out"
+        )
     if arguments or _wants_expanding(robot, DEFINED if looks else DEFINED | LOOKS):
         robot = _parse(expanded(path, arguments, packages), path)
     _require_robot(robot, path)

@@ -284,8 +284,8 @@ def _cell(cell, where, k, source):
         return DASH
     if isinstance(cell, str) and plain(cell) in ("", "nan", "n/a", "?"):
         raise ValueError(
-            f"recognise_table: {where}, cell {k + 1}: expected a number, found an empty cell; write"
-            " 0 where 0 is meant"
+            f"recognise_table: {where}, cell {k + 1}: expected a number, found"
+            f" {cell.strip()[:20] or 'an empty cell'}; write 0 where 0 is meant"
         )
     try:
         return read_cell(str(cell), source.known if source else None)
