@@ -70,7 +70,7 @@ class Recognised:
             (
                 f"Read as {self.readings[0].words}."
                 if len(self.readings) == 1
-                else f"{len(self.readings)} readings fit:"
+                else f"{len(self.readings)} readings fit{_joints(self.readings)}:"
             )
         ]
         if len(self.readings) > 1:
@@ -162,6 +162,13 @@ def recognise_table(
         )
     kept = _different(found)[:MOST_READINGS]
     return _answer(kept, (*table.notes, *_notes(table, kept)), right)
+
+
+def _joints(readings):
+    """How many joints the arm has, where all readings agree."""
+    counts = {len(reading.arm) for reading in readings}
+    n = counts.pop()
+    return "" if counts else f", each with {n} joint{'s' if n > 1 else ''}"
 
 
 def _equivalent(right, readings):

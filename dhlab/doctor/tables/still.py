@@ -11,7 +11,7 @@ __all__ = ["unwritten"]
 BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\w+")
 # 6->T, 3-E, or T alone below rows that are counted
 FLANGE = re.compile(
-    r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|-|\bto |/) *[teghnf]$"
+    r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|→|-|\bto |/) *[teghnf]$"
 )
 NONE = re.compile(
     r"\b(?:fixed|static|no joint|not a joint|fest(?:er?)?|kein gelenk|fij[oa]|fixe|fiss[oa]|fixo)\b"

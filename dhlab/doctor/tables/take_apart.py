@@ -11,6 +11,7 @@ from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
 from .evidence.axes import axes_in
+from .evidence.ends import with_ends
 from .evidence.orders import convention_in, previous_in
 from .evidence.poses import poses_in
 from .evidence.source import source_of
@@ -113,7 +114,7 @@ def _read(source, nominal, length):
             if _lacks_values(found):  # rows of numbers say more than rows of names
                 others = _tables(later, source)
                 found = next((one for one in others if not _lacks_values(one)), found)
-            table = with_added(_with_words(found, source), source)
+            table = with_ends(with_added(_with_words(found, source), source), source)
             require_accounted(table, source, _tables(later, source))
             return table
     raise AssertionError  # the last reader answers or raises

@@ -106,7 +106,8 @@ def _pairs(line, source):
         if kind := kind_said(match[1], match[3]):
             found["type"] = kind
             continue
-        value = source.value(match[3] + (f" {match[4]}" if match[4] else ""))
+        said = match[3] if match[3].count(")") == match[3].count("(") else match[3].rstrip(") ")
+        value = source.value(said + (f" {match[4]}" if match[4] else ""))
         if value is None:  # without what follows it: a unit, or a remark in brackets
             value = source.value(re.sub(r"\s*\([^()]*[a-z]{3}[^()]*\)\s*$", "", match[3]))
         if role in NAMES and value is not None and role not in found:
@@ -130,7 +131,8 @@ def in_groups(source):
         own_class = group.mark == "(" and group.name.lower() != "dict"
         if _is_made_room_for(group, source):
             continue
-        row = {"label": said.get(group.line, "").strip()}
+        named = NAMED.match(source.lines[group.line - 1])
+        row = {"label": ((named and named[1]) or said.get(group.line, "")).strip()}
         for pair in _items(group):
             role = role_of(pair[0])[0] if pair else None
             value = (

@@ -1,0 +1,52 @@
+"""The base and the tool that a program sets beside its links: ``robot.tool = transl(0, 0, 1)``."""
+
+import re
+from dataclasses import replace
+
+from ..cells import Cell, cell_of
+from ..language.brackets import cells_in
+
+__all__ = ["with_ends"]
+
+SET = re.compile(
+    r"(?:\.|,\s*['\"]?|^\s*)\b(tool|base)\b['\"]?\s*[=,]\s*(?!=)([A-Za-z][\w.]*)\s*\(\s*\[?([^()\[\]\n]*)",
+    re.MULTILINE,
+)
+BY_THREE = re.compile(r"(?:SE3(?:\.Trans)?|transl|trans|translation)$", re.IGNORECASE)
+
+
+def with_ends(table, source):
+    """The table of toolbox links with rows for the base and the tool that the program sets.
+
+    A translation along x and z is a row without a joint; of anything else a note says that it is
+    not in the rows.
+    """
+    if not table.form or table.roles is None:
+        return table
+    for end, made, inside in SET.findall(source.code):
+        values = [source.value(cell) for cell in cells_in(inside)]
+        plain = len(values) == 3 and all(v is not None and not v.letters for v in values)
+        if not BY_THREE.match(made) or not plain or values[1].number:
+            note = f"the text sets a {end}, {made}({inside.strip()[:30]}), which is not in the rows"
+            table = replace(table, notes=(*table.notes, note))
+        elif any(value.number for value in values):
+            held = {"a": cell_of(values[0]), "d": cell_of(values[2])}
+            table = _with_row(table, tuple(held.get(role, Cell(0.0)) for role in table.roles), end)
+    return table
+
+
+def _with_row(table, row, end):
+    n = len(table.rows)
+
+    def added(column, value, empty):
+        column = tuple(column) or (empty,) * n
+        return (value, *column) if end == "base" else (*column, value)
+
+    return replace(
+        table,
+        rows=added(table.rows, row, ()),
+        kinds=added(table.kinds, "fixed", ""),
+        labels=added(table.labels, end, ""),
+        signs=added(table.signs, 1, 1),
+        limits=added(table.limits, None, None),
+    )
