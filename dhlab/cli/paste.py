@@ -123,7 +123,7 @@ def _as_typed(said, file):
 
 def _values(pairs):
     """{name: number} of "a1=0.1" and its like."""
-    found = {}
+    found: dict[str, float] = {}
     for pair in pairs:
         name, _, number = (part.strip() for part in pair.partition("="))
         try:
