@@ -70,7 +70,8 @@ SLIDES = re.compile(
 )
 # joint 2 turns in the negative direction, q .* [1 -1 1]
 BACKWARDS = re.compile(
-    r"\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
+    r"\b(?:joint|axis|motor)[ _]?\d\s*[:=]\s*-\s*(?=[,;\n]|$|1(?![.\d]))"
+    r"|\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
     r"|(?<![\w.])(?:q|theta|joint\w*)\s*\.?\*\s*[\w.(]*\[[\s,1]*-\s*1[\s,\]][^\n]{0,20}",
     re.IGNORECASE,
 )

@@ -12,12 +12,15 @@ BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\
 # 6->T, 3-E, or T alone below rows that are counted
 FLANGE = re.compile(
     r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|→|-|\bto |/) *[teghnf]$"
+    r"|工具|末端|法兰|ツール|werkzeug|herramienta|\boutil|strumento|ferramenta|инструмент|фланец"
 )
 NONE = re.compile(
     r"\b(?:fixed|static|no joint|not a joint|fest(?:er?)?|kein gelenk|fij[oa]|fixe|fiss[oa]|fixo)\b"
     r"|固定|неподвиж"
 )
-GRASPS = re.compile(r"hand\b|grip|claw|finger|pinza|greifer")  # a tool, or the joint of one
+GRASPS = re.compile(
+    r"hand\b|grip|claw|finger|pinza|greifer|garra|夹爪|手爪|схват"
+)  # a tool, or the joint of one
 OF_JOINTS = re.compile(r"joint|axis|gelenk|achse|articula|junta|motor|servo|^[jq] *_?\d")
 COUNTED = re.compile(r"\d|^$")
 PARTS = re.compile(r"shoulder|elbow|waist|torso|upper|fore|lower")  # the base turns in such tables

@@ -35,6 +35,8 @@ def lengths(arm):
         "\nt = {Kind::Revolute, Kind::Revolute, Kind::Static};",
         "L(1) = Link('d', 0.3, 'a', 0, 'alpha', pi/2);\nL(2) = Link('d', 0, 'a', 0.25, 'alpha', 0);"
         "\nrobot = SerialLink(L);\nrobot.tool = transl(0.1, 0, 0);",
+        "stdDH\n| j | theta | d | a | alpha |\n| 1 | q1 | 0.3 | 0 | 1.5708 |\n"
+        "| 2 | q2 | 0 | 0.25 | 0 |\ntool:    t = (0.1, 0, 0), RPY/xyz = (0, 0, 0) deg\n",
         "standard DH: dh(theta, d, a, alpha)\ndh(q1, 0.3, 0, 90).dh(q2, 0, 0.25, 0).Tx(0.1)",
     ],
 )
@@ -72,6 +74,11 @@ def test_a_row_of_numbers_in_a_scara_may_slide():
         (HEAD + ROWS.format("q2", "q1"), "found q2, q1"),
         (PLAIN.replace("| 1 |", "| 3 |"), "found 3, 2"),
         (PLAIN.replace("| d |", "| d_{i-1} |"), "each d belong to its own row"),
+        (
+            "# dh(theta, d, a, alpha)\ndh(q1, 1, 0, 90) @ dh(q2, 0, 1, 0) @ hand",
+            "goes on with hand",
+        ),
+        (MOVING + "joint 2: -\n", "which joint is turned"),
     ],
 )
 def test_rows_out_of_order_are_refused(text, said):

@@ -68,6 +68,12 @@ def _with_factors(table, name, source):
     """
     product = rf"(?<!\w){re.escape(name)}\s*\((?:[^()]|\([^()]*\))*\)"
     rows, kinds = list(table.rows), list(table.kinds)
+    other = rf"{product}\s*[*@]\s*(?!{re.escape(name)}\b|{FACTOR})(?P<what>[A-Za-z][\w.]*)"
+    if left := re.search(other, source.code, re.IGNORECASE):
+        raise ValueError(
+            f"recognise_table: the product goes on with {left['what'][:30]} behind the calls of"
+            f" {name}; which row is it? Write it as a row without a joint, or leave it out"
+        )
     for pattern, at in ((rf"{FACTOR}{JOIN}{product}", 0), (rf"{product}{JOIN}{FACTOR}", len(rows))):
         found = re.search(pattern, source.code, re.IGNORECASE)
         if not found:

@@ -12,6 +12,10 @@ SET = re.compile(
     r"(?:\.|,\s*['\"]?|^\s*)\b(tool|base)\b['\"]?\s*[=,]\s*(?!=)([A-Za-z][\w.]*)\s*\(\s*\[?([^()\[\]\n]*)",
     re.MULTILINE,
 )
+PRINTED = re.compile(  # as the toolboxes print it
+    r"\b(tool|base)\b[\s:|]*t\s*=\s*\(?([^()=;\n]*?)\)?\s*[,;]\s*rpy/\w+\s*=\s*\(?([^()\n|]*)",
+    re.IGNORECASE,
+)
 BY_THREE = re.compile(r"(?:SE3(?:\.Trans)?|transl|trans|translation)$", re.IGNORECASE)
 
 
@@ -21,9 +25,10 @@ def with_ends(table, source):
     A translation along x and z is a row without a joint; of anything else a note says that it is
     not in the rows.
     """
-    if not table.form or table.roles is None:
-        return table
-    for end, made, inside in SET.findall(source.code):
+    found = SET.findall(source.code) if table.form else []
+    for end, t, rpy in PRINTED.findall(source.text):
+        found.append((end.lower(), "SE3" if not re.search(r"[1-9]", rpy) else f"rpy {rpy}, t", t))
+    for end, made, inside in found if table.roles is not None else ():
         values = [source.value(cell) for cell in cells_in(inside)]
         plain = len(values) == 3 and all(v is not None and not v.letters for v in values)
         if not BY_THREE.match(made) or not plain or values[1].number:
