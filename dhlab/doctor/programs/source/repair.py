@@ -2,6 +2,7 @@
 or two, until it is right in every call.
 """
 
+import copy
 from functools import cached_property
 from itertools import chain, combinations, product
 
@@ -9,9 +10,10 @@ import numpy as np
 
 from ...budget import Budget
 from ..running.deadline import OutOfTime, limited
+from .changes.edits import changes_of
 from .constants import fitted_numbers
-from .edits import changes_of
 from .foretold import foretold_pairs
+from .kinds import kinds_of
 from .text import Edit
 
 __all__ = ["repaired"]
@@ -65,9 +67,10 @@ def repaired(text, tried, seconds, arm=None):
 class _Search:
     def __init__(self, text, tried, clock, arm=None):
         self.text, self.tried, self.clock = text, tried, clock
-        self.changes, self.better = changes_of(text, arm), []
+        self.better, self.answers = [], {}
         self.felt, self.far, self.others, self.bent = [], [], [], []
-        self.answers = {}
+        kinds = self._made((), lambda f: kinds_of(f, *copy.deepcopy(tried.calls[0][0])), {})
+        self.changes = changes_of(text, arm, kinds)
 
     def single(self):
         """The first change that makes everything right; on the way those that make more right are

@@ -1,37 +1,21 @@
 """Every small change of a program that may be what its writer meant, the likeliest first."""
 
 import ast
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import pairwise
 
+from ..text import Edit
 from .expressions import in_place_of
 from .formulas import formula_changes
 from .missing import missing_changes
+from .scope import scope_of, scope_of_text
 from .statements import statement_edits
 from .tables import known_numbers, table_changes
-from .text import Edit
 
 __all__ = ["changes_of"]
 
 
-@dataclass(frozen=True)
-class Scope:
-    """The names that may stand in an expression: ``parameters`` of the function, ``names`` that
-    hold something there, ``functions`` of the text with how many arguments they take, the
-    ``attributes`` of its objects, what is ``unused``, the names of ``rows`` and of what counts in
-    loops.
-    """
-
-    parameters: tuple = ()
-    names: tuple = ()
-    functions: dict = field(default_factory=dict)
-    attributes: tuple = ()
-    unused: tuple = ()
-    rows: tuple = ()
-    counters: tuple = ()
-
-
-def changes_of(text, arm=None):
+def changes_of(text, arm=None, kinds=None):
     """What may be changed in a Text: one edit, or several that belong together; sorted by rank,
     none twice.
 
@@ -40,12 +24,14 @@ def changes_of(text, arm=None):
     text : Text
     arm : Arm, optional
         The one that the program is for, whose numbers it may have.
+    kinds : dict of sets, optional
+        What the names of the program hold.
 
     Returns
     -------
     list of tuples of Edit
     """
-    edits = _edits_of(text)
+    edits = _edits_of(text, kinds or {})
     return sorted(
         [
             *((edit,) for edit in edits),
@@ -107,24 +93,13 @@ def _moved_factors(loop, last, text):
                         yield drop, Edit(start, end, joined.encode(), 1)
 
 
-def _edits_of(text):
+def _edits_of(text, kinds):
     """Single Edits."""
     found = {}
     for rank, start, end, new in statement_edits(text):
         found.setdefault((start, end, new), rank)
-    functions = {
-        name: len(defined.args.args)
-        for name, defined in text.defined.items()
-        if isinstance(defined, ast.FunctionDef)
-    }
-    attributes = dict.fromkeys(
-        node.attr
-        for block in text.blocks
-        for node in ast.walk(block)
-        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store)
-    )
+    scope = scope_of_text(text, kinds)
     for block in text.blocks:
-        scope = Scope(functions=functions, attributes=tuple(attributes))
         for node, parent, inside in _walk(block, None, scope):
             for rank, new in in_place_of(node, parent, inside, text):
                 found.setdefault((*text.span(node), new), rank)
@@ -141,45 +116,10 @@ def _walk(node, parent, scope):
     if isinstance(node, ast.JoinedStr):  # its parts have no places of their own
         return
     if isinstance(node, ast.FunctionDef):
-        scope = _scope_of(node, scope)
+        scope = scope_of(node, scope)
     if isinstance(node, (ast.expr, ast.Slice)):
         yield node, parent, scope
     in_index = isinstance(parent, ast.Subscript) and node is parent.slice
     for child in ast.iter_child_nodes(node):
         around = parent if in_index and isinstance(node, (ast.Tuple, ast.UnaryOp)) else node
         yield from _walk(child, around, scope)
-
-
-def _scope_of(function, around):
-    parameters = tuple(argument.arg for argument in function.args.args if argument.arg != "self")
-    names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
-    stored = [node.id for node in names if isinstance(node.ctx, ast.Store)]
-    used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
-    known = tuple(dict.fromkeys((*parameters, *stored)))
-    rows = dict.fromkeys(
-        node.value.id
-        for node in ast.walk(function)
-        if isinstance(node, ast.Subscript)
-        and isinstance(node.value, ast.Name)
-        and isinstance(node.slice, ast.Constant)
-    )
-    return replace(
-        around,
-        parameters=parameters,
-        names=known,
-        unused=tuple(name for name in known if name not in used),
-        rows=tuple(rows),
-        counters=tuple(_counters(function)),
-    )
-
-
-def _counters(function):
-    """The names that range and enumerate count with, and those that are counted up."""
-    for node in ast.walk(function):
-        if isinstance(node, ast.For) and isinstance(node.iter, ast.Call):
-            called = getattr(node.iter.func, "id", "")
-            target = node.target.elts[0] if isinstance(node.target, ast.Tuple) else node.target
-            if called in ("range", "enumerate") and isinstance(target, ast.Name):
-                yield target.id
-        if isinstance(node, ast.AugAssign) and isinstance(node.value, ast.Constant):
-            yield from (name.id for name in (node.target,) if isinstance(name, ast.Name))

@@ -7,8 +7,8 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from .constants import numbers_of
-from .text import Edit
+from ..constants import numbers_of
+from ..text import Edit
 
 __all__ = ["known_numbers", "table_changes"]
 

@@ -6,8 +6,8 @@ arguments, neighbours of a long list.
 import ast
 from itertools import pairwise
 
+from ..text import Edit
 from .operators import whole
-from .text import Edit
 
 __all__ = ["missing_changes"]
 

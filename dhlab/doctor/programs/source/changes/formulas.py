@@ -6,8 +6,8 @@ what a matrix is multiplied with.
 import ast
 from itertools import combinations, permutations
 
+from ..text import Edit
 from .operators import one_moved
-from .text import Edit
 
 __all__ = ["formula_changes"]
 

@@ -5,25 +5,20 @@ order, another index, a function's sister, a unit.
 import ast
 from itertools import combinations, permutations
 
-import numpy as np
-
+from .names import SISTERS, of_attribute, of_name
+from .numbers import DEG, of_constant
 from .operators import in_other_orders, is_product, moved_addends, of_two, one_moved, whole
 
 __all__ = ["in_place_of"]
 
-SISTERS = {
-    "cos": "sin", "sin": "cos", "multiply": "matmul", "hstack": "vstack", "asarray": "array",
-}  # fmt: skip
 WRAPPERS = {
     "deg2rad", "rad2deg", "radians", "degrees", "abs", "fabs", "round", "int", "rint", "floor",
     "trunc", "transpose", "inv", "reversed", "sorted", "sqrt", "flip", "cumsum", "astype", "around",
     "sign",
 }  # fmt: skip
-EXACT = [np.pi * k for k in (0.25, 0.5, 1, 1.5, 2)] + [180 / np.pi, np.pi / 180]
 MOST_MOVED = 7  # arguments of which one is moved elsewhere
 UNITS = {"deg2rad", "rad2deg", "radians", "degrees"}
-DEGREES = (30, 45, 60, 90, 120, 135, 150, 180, 270)
-DEG = "(3.141592653589793 / 180)"
+TURNED = f"* {DEG}", f"/ {DEG}"
 SIGNS = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 
 
@@ -45,10 +40,10 @@ def in_place_of(node, parent, scope, text):
     kind = {
         ast.BinOp: of_two,
         ast.UnaryOp: _of_sign,
-        ast.Constant: _of_number,
+        ast.Constant: of_constant,
         ast.Call: _of_call,
-        ast.Attribute: _of_attribute,
-        ast.Name: _of_name,
+        ast.Attribute: of_attribute,
+        ast.Name: of_name,
         ast.Slice: _of_slice,
         ast.Compare: _of_comparison,
         ast.IfExp: _of_choice,
@@ -60,6 +55,8 @@ def in_place_of(node, parent, scope, text):
         yield from kind(node, parent, scope, text)
     if _is_number(node, parent):
         yield 1, f"-{whole(node, text)}"
+    if _is_term(node, parent, scope):
+        yield from ((2, f"({text.of(node)} {unit})") for unit in TURNED)
     if isinstance(parent, ast.Subscript) and isinstance(node, ast.BinOp):
         yield 1, f"{text.of(node)} - 1"
         yield 1, f"{text.of(node)} + 1"
@@ -67,6 +64,7 @@ def in_place_of(node, parent, scope, text):
     if isinstance(node, (ast.Name, ast.Subscript)) and _is_number(node, parent):
         for name in scope.unused:
             yield 0, f"({name} + {text.of(node)})"
+            yield 0, f"{name} * {text.of(node)}"
         for row in _row_of(node, scope, text):
             yield 1, f"({row}[0] + {text.of(node)})"
 
@@ -77,6 +75,16 @@ def _is_number(node, parent):
         isinstance(parent, (ast.BinOp, ast.List, ast.Tuple, ast.Assign, ast.AugAssign))
         or (isinstance(parent, ast.Call) and node in parent.args)
     )
+
+
+def _is_term(node, parent, scope):
+    """Whether it may be an angle in the wrong unit: of a sum, in a tuple, or handed on."""
+    if not isinstance(node, (ast.Name, ast.Subscript, ast.Attribute)):
+        return False
+    if isinstance(parent, ast.BinOp):
+        return isinstance(parent.op, (ast.Add, ast.Sub))
+    own = isinstance(parent, ast.Call) and getattr(parent.func, "id", "") in scope.functions
+    return isinstance(parent, ast.Tuple) or (own and node in parent.args)
 
 
 def _names_exchanged(node, text):
@@ -105,40 +113,6 @@ def _row_of(node, scope, text):
 def _of_sign(node, parent, scope, text):
     if isinstance(node.op, ast.USub):
         yield 0, whole(node.operand, text)
-
-
-def _of_number(node, parent, scope, text):
-    value = node.value
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        if value == "F":
-            yield 0, "'C'"
-        return
-    if isinstance(parent, (ast.Subscript, ast.Slice)):
-        near = dict.fromkeys((0, 1, 2, 3, -1, value - 1, value + 1, value - 4, value + 4))
-        yield from ((1, str(k)) for k in near if k != value)
-        yield from ((2, name) for name in scope.counters)
-        return
-    for exact in EXACT:
-        for near in (exact, -exact):
-            if (
-                value != near
-                and abs(value - near) <= 6e-3 * exact
-                and not float(value).is_integer()
-            ):
-                yield 0, repr(near)
-    if isinstance(value, int):
-        if value >= 2:
-            yield from ((0, f"len({name})") for name in scope.parameters)
-        yield from ((1, str(value + step)) for step in (-1, 1))
-    if value in DEGREES:
-        yield 1, f"({value!r} * {DEG})"
-    if value not in (0, 1):
-        yield 2, "1"
-        yield 2, repr(value / 2)
-        yield 2, repr(2 * value)
-    yield 2, "0" if value else "1"
-    if value:
-        yield 1, f"-{value!r}"
 
 
 def _of_call(node, parent, scope, text):
@@ -212,29 +186,6 @@ def _is_method(function):
     return isinstance(function, ast.Attribute) and not (
         isinstance(function.value, ast.Name) and function.value.id in ("np", "math", "numpy", "sp")
     )
-
-
-def _of_attribute(node, parent, scope, text):
-    if node.attr == "T":
-        yield 0, text.of(node.value)
-    for other in scope.attributes if isinstance(node.ctx, ast.Load) else ():
-        if other != node.attr and node.attr in scope.attributes:
-            yield 2, f"{text.of(node.value)}.{other}"
-
-
-def _of_name(node, parent, scope, text):
-    if not isinstance(node.ctx, ast.Load) or (isinstance(parent, ast.Call) and node is parent.func):
-        return
-    if isinstance(parent, ast.Subscript) and node is parent.slice:
-        yield 0, f"{node.id} - 1"
-        yield 0, f"{node.id} + 1"
-    if isinstance(parent, ast.For) and node is parent.iter:
-        yield 1, f"{node.id}[::-1]"
-    if isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.MatMult):
-        yield 1, f"{node.id}.T"
-    for other in scope.names:
-        if other != node.id:
-            yield 2, other
 
 
 def _of_subscript(node, parent, scope, text):

@@ -45,7 +45,8 @@ def _in_body(body, node, text):
             yield from _of_addition(statement, text)
         elif isinstance(statement, ast.Return) and statement.value is not None:
             yield from _of_return(statement, text)
-        if isinstance(statement, SIMPLE) and not _is_text(statement):
+        ends = isinstance(statement, ast.Return) and isinstance(node, ast.FunctionDef)
+        if isinstance(statement, SIMPLE) and not _is_text(statement) and not ends:
             yield 1, *text.span(statement), "pass"
         after = body[k + 1] if k + 1 < len(body) else None
         if isinstance(statement, ast.Assign) and isinstance(after, ast.For):
@@ -92,12 +93,15 @@ def _of_assignment(statement, text):
             yield 1, *span, other
     if isinstance(statement.value, ast.Call) and "stack(" in value:  # rows for columns
         yield 1, *span, f"{value}.T"
-    if isinstance(statement.targets[0], (ast.Name, ast.Subscript)):
+    if isinstance(statement.targets[0], (ast.Name, ast.Subscript, ast.Attribute)):
         yield 1, *span, f"{target} @ ({value})"
         yield 1, *span, f"({value}) @ {target}"
         yield 1, *span, f"{target} + {value}"
         yield from ((1, *span, f"({value}) {unit}") for unit in UNITS)
         yield 2, *span, f"{target} * ({value})"
+        for function in _products(text):
+            yield 1, *span, f"{function}({target}, {value})"
+            yield 1, *span, f"{function}({value}, {target})"
 
 
 def _made(name, text):
@@ -169,10 +173,13 @@ def _is_square(value):
 
 
 def _products(text):
+    """The functions that may multiply: of two arguments, and not the one that is looked at."""
     return [
         name
         for name, defined in text.defined.items()
-        if isinstance(defined, ast.FunctionDef) and len(defined.args.args) == 2 and "mul" in name
+        if isinstance(defined, ast.FunctionDef)
+        and len(defined.args.args) == 2
+        and name != text.name
     ]
 
 

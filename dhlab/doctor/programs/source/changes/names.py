@@ -1,0 +1,58 @@
+"""What may be meant by a name, an attribute or a function that is handed on: another of its kind.
+"""
+
+import ast
+
+__all__ = ["SISTERS", "of_attribute", "of_name"]
+
+SISTERS = {
+    "cos": "sin", "sin": "cos", "multiply": "matmul", "mul": "matmul", "add": "matmul",
+    "inner": "matmul", "hstack": "vstack", "asarray": "array", "cosh": "cos", "sinh": "sin",
+    "tan": "sin",
+}  # fmt: skip
+
+
+def of_name(node, parent, scope, text):
+    """Yields a rank and what may stand in place of a name.
+
+    Parameters
+    ----------
+    node, parent : ast nodes
+    scope : Scope
+    text : Text
+    """
+    if not isinstance(node.ctx, ast.Load) or _is_called(node, parent):
+        return
+    if isinstance(parent, ast.Subscript) and node is parent.slice:
+        yield 0, f"{node.id} - 1"
+        yield 0, f"{node.id} + 1"
+    if isinstance(parent, ast.For) and node is parent.iter:
+        yield 1, f"{node.id}[::-1]"
+    if isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.MatMult):
+        yield 1, f"{node.id}.T"
+    if (sister := SISTERS.get(node.id)) and node.id in text.space:
+        yield 0, sister if sister in text.space else "(lambda A, B: A @ B)"
+    both = node.id in scope.constants
+    for other in (*scope.names, *scope.constants):
+        if other != node.id and scope.are_alike(node.id, other):
+            yield 1 if both and other in scope.constants else 2, other
+
+
+def of_attribute(node, parent, scope, text):
+    """Yields a rank and what may stand in place of an attribute, as for :func:`of_name`."""
+    if not isinstance(node.ctx, ast.Load) or _is_called(node, parent):
+        return
+    base = text.of(node.value)
+    if node.attr == "T":
+        yield 0, base
+        yield 0, f"{text.of(node)}.swapaxes(-2, -1)"  # of matrices one behind the other
+    if node.attr in SISTERS and base in text.space:
+        yield 0, f"{base}.{SISTERS[node.attr]}"
+    beside = scope.beside.get(base, ())
+    for other in dict.fromkeys((*beside, *scope.attributes)):
+        if other != node.attr and node.attr in (beside if other in beside else scope.attributes):
+            yield 1 if other in beside else 2, f"{base}.{other}"
+
+
+def _is_called(node, parent):
+    return isinstance(parent, ast.Call) and node is parent.func
