@@ -20,10 +20,12 @@ __all__ = ["repaired"]
 
 SINGLES = 0.65  # of the time, for single changes
 EACH = 0.1  # s of the processor for one changed program; a changed loop may never end
+MANY = 5  # times as long, for all calls
 GENERAL = (7, 9, 11)  # calls with numbers of either sign
 ALL = 10**6  # in place of a score, where all that is scored is right
 LAST = np.array([0, 0, 0, 1.0])  # row of a pose
 UNFELT, BENT = -1, -2  # in place of a score
+SLOW = 2.5e-3  # s for one call
 STRAIGHT = 16  # what an answer counts that becomes a pose, in entries
 LIKELIEST = 3  # of them, which are tried with every other change first
 LIKELY = 12  # of them, which are tried with each other before
@@ -71,6 +73,7 @@ class _Search:
         self.felt, self.far, self.others, self.bent = [], [], [], []
         kinds = self._made((), lambda f: kinds_of(f, *copy.deepcopy(tried.calls[0][0])), {})
         self.changes = changes_of(text, arm, kinds)
+        self.of_an_arm = arm is not None
 
     def single(self):
         """The first change that makes everything right; on the way those that make more right are
@@ -78,13 +81,15 @@ class _Search:
         """
         self.tried.look_at(self.pivot)
         before = self._made((), self.tried.score) or 0
-        kept = (1 - SINGLES) * self.clock.left
+        kept = 0 if self.is_slow else (1 - SINGLES) * self.clock.left
         scored = []
         for change in self.changes:
             if self.clock.left < kept:
                 break
+            if self.is_slow and not self._made(change, self._right_at_pivot, False):
+                continue
             near, score, few = self._made(change, self._looked_at, (False, UNFELT, None))
-            if score is None and self._made(change, self.tried.all_right, False):
+            if score is None and self._all_right(change):
                 return (change,)
             if few is not None:  # of those that make the same of these, the likeliest are kept
                 self.answers.setdefault(few.round(9).tobytes(), []).append((change, few))
@@ -97,6 +102,19 @@ class _Search:
         scored.sort(key=lambda entry: -entry[0])
         self.better = [change for _, change in scored[:BEST]]
         return ()
+
+    def _right_at_pivot(self, f):
+        return self.tried.is_right(f, self.pivot)
+
+    @cached_property
+    def is_slow(self):
+        """Whether there is time for one call of each changed program, and no more."""
+        return min(self._seconds_of_a_call() for _ in "123") > SLOW
+
+    def _seconds_of_a_call(self):
+        before = self.clock.left
+        self._made((), self._right_at_pivot)
+        return before - self.clock.left
 
     def _is_known(self, few):
         """Whether another change, a likelier one, makes the same of a few answers."""
@@ -116,7 +134,9 @@ class _Search:
 
     @cached_property
     def few(self):
-        return sorted({self.pivot, *(k for k in GENERAL[:2] if k < len(self.tried.calls))})
+        calls = self.tried.calls
+        alone = [k for k in range(len(calls)) if _has_one_row(calls[k][0]) and calls[k][0][0].all()]
+        return sorted({self.pivot, *(k for k in GENERAL[:2] if k < len(calls)), *alone[:1]})
 
     @cached_property
     def few_right(self):
@@ -129,13 +149,23 @@ class _Search:
             return ()
         kept = list(self.answers.values())
         answers = np.array([group[0][1] for group in kept])
-        pairs = foretold_pairs(before, answers, self.few_right)
-        self.foretold_count = len(pairs)
-        for i, j in pairs:
-            for (first, _), (second, _) in product(kept[i][:2], kept[j][:2]):
-                if changes := self._are_right(first, second):
-                    return changes
+        for part in self._parts(before):
+            for i, j in foretold_pairs(before[part], answers[:, part], self.few_right[part]):
+                for (first, _), (second, _) in product(kept[i][:2], kept[j][:2]):
+                    if changes := self._are_right(first, second, self.few[part[0]]):
+                        return changes
         return ()
+
+    def _parts(self, before):
+        """The places, among the few calls, of those that follow the same law: all of them; and
+        those of one row, since a link that stands in a product several times is in none of its
+        places alone.
+        """
+        yield list(range(len(self.few)))
+        alone = [i for i, k in enumerate(self.few) if _has_one_row(self.tried.calls[k][0])]
+        wrong = not np.allclose(before[alone], self.few_right[alone], atol=self.tried.tolerance)
+        if alone and wrong and len(alone) < len(self.few):
+            yield alone
 
     def _score(self, f):
         """Whether the first wrong answer changes and is a pose still, and :meth:`Tried.score`: None
@@ -201,12 +231,15 @@ class _Search:
     @cached_property
     def pivot(self):
         """The first call that goes wrong."""
+        return self._first_wrong(())
+
+    def _first_wrong(self, edits):
         tried = self.tried
 
         def first_wrong(f):
             return next((k for k in range(len(tried.calls)) if not tried.is_right(f, k)), 0)
 
-        return self._made((), first_wrong, 0)
+        return self._made(edits, first_wrong, 0)
 
     def number(self, beside=()):
         """A number that is written in, and with another value makes everything right, beside
@@ -220,8 +253,8 @@ class _Search:
                 return None
             return self._made((*beside, *edits), lambda f: self.tried.deviation(f, self.pivot))
 
-        for edit in fitted_numbers(self.text, deviation):
-            if self._made((*beside, edit), self.tried.all_right, False):
+        for edit in fitted_numbers(self.text, deviation, self.of_an_arm):
+            if self._all_right((*beside, edit)):
                 return tuple(change for change in (beside, (edit,)) if change)
         return ()
 
@@ -233,21 +266,36 @@ class _Search:
     def pair(self):
         """The first two changes that together make everything right."""
         best = self.better
-        tried = chain(
-            combinations(best[:LIKELY], 2),
-            product(best[:LIKELIEST], self.felt),
-            combinations(best, 2),
-            product(best[LIKELIEST:], self.felt),
-            product(best[:LIKELIEST], self.others),
-            product(best[:LIKELIEST], self.bent),
-            product(best[LIKELIEST:], self.far),
+        tried = (
+            self._of(combinations(best[:LIKELY], 2)),
+            *map(self._beside, best[:LIKELIEST]),
+            self._of(combinations(best, 2)),
+            self._of(product(best[LIKELIEST:], self.felt)),
+            self._of(product(best[LIKELIEST:], self.far)),
         )
-        for pair in tried:
-            if changes := self._are_right(*pair):
-                return changes
-        return ()
+        return next(chain.from_iterable(tried), ())
 
-    def _made(self, edits, look, otherwise=None):
+    def _of(self, pairs):
+        """Yields the changes of the pairs that make everything right."""
+        return filter(None, (self._are_right(*pair, self.pivot) for pair in pairs))
+
+    def _beside(self, first):
+        """Yields a change with each other one that makes everything right beside it. Where it mends
+        the first wrong call, the other is seen in a later one.
+        """
+        k = self._first_wrong(first)
+        others = (self.felt, self.others, self.bent)
+        if k != self.pivot:
+            others = (self.others, self.felt, self.bent)
+        for second in chain(*others):
+            if changes := self._are_right(first, second, k):
+                yield changes
+
+    def _all_right(self, edits):
+        """Whether everything is right; asked where the first wrong call is."""
+        return self._made(edits, self.tried.all_right, False, MANY * EACH)
+
+    def _made(self, edits, look, otherwise=None, seconds=EACH):
         """What a look at the changed program shows; ``otherwise`` where it is none or takes too
         long.
         """
@@ -256,22 +304,27 @@ class _Search:
             return look(self.text.function(edits))
 
         try:
-            return limited(EACH, make_and_look)
+            return limited(seconds, make_and_look)
         except (Exception, SystemExit, OutOfTime):
             return otherwise
 
-    def _are_right(self, first, second):
-        """The two changes, as :func:`_together` has them, if they make all right."""
+    def _are_right(self, first, second, k):
+        """The two changes, as :func:`_together` has them, if they make all right; call k first."""
         if self.clock.left < 0:
             raise OutOfTime
         changes = _together(first, second, self.text)
         edits = tuple(edit for change in changes for edit in change)
         right = (
             bool(edits)
-            and self._made(edits, lambda f: self.tried.is_right(f, self.pivot), False)
-            and self._made(edits, self.tried.all_right, False)
+            and self._made(edits, lambda f: self.tried.is_right(f, k), False)
+            and self._all_right(edits)
         )
         return changes if right else ()
+
+
+def _has_one_row(given):
+    """Whether a chain of one link was asked for."""
+    return np.shape(given[0]) == (1, 4)
 
 
 def _are_apart(first, second):

@@ -3,6 +3,7 @@
 import ast
 import builtins
 import copy
+import inspect
 import linecache
 from dataclasses import dataclass
 
@@ -63,6 +64,12 @@ class Text:
         self.defined = {s.name: s for s in self.tree.body if isinstance(s, DEFINITIONS)}
         self.blocks = self._needed([s for s in self.tree.body if self._is_plain(s)])
         self._compiled = {}
+
+    @property
+    def entry(self):
+        """The definition of the function; None where its name is set to something."""
+        defined = self.defined.get(self.name)
+        return defined if isinstance(defined, ast.FunctionDef) else None
 
     def span(self, node):
         """The first and the last byte of a node."""
@@ -218,18 +225,25 @@ def text_of(f):
     >>> text_of(abs) is None, text_of(_used_by).of(text_of(_used_by).defined["_used_by"])[:14]
     (True, 'def _used_by(s')
     """
-    code = getattr(f, "__code__", None)
-    if code is None or code.co_name == "<lambda>" or "<locals>" in f.__qualname__:
+    f = inspect.unwrap(f) if callable(f) else f
+    called = f if hasattr(f, "__code__") else getattr(type(f), "__call__", None)  # noqa: B004
+    code = getattr(called, "__code__", None)
+    if code is None:
         return None
     linecache.checkcache(code.co_filename)  # it may have been written anew
-    lines = linecache.getlines(code.co_filename, f.__globals__)
+    lines = linecache.getlines(code.co_filename, called.__globals__)
     try:
-        text = Text("".join(lines), code.co_name, f.__globals__)
+        text = Text("".join(lines), _name_of(f, called), called.__globals__)
     except (SyntaxError, ValueError):  # magics of a notebook
         return None
-    if code.co_name not in text.defined or _is_risky(text):
-        return None
-    return text
+    return text if text.blocks and not _is_risky(text) else None
+
+
+def _name_of(f, called):
+    """The name that a function, or an object that is called, has in its file."""
+    if called is f and f.__qualname__ == f.__code__.co_name != "<lambda>":
+        return f.__name__
+    return next((name for name, value in called.__globals__.items() if value is f), "")
 
 
 def _is_risky(text):

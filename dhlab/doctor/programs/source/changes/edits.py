@@ -8,6 +8,7 @@ from ..text import Edit
 from .expressions import in_place_of
 from .formulas import formula_changes
 from .missing import missing_changes
+from .rotations import rotation_changes
 from .scope import scope_of, scope_of_text
 from .statements import statement_edits
 from .tables import known_numbers, table_changes
@@ -38,6 +39,7 @@ def changes_of(text, arm=None, kinds=None):
             *_everywhere(edits, text),
             *_out_of_loops(text),
             *formula_changes(text),
+            *rotation_changes(text),
             *table_changes(text),
             *(known_numbers(text, arm) if arm is not None else ()),
             *missing_changes(text),

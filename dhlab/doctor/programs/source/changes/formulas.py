@@ -1,10 +1,9 @@
-"""Changes of a formula as a whole: two of its signs, an elementary rotation about another axis, an
-angle wherever it stands in a cosine or sine, a name wherever it stands in a statement, a conjugate,
-what a matrix is multiplied with.
+"""Changes of a formula as a whole: two of its signs, a name wherever it stands in a statement, a
+conjugate, what a matrix is multiplied with.
 """
 
 import ast
-from itertools import combinations, permutations
+from itertools import combinations
 
 from ..text import Edit
 from .operators import one_moved
@@ -14,13 +13,6 @@ __all__ = ["formula_changes"]
 MOST_SIGNS = 12  # in one formula, of which two are tried at a time
 MOST_NAMES = 6  # in a row, of which two are exchanged
 SAME = 2  # places of a name in a statement that are changed together
-TURNS = {  # rows of rotations about x, y and z; C, S and N stand for cos, sin and -sin
-    "x": ("100", "0CN", "0SC"),
-    "y": ("C0S", "010", "N0C"),
-    "z": ("CN0", "SC0", "001"),
-}
-DEG = "(3.141592653589793 / 180)"
-OF_ANGLES = ("({}) / 2", "2 * ({})", "-({})", "({}) * " + DEG, "({}) / " + DEG)
 CLAMPS = {"min", "max", "clip", "fmod", "mod", "minimum", "maximum", "remainder"}
 
 
@@ -38,7 +30,6 @@ def formula_changes(text):
             if isinstance(node, (ast.List, ast.Tuple, ast.Assign)):
                 yield from _names_exchanged(node, text)
             if isinstance(node, ast.List):
-                yield from _turned(node, text)
                 yield from _conjugate(node, text)
             if isinstance(node, ast.BinOp):
                 yield from _out_of_brackets(node, text)
@@ -46,9 +37,7 @@ def formula_changes(text):
                 yield from _unclamped(node, text)
                 yield from _in_a_chain(node, text)
             if isinstance(node, ast.FunctionDef):
-                yield from _angles(node, text)
                 yield from _renamed(node, text)
-                yield from _entries_set(node, text)
 
 
 def _edit(node, new, text, rank=1):
@@ -90,86 +79,6 @@ def _turned_entry(entry, text):
         return text.of(entry.operand)
     shown = text.of(entry)
     return f"-({shown})" if isinstance(entry, ast.BinOp) else f"-{shown}"
-
-
-# ---- rotations
-
-
-def _turned(node, text):
-    """An elementary rotation written out, 3×3 or 4×4, about each axis and either way."""
-    rows = [row.elts for row in node.elts if isinstance(row, (ast.List, ast.Tuple))]
-    n = len(node.elts)
-    if n not in (3, 4) or [len(row) for row in rows] != [n] * n:
-        return
-    cos, sin = _cos_and_sin([entry for row in rows[:3] for entry in row[:3]], text)
-    if cos is None:
-        return
-    words = {"0": "0.0", "1": "1.0", "C": cos, "S": sin, "N": f"-{sin}"}
-    for turn in TURNS.values():
-        for way in (turn, tuple(map("".join, zip(*turn)))):
-            new = [[words[letter] for letter in row] for row in way]
-            for i, row in enumerate(new):
-                row.extend(text.of(entry) for entry in rows[i][3:])
-            new.extend([text.of(entry) for entry in row] for row in rows[3:])
-            yield (_edit(node, f"[{', '.join('[' + ', '.join(r) + ']' for r in new)}]", text),)
-
-
-def _entries_set(function, text):
-    """The entries of a rotation, set one by one, set for another axis."""
-    found = {}
-    for node in ast.walk(function):
-        if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store):
-            name, indices = _indices(node)
-            if len(indices) == 2 and all(index.value in (0, 1, 2) for index in indices):
-                found.setdefault(text.of(name), []).extend(indices)
-    for indices in found.values():
-        for order in permutations(range(3)) if len(indices) == 8 else ():
-            yield tuple(_edit(index, str(order[index.value]), text) for index in indices)
-
-
-def _indices(node):
-    """The name, and the two constant indices, of T[i, k] or T[i][k]."""
-    inner, index = node.value, node.slice
-    if isinstance(inner, ast.Subscript):
-        name, indices = inner.value, [inner.slice, index]
-    else:
-        name, indices = inner, index.elts if isinstance(index, ast.Tuple) else []
-    constant = all(isinstance(i, ast.Constant) for i in indices)
-    return name, indices if constant else []
-
-
-def _cos_and_sin(entries, text):
-    """The texts of the only two things that stand in a rotation beside 0 and 1, the cosine first;
-    (None, None) where it is none.
-    """
-    found = {}
-    for entry in entries:
-        if isinstance(entry, ast.UnaryOp) and isinstance(entry.op, ast.USub):
-            entry = entry.operand
-        if isinstance(entry, ast.Constant):
-            if entry.value not in (0, 1):
-                return None, None
-        elif isinstance(entry, (ast.Call, ast.Name)):
-            found.setdefault(text.of(entry), []).append(entry)
-        else:
-            return None, None
-    names = sorted(found, key=lambda name: "s" in name.replace("cos", "c").split("(")[0])
-    return tuple(names) if len(names) == 2 else (None, None)
-
-
-def _angles(function, text):
-    """One angle changed wherever a cosine or a sine of it is taken in a function."""
-    found = {}
-    for node in ast.walk(function):
-        if isinstance(node, ast.Call) and len(node.args) == 1:
-            name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-            if name in ("cos", "sin"):
-                found.setdefault(text.of(node.args[0]), []).append(node.args[0])
-    for shown, places in found.items():
-        others = (other for other in found if other != shown)
-        for new in (*(form.format(shown) for form in OF_ANGLES), *others):
-            if len(places) > 1:
-                yield tuple(_edit(place, new, text) for place in places)
 
 
 def _renamed(function, text):

@@ -1,5 +1,4 @@
-"""What may be meant by a name, an attribute or a function that is handed on: another of its kind.
-"""
+"""What may be meant by a name, an attribute or a function that is handed on."""
 
 import ast
 
@@ -33,6 +32,8 @@ def of_name(node, parent, scope, text):
     if (sister := SISTERS.get(node.id)) and node.id in text.space:
         yield 0, sister if sister in text.space else "(lambda A, B: A @ B)"
     both = node.id in scope.constants
+    if both and isinstance(parent, ast.Call):
+        yield 1, "0"
     for other in (*scope.names, *scope.constants):
         if other != node.id and scope.are_alike(node.id, other):
             yield 1 if both and other in scope.constants else 2, other

@@ -73,7 +73,8 @@ def _of_number(node, parent, scope):
         yield 2, repr(2 * value)
     yield 2, "0" if value else "1"
     if value:
-        yield 1, f"-{value!r}"
+        lone = value == 1 and isinstance(parent, (ast.Assign, ast.Tuple))
+        yield 0 if lone else 1, f"-{value!r}"
 
 
 def _in_full(value):

@@ -102,7 +102,8 @@ def scope_of(function, around):
     parameters = tuple(argument.arg for argument in function.args.args if argument.arg != "self")
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
     stored = [node.id for node in names if isinstance(node.ctx, ast.Store)]
-    used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+    inside = [node for statement in function.body for node in ast.walk(statement)]
+    used = {n.id for n in inside if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     known = tuple(dict.fromkeys((*parameters, *stored)))
     rows = dict.fromkeys(
         node.value.id

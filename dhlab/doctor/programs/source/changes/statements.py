@@ -159,9 +159,8 @@ def _ends(text):
                 yield text.of(node).replace("BASE", "TOOL").replace("base", "tool")
             if isinstance(node, ast.Call) and "tool" in text.of(node).lower():
                 yield text.of(node).replace("TOOL", "BASE").replace("tool", "base")
-    entry = text.defined[text.name]
-    if isinstance(entry, ast.FunctionDef):
-        yield from (a.arg for a in entry.args.args if a.arg in ("base", "tool"))
+    if text.entry is not None:
+        yield from (a.arg for a in text.entry.args.args if a.arg in ("base", "tool"))
 
 
 def _is_square(value):

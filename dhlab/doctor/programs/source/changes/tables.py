@@ -7,7 +7,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from ..constants import numbers_of
+from ..constants import numbers_of, rows_in_words
 from ..text import Edit
 
 __all__ = ["known_numbers", "table_changes"]
@@ -33,6 +33,16 @@ def table_changes(text):
                 rows = [cells for cells in map(_cells, parts) if cells]
                 if len(rows) >= ROWS and len({tuple(row) for row in rows}) == 1:
                     yield from _exchanged(rows, text)
+            yield from _in_words(rows_in_words(node, text), text)
+
+
+def _in_words(rows, text):
+    """Numbers of a table that is written as a text: the other sign, and two exchanged."""
+    for node in (node for row in rows for node in row if node.value):
+        shown = text.of(node)
+        new = shown[1:] if shown.startswith("-") else f"-{shown.removeprefix('+')}"
+        yield (Edit(*text.span(node), new.encode(), 1),)
+    yield from _exchanged([dict(enumerate(row)) for row in rows], text)
 
 
 def _cells(row):
@@ -105,7 +115,7 @@ def known_numbers(text, arm):
         for x in own if value else missing:
             new = repr(float(f"{np.copysign(x, value):.12g}"))
             yield (Edit(*text.span(node), new.encode(), 1),)
-    if isinstance(text.defined[text.name], ast.FunctionDef):
+    if text.entry is not None:
         yield from _added(text, missing, np.unique(theta[theta != 0]))
 
 
@@ -127,7 +137,7 @@ def _added(text, missing, offsets):
 
 def _joint_values(value, text):
     """The places of each joint value in an expression: ``q[1]``, or a name unpacked from q."""
-    entry = text.defined[text.name]
+    entry = text.entry
     given = {argument.arg for argument in entry.args.args}
     alone = {
         part.id
