@@ -58,6 +58,7 @@ def repaired(text, tried, seconds, arm=None):
                 search.single()
                 or search.number()
                 or search.foretold()
+                or search.beside(search.mending)
                 or search.with_a_number()
                 or search.pair()
             )
@@ -69,7 +70,7 @@ def repaired(text, tried, seconds, arm=None):
 class _Search:
     def __init__(self, text, tried, clock, arm=None):
         self.text, self.tried, self.clock = text, tried, clock
-        self.better, self.answers = [], {}
+        self.better, self.mending, self.answers = [], [], {}
         self.felt, self.far, self.others, self.bent = [], [], [], []
         kinds = self._made((), lambda f: kinds_of(f, *copy.deepcopy(tried.calls[0][0])), {})
         self.changes = changes_of(text, arm, kinds)
@@ -101,6 +102,7 @@ class _Search:
                 scored.append((score or ALL, change))
         scored.sort(key=lambda entry: -entry[0])
         self.better = [change for _, change in scored[:BEST]]
+        self.mending = [change for score, change in scored if score == ALL][:LIKELIEST]
         return ()
 
     def _right_at_pivot(self, f):
@@ -265,31 +267,33 @@ class _Search:
 
     def pair(self):
         """The first two changes that together make everything right."""
-        best = self.better
-        tried = (
-            self._of(combinations(best[:LIKELY], 2)),
-            *map(self._beside, best[:LIKELIEST]),
-            self._of(combinations(best, 2)),
-            self._of(product(best[LIKELIEST:], self.felt)),
-            self._of(product(best[LIKELIEST:], self.far)),
+        best, rest = self.better, self.better[LIKELIEST:]
+        done = self.mending
+        return (
+            self._of(combinations(best[:LIKELY], 2))
+            or self.beside([change for change in best[:LIKELIEST] if change not in done])
+            or self._of(combinations(best, 2))
+            or self._of(product(rest, self.felt))
+            or self._of(product(rest, self.far))
         )
-        return next(chain.from_iterable(tried), ())
 
     def _of(self, pairs):
-        """Yields the changes of the pairs that make everything right."""
-        return filter(None, (self._are_right(*pair, self.pivot) for pair in pairs))
+        """The first of the pairs that makes everything right."""
+        return next(filter(None, (self._are_right(*pair, self.pivot) for pair in pairs)), ())
 
-    def _beside(self, first):
-        """Yields a change with each other one that makes everything right beside it. Where it mends
-        the first wrong call, the other is seen in a later one.
+    def beside(self, changes):
+        """One of some changes with any other one. Where it mends the first wrong call, the other is
+        seen in a later one.
         """
-        k = self._first_wrong(first)
-        others = (self.felt, self.others, self.bent)
-        if k != self.pivot:
-            others = (self.others, self.felt, self.bent)
-        for second in chain(*others):
-            if changes := self._are_right(first, second, k):
-                yield changes
+        for first in changes:
+            k = self._first_wrong(first)
+            others = (self.felt, self.others, self.bent)
+            if k != self.pivot:
+                others = (self.others, self.felt, self.bent)
+            for second in chain(*others):
+                if both := self._are_right(first, second, k):
+                    return both
+        return ()
 
     def _all_right(self, edits):
         """Whether everything is right; asked where the first wrong call is."""
