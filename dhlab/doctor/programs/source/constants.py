@@ -54,7 +54,9 @@ def numbers_of(text):
             for node in ast.iter_child_nodes(parent):
                 value = _value(node)
                 if value is not None and (
-                    isinstance(parent, TABLE) or (isinstance(value, float) and value not in (0, 1))
+                    isinstance(parent, TABLE)
+                    or (isinstance(value, float) and value not in (0, 1))
+                    or (isinstance(parent, ast.Call) and text.of(parent.func) in text.defined)
                 ):
                     yield node, float(value)
             for row in rows_in_words(parent, text):

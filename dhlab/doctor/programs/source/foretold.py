@@ -19,9 +19,9 @@ def foretold_pairs(before, answers, right):
     """The pairs of changes that are foretold to make the answers right.
 
     Two changes of factors of a product of poses, L A M B R, give P_1 T⁻¹ P_2 with the answers P_1
-    and P_2 to each and T to none; two of terms of a sum P_1 + P_2 - T; two of factors of a number
-    P_1 P_2 / T. What is no pose (a Jacobian, a vector) is no product of factors with inverses, and
-    is compared as a whole.
+    and P_2 to each and T to none, where T may have no inverse if P_1 or P_2 has one; two of terms
+    of a sum P_1 + P_2 - T; two of factors of a number P_1 P_2 / T. What is no pose (a Jacobian, a
+    vector) is no product of factors with inverses, and is compared as a whole.
 
     Parameters
     ----------
@@ -68,8 +68,8 @@ def _needed(before, answers, right, are_poses):
         return
     sound = np.abs(np.linalg.det(answers)).min(axis=1) > 1e-9
     inverses = np.linalg.inv(np.where(sound[:, None, None, None], answers, np.eye(4)))
-    product = before @ inverses @ right
-    yield np.where(sound[:, None, None, None], product, np.inf)
+    for product in (before @ inverses @ right, right @ inverses @ before):
+        yield np.where(sound[:, None, None, None], product, np.inf)
 
 
 def _close(a, b):

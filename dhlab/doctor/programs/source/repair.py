@@ -11,6 +11,7 @@ import numpy as np
 from ...budget import Budget
 from ..running.deadline import OutOfTime, limited
 from .changes.edits import changes_of
+from .changes.statements import turns_of
 from .constants import fitted_numbers
 from .foretold import foretold_pairs
 from .kinds import kinds_of
@@ -60,6 +61,7 @@ def repaired(text, tried, seconds, arm=None):
                 or search.foretold()
                 or search.beside(search.mending)
                 or search.with_a_number()
+                or search.beside(search.turning())
                 or search.pair()
             )
     except OutOfTime:
@@ -71,6 +73,7 @@ class _Search:
     def __init__(self, text, tried, clock, arm=None):
         self.text, self.tried, self.clock = text, tried, clock
         self.better, self.mending, self.answers = [], [], {}
+        self.memory = None  # of a slow program, what its functions gave
         self.felt, self.far, self.others, self.bent = [], [], [], []
         kinds = self._made((), lambda f: kinds_of(f, *copy.deepcopy(tried.calls[0][0])), {})
         self.changes = changes_of(text, arm, kinds)
@@ -82,12 +85,15 @@ class _Search:
         """
         self.tried.look_at(self.pivot)
         before = self._made((), self.tried.score) or 0
-        kept = 0 if self.is_slow else (1 - SINGLES) * self.clock.left
+        self.memory = {} if self._seconds_of(()) > SLOW else None
+        kept = (1 - SINGLES) * self.clock.left
         scored = []
-        for change in self.changes:
+        for change in self.changes if self.memory is None else self._soonest():
             if self.clock.left < kept:
                 break
-            if self.is_slow and not self._made(change, self._right_at_pivot, False):
+            if self.memory is not None and self._seconds_of(change) > SLOW:
+                if self._made(change, self._right_at_pivot, False) and self._all_right(change):
+                    return (change,)
                 continue
             near, score, few = self._made(change, self._looked_at, (False, UNFELT, None))
             if score is None and self._all_right(change):
@@ -108,14 +114,16 @@ class _Search:
     def _right_at_pivot(self, f):
         return self.tried.is_right(f, self.pivot)
 
-    @cached_property
-    def is_slow(self):
-        """Whether there is time for one call of each changed program, and no more."""
-        return min(self._seconds_of_a_call() for _ in "123") > SLOW
+    def _soonest(self):
+        """The changes; first those after which the other functions are only looked up."""
+        last = self.text.blocks[-1]
+        start, end = self.text.lines_of(last)
+        return sorted(self.changes, key=lambda change: not start <= change[0].start < end)
 
-    def _seconds_of_a_call(self):
+    def _seconds_of(self, edits):
+        """How long the first wrong call takes."""
         before = self.clock.left
-        self._made((), self._right_at_pivot)
+        self._made(edits, self._right_at_pivot)
         return before - self.clock.left
 
     def _is_known(self, few):
@@ -137,7 +145,7 @@ class _Search:
     @cached_property
     def few(self):
         calls = self.tried.calls
-        alone = [k for k in range(len(calls)) if _has_one_row(calls[k][0]) and calls[k][0][0].all()]
+        alone = [k for k in range(len(calls)) if _is_one_link(calls[k][0])]
         return sorted({self.pivot, *(k for k in GENERAL[:2] if k < len(calls)), *alone[:1]})
 
     @cached_property
@@ -160,11 +168,11 @@ class _Search:
 
     def _parts(self, before):
         """The places, among the few calls, of those that follow the same law: all of them; and
-        those of one row, since a link that stands in a product several times is in none of its
-        places alone.
+        those of one link, since one that stands in a product several times is in none of its places
+        alone, and zeros leave no inverse.
         """
         yield list(range(len(self.few)))
-        alone = [i for i, k in enumerate(self.few) if _has_one_row(self.tried.calls[k][0])]
+        alone = [i for i, k in enumerate(self.few) if _is_one_link(self.tried.calls[k][0])]
         wrong = not np.allclose(before[alone], self.few_right[alone], atol=self.tried.tolerance)
         if alone and wrong and len(alone) < len(self.few):
             yield alone
@@ -281,6 +289,17 @@ class _Search:
         """The first of the pairs that makes everything right."""
         return next(filter(None, (self._are_right(*pair, self.pivot) for pair in pairs)), ())
 
+    def turning(self):
+        """Changes of how often a loop turns, or where a function ends: they may hide the other
+        mistake until both are mended.
+        """
+        around = list(turns_of(self.text))
+        return [
+            change
+            for change in (*self.felt, *self.others, *self.bent)
+            if change[0].rank == 0 and any(a <= change[0].start < b for a, b in around)
+        ][:LIKELIEST]
+
     def beside(self, changes):
         """One of some changes with any other one. Where it mends the first wrong call, the other is
         seen in a later one.
@@ -297,7 +316,11 @@ class _Search:
 
     def _all_right(self, edits):
         """Whether everything is right; asked where the first wrong call is."""
-        return self._made(edits, self.tried.all_right, False, MANY * EACH)
+        memory, self.memory = self.memory, None
+        try:
+            return self._made(edits, self.tried.all_right, False, MANY * EACH)
+        finally:
+            self.memory = memory
 
     def _made(self, edits, look, otherwise=None, seconds=EACH):
         """What a look at the changed program shows; ``otherwise`` where it is none or takes too
@@ -305,7 +328,7 @@ class _Search:
         """
 
         def make_and_look():
-            return look(self.text.function(edits))
+            return look(self.text.function(edits, self.memory))
 
         try:
             return limited(seconds, make_and_look)
@@ -326,9 +349,9 @@ class _Search:
         return changes if right else ()
 
 
-def _has_one_row(given):
-    """Whether a chain of one link was asked for."""
-    return np.shape(given[0]) == (1, 4)
+def _is_one_link(given):
+    """Whether one link was asked for, and of that no number is 0."""
+    return np.size(given[0]) * len(given) in (4, 8) and np.all([np.all(part) for part in given])
 
 
 def _are_apart(first, second):

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .memory import remembering
+
 __all__ = ["Edit", "Text", "text_of"]
 
 # who calls these does more than calculate, and is not called again and again
@@ -62,8 +64,8 @@ class Text:
             self._lines.append(self._lines[-1] + len(line))
         self.space = {key: _copied(value) for key, value in space.items()}
         self.defined = {s.name: s for s in self.tree.body if isinstance(s, DEFINITIONS)}
-        self.blocks = self._needed([s for s in self.tree.body if self._is_plain(s)])
-        self._compiled = {}
+        self.blocks = self._needed([s for s in self.tree.body if self._is_plain(s)], name)
+        self._compiled, self._needs = {}, {}
 
     @property
     def entry(self):
@@ -105,8 +107,14 @@ class Text:
             data = data[: edit.start] + edit.new + data[edit.end :]
         return data.decode()
 
-    def function(self, edits=()):
+    def function(self, edits=(), memory=None):
         """The function of the edited text, made anew.
+
+        Parameters
+        ----------
+        edits : tuple of Edit
+        memory : dict, optional
+            What functions that the edits do not reach gave before; it is looked up, and added to.
 
         Raises
         ------
@@ -119,11 +127,26 @@ class Text:
             inside = tuple(edit for edit in edits if start <= edit.start < end)
             methods = self._edited_methods(block, inside) if inside else {}
             exec(self._code(block, () if methods else inside), space)
+            if memory is not None and self._is_untouched(block, edits):
+                space[block.name] = remembering(space[block.name], memory)
             for method, changed in methods.items():  # the rest of the class stays compiled
                 made = {}
                 exec(self._code(method, changed), space, made)
                 setattr(space[block.name], method.name, made[method.name])
         return space[self.name]
+
+    def _is_untouched(self, block, edits):
+        """Whether a block is another function, and does what it did whatever the edits change."""
+        if not isinstance(block, ast.FunctionDef) or block.name == self.name:
+            return False
+        needed = [self.lines_of(other) for other in self._blocks_of(block.name)]
+        return not any(a <= edit.start < b for a, b in needed for edit in edits)
+
+    def _blocks_of(self, name):
+        """The statements that a name needs."""
+        if name not in self._needs:
+            self._needs[name] = self._needed(self.blocks, name)
+        return self._needs[name]
 
     def _edited_methods(self, block, edits):
         """The edits by the method of a class that they stand in; empty where one stands in none."""
@@ -159,10 +182,11 @@ class Text:
             self._compiled[key] = code
         return self._compiled[key]
 
-    def _needed(self, statements):
-        """The statements that the function needs, in order."""
+    @staticmethod
+    def _needed(statements, name):
+        """The statements that a name needs, in order."""
         made = [(_made_by(s), _used_by(s)) for s in statements]
-        needed, size = {self.name}, 0
+        needed, size = {name}, 0
         while size != len(needed):
             size = len(needed)
             needed |= {name for names, used in made if names & needed for name in used}

@@ -117,7 +117,7 @@ def _walk(node, parent, scope):
     """Every expression below a node with what it stands in and the names around it."""
     if isinstance(node, ast.JoinedStr):  # its parts have no places of their own
         return
-    if isinstance(node, ast.FunctionDef):
+    if isinstance(node, (ast.FunctionDef, ast.Lambda)):
         scope = scope_of(node, scope)
     if isinstance(node, (ast.expr, ast.Slice)):
         yield node, parent, scope

@@ -15,6 +15,7 @@ TURNS = {  # rows of rotations about x, y and z; C, S and N stand for cos, sin a
     "y": ("C0S", "010", "N0C"),
     "z": ("CN0", "SC0", "001"),
 }
+MOST_FACTORS = 8  # cosines and sines of one function
 OF_ANGLES = ("({}) / 2", "2 * ({})", "-({})", "({}) * " + DEG, "({}) / " + DEG)
 
 
@@ -32,6 +33,7 @@ def rotation_changes(text):
             if isinstance(node, ast.FunctionDef):
                 yield from _angles(node, text)
                 yield from _entries_set(node, text)
+                yield from _lost_factors(node, text)
             if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
                 yield from _flipped(node.value, text)
 
@@ -46,6 +48,28 @@ def _flipped(value, text):
         called = [node.func for node in ast.walk(entry) if _turning(node)]
         if len(called) > 1:
             yield tuple(_edit(function, _sister(function, text), text) for function in called)
+
+
+def _lost_factors(function, text):
+    """A cosine or a sine of the function before a name that stands alone in a list."""
+    made = {}
+    for node in ast.walk(function):
+        if _turning(node):
+            made[text.of(node)] = None
+        if isinstance(node, ast.Assign) and any(map(_turning, ast.walk(node.value))):
+            parts = [p for target in node.targets for p in getattr(target, "elts", [target])]
+            made |= dict.fromkeys(part.id for part in parts if isinstance(part, ast.Name))
+    alone = [
+        entry
+        for node in ast.walk(function)
+        if isinstance(node, ast.List)
+        for entry in node.elts
+        if isinstance(entry, (ast.Name, ast.Attribute)) and text.of(entry) not in made
+    ]
+    for entry in alone if len(made) <= MOST_FACTORS else ():
+        for factor in made:
+            yield (_edit(entry, f"{factor} * {text.of(entry)}", text, 2),)
+            yield (_edit(entry, f"-{factor} * {text.of(entry)}", text, 2),)
 
 
 def _turning(node):

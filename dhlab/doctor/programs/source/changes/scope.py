@@ -95,10 +95,13 @@ def scope_of(function, around):
 
     Parameters
     ----------
-    function : ast.FunctionDef
+    function : ast.FunctionDef or ast.Lambda
     around : Scope
         What it stands in.
     """
+    if isinstance(function, ast.Lambda):
+        inside = tuple(argument.arg for argument in function.args.args)
+        return replace(around, names=tuple(dict.fromkeys((*inside, *around.names))))
     parameters = tuple(argument.arg for argument in function.args.args if argument.arg != "self")
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
     stored = [node.id for node in names if isinstance(node.ctx, ast.Store)]

@@ -5,7 +5,7 @@ added up or set anew, a copy, a name that starts afresh in every call.
 import ast
 import re
 
-__all__ = ["statement_edits"]
+__all__ = ["statement_edits", "turns_of"]
 
 ENDS = re.compile("base|tool|flange|gripper|tcp", re.IGNORECASE)
 SIMPLE = (ast.Assign, ast.AugAssign, ast.Expr, ast.Return)
@@ -28,6 +28,21 @@ def statement_edits(text):
                 yield from _starting_afresh(node, text)
                 yield from _returning(node, text)
                 yield from _parameters(node, text)
+
+
+def turns_of(text):
+    """Yields the first and last byte of what says how often a loop turns, and of its returns.
+
+    Parameters
+    ----------
+    text : Text
+    """
+    for block in text.blocks:
+        for node in ast.walk(block):
+            if isinstance(node, (ast.For, ast.comprehension)):
+                yield text.span(node.iter)
+            if isinstance(node, (ast.For, ast.While)):
+                yield from (text.span(s) for s in node.body if isinstance(s, ast.Return))
 
 
 def _bodies(node):
