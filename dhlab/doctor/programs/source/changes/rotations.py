@@ -15,7 +15,8 @@ TURNS = {  # rows of rotations about x, y and z; C, S and N stand for cos, sin a
     "y": ("C0S", "010", "N0C"),
     "z": ("CN0", "SC0", "001"),
 }
-MOST_FACTORS = 8  # cosines and sines of one function
+MOST_FACTORS = 10  # of one function
+SINGLE = ast.Name, ast.Attribute, ast.Subscript, ast.Call
 OF_ANGLES = ("({}) / 2", "2 * ({})", "-({})", "({}) * " + DEG, "({}) / " + DEG)
 
 
@@ -51,25 +52,26 @@ def _flipped(value, text):
 
 
 def _lost_factors(function, text):
-    """A cosine or a sine of the function before a name that stands alone in a list."""
-    made = {}
+    """What is a factor in the function before what stands alone, in a list or an assignment."""
+    factors, alone = {}, []
     for node in ast.walk(function):
-        if _turning(node):
-            made[text.of(node)] = None
-        if isinstance(node, ast.Assign) and any(map(_turning, ast.walk(node.value))):
-            parts = [p for target in node.targets for p in getattr(target, "elts", [target])]
-            made |= dict.fromkeys(part.id for part in parts if isinstance(part, ast.Name))
-    alone = [
-        entry
-        for node in ast.walk(function)
-        if isinstance(node, ast.List)
-        for entry in node.elts
-        if isinstance(entry, (ast.Name, ast.Attribute)) and text.of(entry) not in made
-    ]
-    for entry in alone if len(made) <= MOST_FACTORS else ():
-        for factor in made:
-            yield (_edit(entry, f"{factor} * {text.of(entry)}", text, 2),)
-            yield (_edit(entry, f"-{factor} * {text.of(entry)}", text, 2),)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
+            for part in (node.left, node.right):
+                if isinstance(part, SINGLE) and text.of(part) not in factors:
+                    factors[text.of(part)] = None
+        if isinstance(node, ast.List):
+            alone += [entry for entry in node.elts if _stands_alone(entry)]
+        if isinstance(node, ast.Assign) and _turning(node.value):
+            alone.append(node.value)
+    for entry in alone if len(factors) <= MOST_FACTORS else ():
+        for factor in factors:
+            if factor != text.of(entry):
+                yield (_edit(entry, f"{factor} * {text.of(entry)}", text, 2),)
+
+
+def _stands_alone(entry):
+    entry = entry.operand if isinstance(entry, ast.UnaryOp) else entry
+    return isinstance(entry, SINGLE)
 
 
 def _turning(node):
