@@ -43,6 +43,7 @@ def repaired(text, tried, seconds, arm=None):
         with np.errstate(all="ignore"):
             found = (
                 search.single()
+                or search.beside(search.mending, likely=True)
                 or search.number()
                 or search.foretold()
                 or search.beside(search.mending)
@@ -130,9 +131,9 @@ class _Search(Singles):
             if change[0].rank == 0 and any(a <= change[0].start < b for a, b in around)
         ][:LIKELIEST]
 
-    def beside(self, changes):
-        """One of some changes with any other one. Where it mends the first wrong call, the other is
-        seen in a later one.
+    def beside(self, changes, likely=False):
+        """One of some changes with any other one, or with a ``likely`` one. Where it mends the
+        first wrong call, the other is seen in a later one.
         """
         for first in changes:
             k = self.first_wrong(first)
@@ -140,6 +141,8 @@ class _Search(Singles):
             if k != self.pivot:
                 others = (self.others, self.felt, self.bent)
             for second in chain(*others):
+                if likely and second[0].rank:
+                    continue
                 if both := self._are_right(first, second, k):
                     return both
         return ()

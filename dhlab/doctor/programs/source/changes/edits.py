@@ -9,7 +9,7 @@ from .expressions import in_place_of
 from .formulas import formula_changes
 from .missing import missing_changes
 from .rotations import rotation_changes
-from .scope import scope_of, scope_of_text
+from .scope import in_loop, scope_of, scope_of_text
 from .statements import statement_edits
 from .tables import known_numbers, table_changes
 
@@ -119,6 +119,8 @@ def _walk(node, parent, scope):
         return
     if isinstance(node, (ast.FunctionDef, ast.Lambda)):
         scope = scope_of(node, scope)
+    elif isinstance(node, (ast.For, ast.While, ast.ListComp, ast.GeneratorExp)):
+        scope = in_loop(node, scope)
     if isinstance(node, (ast.expr, ast.Slice)):
         yield node, parent, scope
     in_index = isinstance(parent, ast.Subscript) and node is parent.slice

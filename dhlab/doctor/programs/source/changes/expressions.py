@@ -114,7 +114,7 @@ def _of_sign(node, parent, scope, text):
     if isinstance(node.op, ast.USub):
         yield 0, whole(node.operand, text)
     if isinstance(parent, ast.Subscript):
-        yield from ((0, name) for name in scope.counters)
+        yield from ((0, name) for name in scope.around)
 
 
 def _of_call(node, parent, scope, text):

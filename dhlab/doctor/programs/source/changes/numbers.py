@@ -48,7 +48,7 @@ def _of_word(value, parent, scope):
 def _of_index(node, parent, scope):
     value = node.value
     alone = isinstance(parent, ast.Subscript) and node is parent.slice
-    yield from ((0 if alone else 2, name) for name in scope.counters)
+    yield from ((0 if alone and name in scope.around else 2, name) for name in scope.counters)
     near = dict.fromkeys((0, 1, 2, 3, -1, value - 1, value + 1, value - 4, value + 4))
     yield from ((1, str(k)) for k in near if k != value)
 

@@ -5,6 +5,7 @@ from itertools import permutations
 
 __all__ = ["in_other_orders", "is_product", "moved_addends", "of_two", "one_moved", "whole"]
 
+PI = {"pi", "PI", "np", "numpy", "math"}  # what a number may be made of
 WHOLE = (ast.Name, ast.Constant, ast.Call, ast.Subscript, ast.Attribute, ast.List, ast.Tuple)
 
 
@@ -71,6 +72,8 @@ def _joined(node, order, text):
 def of_two(node, parent, scope, text):
     left, right = whole(node.left, text), whole(node.right, text)
     op = type(node.op)
+    if not any(isinstance(p, ast.Name) and p.id not in PI for p in ast.walk(node)):
+        yield 1, "0"
     if op is ast.MatMult:
         if not is_product(parent):
             yield from in_other_orders(node, text)

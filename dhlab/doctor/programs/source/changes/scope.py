@@ -3,7 +3,7 @@
 import ast
 from dataclasses import dataclass, field, replace
 
-__all__ = ["Scope", "scope_of", "scope_of_text"]
+__all__ = ["Scope", "in_loop", "scope_of", "scope_of_text"]
 
 
 @dataclass(frozen=True)
@@ -11,8 +11,8 @@ class Scope:
     """The names that may stand in an expression: ``parameters`` of the function, ``names`` that
     hold something there, ``constants`` of the whole text, ``functions`` of the text with how many
     arguments they take, the ``attributes`` of its objects, by object what else stands ``beside``
-    one, what is ``unused``, the names of ``rows``, of what counts in loops, the ``words`` that
-    stand in the text; and ``kinds``, what a name was seen to hold.
+    one, what is ``unused``, the names of ``rows``, of what counts in loops and in the loops
+    ``around``, the ``words`` that stand in the text; and ``kinds``, what a name was seen to hold.
     """
 
     parameters: tuple = ()
@@ -24,6 +24,7 @@ class Scope:
     unused: tuple = ()
     rows: tuple = ()
     counters: tuple = ()
+    around: tuple = ()
     words: tuple = ()
     kinds: dict = field(default_factory=dict)
 
@@ -122,13 +123,29 @@ def scope_of(function, around):
         unused=tuple(name for name in known if name not in used),
         rows=tuple(rows),
         counters=tuple(_counters(function)),
+        around=(),
     )
 
 
-def _counters(function):
+def in_loop(loop, scope):
+    """The Scope inside a loop, or what is made one by one.
+
+    Parameters
+    ----------
+    loop : ast node
+    scope : Scope
+        What it stands in.
+    """
+    parts = [loop, *getattr(loop, "generators", ())]
+    return replace(
+        scope, around=(*scope.around, *_counters(*parts, inside=isinstance(loop, ast.While)))
+    )
+
+
+def _counters(*nodes, inside=True):
     """The names that range and enumerate count with, and those that are counted up."""
-    for node in ast.walk(function):
-        if isinstance(node, ast.For) and isinstance(node.iter, ast.Call):
+    for node in (part for one in nodes for part in (ast.walk(one) if inside else (one,))):
+        if isinstance(node, (ast.For, ast.comprehension)) and isinstance(node.iter, ast.Call):
             called = getattr(node.iter.func, "id", "")
             target = node.target.elts[0] if isinstance(node.target, ast.Tuple) else node.target
             if called in ("range", "enumerate") and isinstance(target, ast.Name):
