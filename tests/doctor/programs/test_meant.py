@@ -14,7 +14,7 @@ BOX = "class Box:\n    def run(self, q):\n        {}\n\n\ndef f(q):\n    return 
 LINK = "def f(t, d, a, al):\n    c, s = np.cos(t), np.sin(t)\n    {}\n    return c, s"
 ARM = "L1, L2 = 0.4, 0.3\n\n\ndef f(q):\n    {}"
 DATA = "class L:\n    d: float\n    a: float\n\n\ndef f(g: L):\n    {}"
-TURN = "def turn(t, s):\n    return t * s\n\n\n"
+TURN = "def go(x):\n    return x\n\n\ndef turn(t, s):\n    return t * s\n\n\n"
 
 
 @pytest.mark.parametrize(
@@ -86,6 +86,11 @@ TURN = "def turn(t, s):\n    return t * s\n\n\n"
         (ARM, "return go('turn', 1), go('slide', 1)", "return go('turn', 1), go('turn', 1)"),
         (LOOP, "a = w['a'] + w['a'] * w['d']", "a = w['a'] + w['d'] * w['d']"),
         (ARM, "return link(q[0], False)", "return link(q[0], True)"),
+        # a sliding joint's value, and its function
+        (ARM, "rows = [[0, 1, 0], [q[1], 2, 0]]", "rows = [[0, 1, 0], [0, 2 + q[1], 0]]"),
+        (ARM, "return link(q[2], 0.1, 0, 0)", "return link(0, 0.1 + q[2], 0, 0)"),
+        (TURN + ARM, "return go(1) @ turn(0.2, 0)", "return go(1) @ go(0.2)"),
+        (TURN + ARM, "return [turn(1, 2), go(3)]", "return [go(2), go(3)]"),
         # tables that are written as one text
         (ARM, "t = '''\n0 0.3 0 90\n90 0 0.65 180'''", "t = '''\n0 0.3 0 90\n90 0 0.65 -180'''"),
         (ARM, "t = '0 -0.3 0 90; 0 1 2 3'", "t = '0 0.3 0 90; 0 1 2 3'"),

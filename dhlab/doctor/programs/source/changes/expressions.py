@@ -56,7 +56,7 @@ def in_place_of(node, parent, scope, text):
     if _is_number(node, parent):
         yield 1, f"-{whole(node, text)}"
     if _is_term(node, parent, scope):
-        yield from ((2, f"({text.of(node)} {unit})") for unit in TURNED)
+        yield from ((1, f"({text.of(node)} {unit})") for unit in TURNED)
     if isinstance(parent, ast.Subscript) and isinstance(node, ast.BinOp):
         yield 1, f"{text.of(node)} - 1"
         yield 1, f"{text.of(node)} + 1"
@@ -175,6 +175,9 @@ def _of_call(node, parent, scope, text):
     for other in scope.functions if own else ():
         if other != name and scope.functions[other] == scope.functions[name]:
             yield 1, call(arguments, called=other)
+        if 0 < scope.functions[other] < len(arguments) <= MOST_MOVED:
+            for fewer in combinations(arguments, scope.functions[other]):
+                yield 2, call(fewer, called=other)
     if name in ("cos", "sin") and arguments:
         yield 1, call([f"({arguments[0]}) / 2"])
         yield 2, call([f"2 * ({arguments[0]})"])

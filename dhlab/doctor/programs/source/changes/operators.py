@@ -112,8 +112,15 @@ def _of_product(node, left, right, text):
 
 
 def moved_addends(nodes, text):
-    """Lists of texts in which what is added to one of them is added to another one."""
+    """Lists of texts in which what is added to one of them is added to another one; also the only
+    one that is no number.
+    """
     parts = [text.of(node) for node in nodes]
+    alone = [i for i, node in enumerate(nodes) if isinstance(node, (ast.Name, ast.Subscript))]
+    numbers = [i for i, node in enumerate(nodes) if isinstance(node, ast.Constant)]
+    for k in numbers if len(alone) == 1 and len(numbers) > 1 else ():
+        moved = {alone[0]: "0", k: f"{parts[k]} + {parts[alone[0]]}"}
+        yield [moved.get(i, part) for i, part in enumerate(parts)]
     for i, node in enumerate(nodes):
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
             for kept, moved in ((node.left, node.right), (node.right, node.left)):
