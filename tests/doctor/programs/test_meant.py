@@ -128,6 +128,16 @@ def test_objects_that_are_called_have_a_text():
     assert text.name == "called" and text.entry is None and text.function()(3) == 6
 
 
+def test_no_function_is_called_that_does_more_than_calculate():
+    program = (
+        "def g(x):\n    return x\n\n\ndef h(x):\n    {}\n\n\ndef f(x, y):\n    return g(x + y)"
+    )
+    for does, many in (("return 2 * x", 1), ("open(x)", 0), ("robot.move(x)", 0)):
+        text = Text(program.format(does), "f", {"robot": pytest})
+        tried = [change for change in changes_of(text) if b"h(x + y)" in change[0].new]
+        assert len(tried) == many, does
+
+
 def test_what_is_remembered_is_not_changed_by_who_gets_it():
     text = Text(
         "def g(x):\n    return x + 1\n\n\ndef f(x):\n    y = g(x)\n    y += 5\n    return y",

@@ -200,6 +200,23 @@ class Text:
             self._is_known(node.func) for node in ast.walk(statement) if isinstance(node, ast.Call)
         )
 
+    @property
+    def functions(self):
+        """The functions of the text that may be called: those that are needed, and what only
+        calculates.
+        """
+        return {
+            name: defined
+            for name, defined in self.defined.items()
+            if isinstance(defined, ast.FunctionDef)
+            and (defined in self.blocks or self._only_calculates(defined))
+        }
+
+    def _only_calculates(self, defined):
+        return not (defined.decorator_list or _is_risky([defined])) and all(
+            self._is_known(node.func) for node in ast.walk(defined) if isinstance(node, ast.Call)
+        )
+
     def _is_known(self, function):
         while isinstance(function, (ast.Attribute, ast.Call, ast.Subscript)):
             function = getattr(function, "value", None) or function.func
@@ -260,7 +277,7 @@ def text_of(f):
         text = Text("".join(lines), _name_of(f, called), called.__globals__)
     except (SyntaxError, ValueError):  # magics of a notebook
         return None
-    return text if text.blocks and not _is_risky(text) else None
+    return text if text.blocks and not _is_risky(text.blocks) else None
 
 
 def _name_of(f, called):
@@ -270,9 +287,9 @@ def _name_of(f, called):
     return next((name for name, value in called.__globals__.items() if value is f), "")
 
 
-def _is_risky(text):
+def _is_risky(blocks):
     return any(
         isinstance(node, ast.Name) and node.id in RISKY
-        for block in text.blocks
+        for block in blocks
         for node in ast.walk(block)
     )

@@ -60,11 +60,7 @@ def scope_of_text(text, kinds):
         if text.of(node.value) not in text.space:
             beside.setdefault(text.of(node.value), {})[node.attr] = None
     return Scope(
-        functions={
-            name: len(defined.args.args)
-            for name, defined in text.defined.items()
-            if isinstance(defined, ast.FunctionDef)
-        },
+        functions={name: len(defined.args.args) for name, defined in text.functions.items()},
         constants=tuple(_constants(text)),
         attributes=tuple(dict.fromkeys((*stored, *fields))),
         beside={base: tuple(names) for base, names in beside.items()},

@@ -165,8 +165,8 @@ def _ends(text):
     for name, value in text.space.items():
         if getattr(value, "shape", None) == (4, 4) or _is_square(value):
             yield name
-    for name, defined in text.defined.items():
-        if isinstance(defined, ast.FunctionDef) and not defined.args.args and ENDS.search(name):
+    for name, defined in text.functions.items():
+        if not defined.args.args and ENDS.search(name):
             yield f"{name}()"
     for block in text.blocks:
         for node in ast.walk(block):
@@ -190,10 +190,8 @@ def _products(text):
     """The functions that may multiply: of two arguments, and not the one that is looked at."""
     return [
         name
-        for name, defined in text.defined.items()
-        if isinstance(defined, ast.FunctionDef)
-        and len(defined.args.args) == 2
-        and name != text.name
+        for name, defined in text.functions.items()
+        if len(defined.args.args) == 2 and name != text.name
     ]
 
 
