@@ -2,6 +2,8 @@
 last row, no poses at all, their angles or quaternions in another order.
 """
 
+import warnings
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -91,7 +93,9 @@ def _reread(place, again):
     """A rotation that was read otherwise than it was written: ``again`` makes the right one."""
 
     def repair(q, p, R):
-        return q, p, again(Rotation.from_matrix(R)).as_matrix()
+        with warnings.catch_warnings():  # where roll and yaw are one, scipy takes yaw for 0
+            warnings.simplefilter("ignore", UserWarning)
+            return q, p, again(Rotation.from_matrix(R)).as_matrix()
 
     return MeasuredChange(lambda n: [(None, place, repair)], rotations=True)
 
