@@ -259,7 +259,7 @@ def test_on_paper_what_follows_a_prediction_is_there_with_its_views(new_page, ad
 def test_the_outcome_of_a_prediction_is_seen_after_choosing(new_page, address):
     page = new_page()
     page.goto(f"{address}/lessons/02-parameters.html")
-    outcome = page.get_by_text("Read the printed lines once more")
+    outcome = page.get_by_text("Only the y1 and z1 arrows tip")
     assert outcome.is_hidden()
     page.get_by_role("button", name="it stays where it is").click()
     assert outcome.is_visible()
