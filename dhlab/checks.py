@@ -27,7 +27,7 @@ def checked_rows(rows: Any, where: str) -> NDArray[np.float64]:
     if isinstance(rows, (str, bytes, dict)) or not np.iterable(rows):
         raise ValueError(
             f"{where}: expected rows of four numbers (theta, d, a, alpha), found"
-            f" {type(rows).__name__}; give a list of rows"
+            f" {'one number' if _is_number(rows) else type(rows).__name__}; give a list of rows"
         )
     rows = list(rows)
     if not rows:
@@ -39,8 +39,8 @@ def checked_rows(rows: Any, where: str) -> NDArray[np.float64]:
     for i, row in enumerate(rows, 1):
         if isinstance(row, (str, bytes, dict)) or not np.iterable(row):
             raise ValueError(
-                f"{where}: row {i} is {row!r}, expected 4 numbers (theta, d, a, alpha); put each"
-                " row in brackets of its own"
+                f"{where}: row {i} is {_shown(row)}, expected 4 numbers (theta, d, a, alpha); put"
+                " each row in brackets of its own"
             )
         row = list(row)
         if len(row) != 4:
@@ -50,18 +50,33 @@ def checked_rows(rows: Any, where: str) -> NDArray[np.float64]:
                 else "take out what is too much (is there an index column?)"
             )
             raise ValueError(
-                f"{where}: row {i} has {len(row)} numbers, expected 4 (theta, d, a, alpha); {todo}"
+                f"{where}: row {i} has {_count(row)}, expected 4 (theta, d, a, alpha); {todo}"
             )
         for k, name in enumerate(COLUMNS):
             numbers[i - 1, k] = _as_number(row[k], f"{where}: row {i}, {name}")
     return numbers
 
 
-def _as_number(value: object, where: str) -> float:
+def _count(row):
+    return "1 number" if len(row) == 1 else f"{len(row)} numbers"
+
+
+def _is_number(value):
     array = np.asarray(value)
-    if array.shape != () or array.dtype.kind not in "iuf":
-        raise ValueError(f"{where}: expected a number, found {value!r}; write it as a plain number")
-    return float(array)
+    return array.shape == () and array.dtype.kind in "iuf"
+
+
+def _as_number(value: object, where: str) -> float:
+    if not _is_number(value):
+        raise ValueError(
+            f"{where}: expected a number, found {_shown(value)}; write it as a plain number"
+        )
+    return float(np.asarray(value))
+
+
+def _shown(value):
+    """What was found, as a person would type it."""
+    return repr(value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value)
 
 
 def require_finite(numbers: NDArray[np.float64], where: str) -> None:

@@ -6,6 +6,7 @@ from claims import judged
 
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.answers09 import AR4, MAKERS, PIPER
+from dhlab.course.kinds import Table
 from dhlab.doctor.programs.wrong.products import product
 from dhlab.geometry.procedure.frames import assign_frames
 from dhlab.robots import load
@@ -144,3 +145,50 @@ def test_an_offset_is_looked_for_where_it_is_not_0():
     for values, said in ((q, "the rows were"), (np.deg2rad(q), "the rows and q were")):
         headline = E["06.10"].judge(product(twice, values), 0).headline
         assert headline == f"{said} converted twice"
+
+
+TABLES = [key for key, exercise in E.items() if isinstance(exercise, Table)]
+ROW = [0, 0.1, 0.2, 90]
+NO_TABLES = {  # of a table with n rows: what is handed in, and a part of what is said
+    "a number": (lambda n: 5, "found one number"),
+    "an array of no dimension": (lambda n: np.array(3.0), "found one number"),
+    "one flat row": (lambda n: ROW, "row 1 is 0"),
+    "a column": (lambda n: [0] * n, "row 1 is 0, expected 4 numbers"),
+    "a column of decimals": (lambda n: np.zeros(n), "row 1 is 0.0, expected 4 numbers"),
+    "numbers after a row": (lambda n: [ROW] + [0] * (n - 1), "row 2 is 0, expected 4 numbers"),
+    "texts": (lambda n: ["0 1 2 3"] * n, "row 1 is '0 1 2 3', expected 4 numbers"),
+    "a short row": (lambda n: [ROW] * (n - 1) + [ROW[:3]], "has 3 numbers, expected 4"),
+    "arrays of two sizes": (
+        lambda n: [np.array(ROW)] * (n - 1) + [np.array(ROW[:3])],
+        "has 3 numbers, expected 4",
+    ),
+    "rows of one": (lambda n: [[0]] * n, "row 1 has 1 number, expected 4"),
+    "numbers in brackets": (
+        lambda n: [[[x] for x in ROW]] * n,
+        "θ: expected a number, found [0.0]",
+    ),
+    "rows in brackets": (lambda n: [[ROW]] * n, "row 1 has 1 number, expected 4"),
+    "nothing": (lambda n: [], "found an empty table"),
+}
+
+
+@pytest.mark.parametrize("key", TABLES)
+def test_what_is_no_table_is_told_in_one_sentence(key):
+    joints = len(E[key].right_arm(0))
+    for name, (made, said) in NO_TABLES.items():
+        verdict = E[key].judge(made(joints))
+        assert verdict.status == "wrong" and said in verdict.headline, (name, verdict)
+        assert "np." not in verdict.headline and "array" not in verdict.headline, verdict
+
+
+@pytest.mark.parametrize("key", TABLES)
+def test_dots_and_question_marks_beside_what_is_no_row_do_no_harm(key):
+    n = len(E[key].right_arm(0))
+    for answer in (
+        [ROW, ...] + [0] * (n - 2),
+        [[..., 0, 0]] + [ROW] * (n - 1),
+        [...] + [0] * (n - 1),
+    ):
+        assert E[key].judge(answer).status == "not attempted"
+    for answer in (["?"] + [0] * (n - 1), [["?", 1, 2, 3]] + [np.array(ROW[:3])] * (n - 1)):
+        assert "Good to say so" in E[key].judge(answer).headline

@@ -20,7 +20,7 @@ from ..drawn import drawn_table
 from ..exercise import Exercise, Said, listed, no_draw, untouched
 from ..functions import CASES
 from ..kept import kept, kept_apart
-from ..partial import PART_IS_RIGHT, filled_up, is_open
+from ..partial import PART_IS_RIGHT, filled_up
 from ..reading import Unreadable, plain, unusable
 from ..titles import OF_CRAIG, OF_TABLES
 from .arms import IN_DEGREES, SAME, apart, in_table_units, size, where
@@ -220,8 +220,10 @@ class Table(Exercise):
 
 
 def _entries(row):
-    """The four entries of a row; of one that is left open, four that are."""
-    return [row] * len(COLUMNS) if is_open(row) and np.ndim(row) == 0 else row
+    """The four entries of a row; of one in whose place a single thing stands, dots or a number,
+    four times that.
+    """
+    return list(row) if np.iterable(row) and not isinstance(row, str) else [row] * len(COLUMNS)
 
 
 def as_arm(answer: Any, right: Arm) -> Arm:
