@@ -74,9 +74,12 @@ def test_a_point_of_the_second_plate(variant):
         "origin of plate 1": t,
         "the other way": R.T @ (p - t),
         "in place of @": R * p + t,
+        "the turned p_12 was taken away": t - R @ p,
+        "the shift of plate 1 was taken away": R @ p - t,
     }
     for headline, answer in words.items():
-        assert headline in said("01.3", answer, variant).headline
+        told = said("01.3", answer, variant).headline
+        assert headline in told and "two slips" not in told
     for answer in (T @ [*p, 1], T @ np.array([[*p, 1]]).T):
         assert "1 at the end" in said("01.3", answer, variant).headline
     assert said("01.3", T @ [*p, 0], variant).mistake == "product-stops-early"
@@ -95,12 +98,15 @@ def test_the_tip_of_the_gripper(variant):
         "turned the wrong way": R.T @ t + p,
         "from the base to the flange": R @ t,
         "shifted first": R @ (p + t),
+        "the tool's shift was taken away": p - R @ t,
+        "the way to the flange was taken away": R @ t - p,
         "1 at the end": (A @ B)[:, 3],
         "whole pose": A @ B,
         "one below the other": (A @ B)[:3, [3]],
     }
     for headline, answer in words.items():
-        assert headline in said("01.7", answer, variant).headline
+        told = said("01.7", answer, variant).headline
+        assert headline in told and "two slips" not in told
 
 
 def test_the_order_of_the_chain():

@@ -35,6 +35,7 @@ def point_in_base(T_01: NDArray, p_12: list[float]) -> NDArray:
     return T_01[:3, :3] @ p_12 + T_01[:3, 3]
 
 
+ADDED = "One way follows the other, and neither is walked back."
 TURN = "p_0 = R_01 p_1 + p_01: turn, then shift."
 
 
@@ -82,11 +83,12 @@ def wrong_points(T_01: NDArray, p_12: list[float]) -> Mistakes:
         Said("this is the origin of plate 1; p_12 was not used", next=TURN),
         p,
     )
-    yield (
-        "pose-inverted",
-        Said("the shift of plate 1 was taken away, where it is added", next=TURN),
-        R @ p_12 - p,
-    )
+    for what, taken in (("shift of plate 1", R @ p_12 - p), ("turned p_12", p - R @ p_12)):
+        yield (
+            "length-sign",
+            Said(f"the {what} was taken away, where it is added", why=ADDED, next=TURN),
+            taken,
+        )
 
 
 def misshapen_point(answer: object, T_01: NDArray, p_12: list[float]) -> Known | None:
@@ -207,14 +209,12 @@ def wrong_tips(T_0F: NDArray, T_FT: NDArray) -> Mistakes:
         ),
         R.T @ t + p,
     )
-    yield (
-        "translations-not-rotated",
-        Said(
-            "the tool's shift was taken away",
-            next="Go to the flange, and on to the tip: which sign has the second way?",
-        ),
-        p - R @ t,
-    )
+    for what, taken in (("tool's shift", p - R @ t), ("way to the flange", R @ t - p)):
+        yield (
+            "length-sign",
+            Said(f"the {what} was taken away, where it is added", why=ADDED, next=CHAIN),
+            taken,
+        )
     yield "rotation-block-misread", "this is the tool's z arrow", (T_0F @ T_FT)[:3, 2]
     yield "rotation-block-misread", LAST_ROW, np.zeros(3)
 

@@ -133,7 +133,8 @@ ASSERTED = [
     (r"(The second shift is written in frame b's arrows|p_ab is written in frame a already: R_ab"
      r" turns p_bc alone|p_12 is written in plate 1's arrows|p_01 is written in the base's arrows"
      r" already, and needs no turn|The tool's shift is written in the flange's arrows|The flange's"
-     r" place is written in the base already, and needs no turn)\.",
+     r" place is written in the base already, and needs no turn|One way follows the other, and"
+     r" neither is walked back)\.",
      fact(right_factor_in_new_frame)),
     (r"\(x, y, z\) is written in the base\.", of("01.2")),
     (r"(y / x forgets both signs|np\.arccos forgets the sign)\.", fact(no_quadrant)),

@@ -167,6 +167,10 @@ POINT = [
         r"the shift of plate 1 was taken away, where it is added",
         _two(lambda R, p: R @ p, lambda R, o: -o),
     ),
+    (
+        r"the turned p_12 was taken away, where it is added",
+        _two(lambda R, p: -R @ p, lambda R, o: o),
+    ),
     (r"this is the origin of plate 1; p_12 was not used", _two(lambda R, p: 0 * p, lambda R, o: o)),
     (
         r"the place is right, but the 1 at the end is not part of it",
@@ -215,7 +219,14 @@ TIP = [
         r"the tool's shift was turned the wrong way: .+",
         _tip(lambda F, T: T[:3, 3] @ F[:3, :3] + F[:3, 3]),
     ),
-    (r"the tool's shift was taken away", _tip(lambda F, T: F[:3, 3] - F[:3, :3] @ T[:3, 3])),
+    (
+        r"the tool's shift was taken away, where it is added",
+        _tip(lambda F, T: F[:3, 3] - F[:3, :3] @ T[:3, 3]),
+    ),
+    (
+        r"the way to the flange was taken away, where it is added",
+        _tip(lambda F, T: F[:3, :3] @ T[:3, 3] - F[:3, 3]),
+    ),
     LAST_ROW,
     (r"this is the tool's z arrow", _tip(lambda F, T: F[:3, :3] @ T[:3, 2])),
     POINT[7],
