@@ -30,8 +30,8 @@ def solved(key, given):
     """Right frames, written down from the drawing of each task."""
     points, end = [p for p, *_ in given["axes"]], np.array(given["end"])
     if key == "04.2":
-        a, _, h = points[1]
-        return [[Z, [0, 0, 0], X], [Y, [a, 0, h], X], [end[:3, 2], end[:3, 3], end[:3, 0]]]
+        _, a, h = points[1]
+        return [[Z, [0, 0, 0], X], [X, [0, a, h], Y], [end[:3, 2], end[:3, 3], end[:3, 0]]]
     if key == "04.4":
         x, _, h = points[2]
         return [[Z, [0, 0, 0], X], [Y, [0, 0, h], X], [Y, [x, 0, h], X], [X, [x, 0, h], Z]]
@@ -384,18 +384,27 @@ def test_a_right_table_of_other_frames_is_told_so(variant):
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
+def test_the_worked_steps_are_not_the_answer_of_04_2(variant):
+    task = E["04.2"].given(variant)
+    tool = np.array(task["end"])
+    ends = [[Z, [0, 0, 0], X], [tool[:3, 2], tool[:3, 3], tool[:3, 0]]]
+    copied = [ends[0], [Y, [0.1, 0, 0.4], X], ends[1]]
+    assert E["04.2"].judge(copied, variant).status == "wrong"
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
 def test_why_an_origin_is_refused(variant):
     """Each place has a reason of its own; only a point beside z hears of the housing."""
     given = E["04.2"].given(variant)
-    a, side, h = given["axes"][1][0]
+    side, a, h = given["axes"][1][0]
     rows = solved("04.2", given)
     said = {}
     for name, origin in (
         ("foot on z0", [0, 0, h]),
-        ("housing", [a, side, h]),
-        ("beside", [0, side, h]),
+        ("housing", [side, a, h]),
+        ("beside", [side, 0, h]),
     ):
-        rows[1] = [Y, origin, X]
+        rows[1] = [X, origin, Y]
         said[name] = E["04.2"].judge(rows, variant)
     assert len({v.why for v in said.values()}) == 3 and [
         name for name, v in said.items() if "housing" in v.why

@@ -159,9 +159,9 @@ def test_units_are_told_of_tables_and_placements():
     ):
         assert words in E["04.5"].judge((rows * factors).tolist()).headline
     axes, end = E["04.2"].given(0).values()
-    (a, _, h), x = axes[1][0], [1, 0, 0]
+    (_, a, h), x, y = axes[1][0], [1, 0, 0], [0, 1, 0]
     tool = np.array(end)
-    frames = [[[0, 0, 1], [0, 0, 0], x], [[0, 1, 0], [a, 0, h], x]]
+    frames = [[[0, 0, 1], [0, 0, 0], x], [x, [0, a, h], y]]
     frames.append([tool[:3, 2], tool[:3, 3], tool[:3, 0]])
     assert E["04.2"].judge(frames).status == "right"
     thousand = [[z, np.multiply(1000, o), x] for z, o, x in frames]

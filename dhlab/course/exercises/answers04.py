@@ -40,8 +40,8 @@ def _tenths(rng, low, high):
 
 
 def draw_skew(rng: np.random.Generator) -> dict[str, Any]:
-    """Two skew axes; the housing of joint 2 is not where the common normal arrives. Frame 2 is the
-    tool's.
+    """Two skew axes, the second along x, where the worked arm's is along y; the housing of joint 2
+    is not where the common normal arrives. Frame 2 is the tool's.
     """
     a, h, side, sense = (
         _tenths(rng, 1, 3),
@@ -50,8 +50,8 @@ def draw_skew(rng: np.random.Generator) -> dict[str, Any]:
         int(rng.choice([-1, 1])),
     )
     return {
-        "axes": [([0, 0, 0], [0, 0, 1]), ([a, side, h], [0, sense, 0])],
-        "end": pose_of([1, 0, 0], [0, 0, -1], [0, 1, 0], [a + 0.3, 0, h]),
+        "axes": [([0, 0, 0], [0, 0, 1]), ([side, a, h], [sense, 0, 0])],
+        "end": pose_of([0, 1, 0], [0, 0, 1], [1, 0, 0], [0, a + 0.3, h]),
     }
 
 

@@ -83,8 +83,8 @@ EXERCISES = [
             ),
             "any-point": Option(
                 "any point of z1 would do, the tool takes up the difference",
-                "Any point would need a step along y as well, and no row has one. Only along"
-                " parallel axes is the origin free.",
+                "Any other point would need a step along y as well, and no row has one. Along z1"
+                " the origin is free only where the two axes are parallel or one line.",
                 "four-numbers-for-any-pose",
             ),
         },
@@ -100,8 +100,8 @@ EXERCISES = [
                 " does it arrive?"
             ),
             (
-                "All points of axis 2 have the same x and the same z. Only y is open, and axis 1"
-                " has its own y."
+                "All points of axis 2 have the same y and the same z. Only x is open, and axis 1"
+                " has its own x."
             ),
         ),
     ),
@@ -128,7 +128,7 @@ EXERCISES = [
         title="Five pairs of axes",
         question=(
             "How does each axis of this arm lie to the one before it? Five letters; a"
-            " letter may come twice."
+            " letter may come more than once."
         ),
         repeats=True,
         items={

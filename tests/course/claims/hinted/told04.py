@@ -73,9 +73,9 @@ SAID = {
     },
     "04.2": {
         "The foot of the common normal": at_the_foot,
-        "All points of axis 2 have": lambda g: near(np.array(g["axes"][1][1])[[0, 2]], [0, 0]),
-        "Only y is open": lambda g: (
-            g["axes"][0][0][1] == 0 and near(g["axes"][0][1], [0, 0, 1])
+        "All points of axis 2 have": lambda g: near(np.array(g["axes"][1][1])[1:], [0, 0]),
+        "Only x is open": lambda g: (
+            g["axes"][0][0][0] == 0 and near(g["axes"][0][1], [0, 0, 1])
         ),
     },
     "04.3": {
