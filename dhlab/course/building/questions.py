@@ -38,10 +38,10 @@ def question_cell(exercise: Exercise, variant: int = 0) -> NotebookNode:
     <BLANKLINE>
     Joint 1 slides along its axis. Which number of row 1 changes while the arm moves?
     <BLANKLINE>
-    - `"a"` the joint angle θ
-    - `"b"` the link offset d
-    - `"c"` the link length a
-    - `"d"` all four
+    - `"a"` the link length a
+    - `"b"` the joint angle θ
+    - `"c"` all four
+    - `"d"` the link offset d
     - `"?"` I don't know yet
     """
     cell = nbformat.v4.new_markdown_cell(

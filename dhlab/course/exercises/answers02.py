@@ -138,6 +138,8 @@ def misread(T_01: NDArray) -> Mistakes:
             ),
             [theta, d, a, 180 - alpha],
         )
+    else:
+        yield "alpha-value", Said("α is off by half a turn"), [theta, d, a, alpha + 180]
     if theta < 0:
         yield (
             "offset-sign",

@@ -71,26 +71,27 @@ EXERCISES = [
             "One of these two is a turn, the other a shift.",
         ),
         options={
-            "joint-angle": Option(
-                "the joint angle θ",
-                "θ is the variable of a joint that turns. This one slides, and θ stays what it is.",
-                "prismatic-variable-in-theta",
-            ),
-            "link-offset": Option(
-                "the link offset d",
-                "A sliding joint moves along old z: d is its variable, and θ, a and α are"
-                " constants.",
-            ),
+            # the letters of these two are their names
             "link-length": Option(
                 "the link length a",
                 "a is the link's own length, from axis to axis. No joint changes it.",
                 "a-d-exchanged",
+            ),
+            "joint-angle": Option(
+                "the joint angle θ",
+                "θ is the variable of a joint that turns. This one slides, and θ stays what it is.",
+                "prismatic-variable-in-theta",
             ),
             "all-four": Option(
                 "all four",
                 "A joint has one motion, so one number moves. The other three are the link's"
                 " shape.",
                 "four-numbers-for-any-pose",
+            ),
+            "link-offset": Option(
+                "the link offset d",
+                "A sliding joint moves along old z: d is its variable, and θ, a and α are"
+                " constants.",
             ),
         },
     ),

@@ -203,10 +203,7 @@ EXERCISES = [
         entries=("x", "y", "z"),
         praise="One check pose settled what no looking at the rows could.",
         hints=(
-            (
-                "Make the arm twice, once in each convention, and see which of them meets p_check"
-                " at q_check."
-            ),
+            ("The two arms are the two readings. See which of them meets p_check at q_check."),
             "Both the rows and q are in degrees; forward takes radians.",
         ),
     ),

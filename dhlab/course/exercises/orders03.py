@@ -156,13 +156,12 @@ def explain_published(given: list[str]) -> Known | None:
             "all six: the two have changed places",
             next="Before joint 1 there is no link. Whose row 1 holds that missing link's pair?",
         )
-    tables = {
-        where: [str(k) for k in wrong if ZEROS[k - 1] == where]
-        for where in ("row 1", "the last row")
+    found_in = {
+        where: [k for k in wrong if ZEROS[k - 1] == where] for where in ("row 1", "the last row")
     }
     said = [
-        f"the zeros of table {', '.join(found)} stand in {where}"
-        for where, found in tables.items()
+        f"the zeros of {_numbered('table', found)} stand in {where}"
+        for where, found in found_in.items()
         if found
     ]
     return "convention-guessed", Said(

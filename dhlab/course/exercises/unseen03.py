@@ -111,7 +111,11 @@ def _points_of(convention, rows, q):
     arm, angles = _read_as(convention, rows), np.deg2rad(q)
     T = arm.forward(angles)
     yield "joint-values-unused", "this is the point at q = 0", arm.forward(0 * angles)[:3, 3]
-    yield "degrees-in-sin-cos", "q went in in degrees", arm.forward(np.array(q, dtype=float))[:3, 3]
+    yield (
+        "degrees-in-sin-cos",
+        "q was left in degrees",
+        arm.forward(np.array(q, dtype=float))[:3, 3],
+    )
     yield (
         "degrees-in-sin-cos",
         "the rows were read as radians",

@@ -55,9 +55,9 @@ class Lettered(Exercise):
         --------
         >>> from dhlab.course.exercises import exercises
         >>> exercises()["02.2"].letters()["link-offset"]
-        'b'
+        'd'
         >>> exercises()["02.2"].letters(2**32 + 2)["link-offset"]
-        'c'
+        'b'
         """
         ids = list(self.texts())
         if variant >= SHUFFLED and self.alphabet == ascii_lowercase and not self.same_order:
@@ -98,7 +98,7 @@ class Lettered(Exercise):
         --------
         >>> from dhlab.course.exercises import exercises
         >>> exercises()["02.2"].read_back(("link-offset",))
-        ('b', 'the link offset d')
+        ('d', 'the link offset d')
         """
         letters = self.letters(variant) | {UNDECIDED: UNDECIDED}
         texts = {**self.texts(), UNDECIDED: I_DONT_KNOW}

@@ -171,8 +171,8 @@ CLAIMS = {
             r"all six: the two have changed places", lambda a, f: len(wrong_places(a, TABLES)) == 6
         ),
         says(
-            r"(the zeros of table (?P<first>[\d, ]+) stand in row 1)?( and )?"
-            r"(the zeros of table (?P<last>[\d, ]+) stand in the last row)?",
+            r"(the zeros of tables? (?P<first>[\d, ]+) stand in row 1)?( and )?"
+            r"(the zeros of tables? (?P<last>[\d, ]+) stand in the last row)?",
             _zeros,
         ),
     ],

@@ -467,7 +467,10 @@ OF_A_READING = [
         _unnamed(lambda g, name: walk(g["rows"], g["q"], _other(name))[:3, 3]),
     ),
     (r"this is the point at q = 0", _unnamed(lambda g, n: walk(g["rows"], np.zeros(6), n)[:3, 3])),
-    (r"q went in in degrees", _unnamed(lambda g, n: walk(g["rows"], np.degrees(g["q"]), n)[:3, 3])),
+    (
+        r"q was left in degrees",
+        _unnamed(lambda g, n: walk(g["rows"], np.degrees(g["q"]), n)[:3, 3]),
+    ),
     (
         r"the rows were read as radians",
         _unnamed(

@@ -85,6 +85,8 @@ SAID = {
     "03.10": {
         "One check pose settled": settled,
         "Both the rows and q are in degrees": settled,
+        "The two arms are the two readings": settled,
+        "See which of them meets p_check": DO,
     },
     "03.3": {
         "The same four moves": craigs,
