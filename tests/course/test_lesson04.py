@@ -446,6 +446,17 @@ def test_a_slide_does_not_turn(variant):
     )
 
 
+@pytest.mark.parametrize("i, x", [(2, 3), (4, 4)])
+def test_an_origin_that_lays_a_line_elsewhere_is_told_with_the_x_that_misses(i, x):
+    rows = solved("04.10", E["04.10"].given(0))
+    rows[3][2] = Z
+    rows[i][1] = [rows[i][1][0], 0, rows[i][1][2]]
+    rows[4][1] = rows[4][1] if i == 2 else np.array(rows[4][1]) * [1, 0, 1]
+    verdict = E["04.10"].judge(rows)
+    assert verdict.place == f"x{x}" and f"z{i} runs through your o{i}." in verdict.headline
+    assert boards.true_of(verdict, rows, E["04.10"].given(0))
+
+
 def test_the_tools_own_frame_is_not_always_frame_n():
     """What the lesson says of frame n: the tool's origin may be out of reach, and where axis n
     meets the tool's line one row arrives.

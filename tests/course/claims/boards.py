@@ -152,7 +152,10 @@ OF_STEPS = [
     (r"This lies in the plane of z\d and z\d\. .+", in_plane),
     (r"The angle between this and z\d is (?P<deg>\d+)°, not 90°\. .+", leaning),
     (r"This is at right angles to z\d, but not to z\d\. .+", leaning_to_other),
-    (r"From o\d this line passes z\d by\. .+", passes_by),
+    (r"From o\d this line passes z\d by\. .+?(?P<through>( z\d runs through your o\d\.)*)",
+     lambda b, f: passes_by(b, f) and all(
+         off(b.line(int(k)), b.rows[int(k)][1]) < SMALL for k in re.findall(r"z(\d)", f["through"])
+     )),
 ]  # fmt: skip
 UNITS = r"in other units: (?P<what>.+) in (?P<unit>\w+); metres are asked"
 FAR = r"o(?P<i>\d) lies (?P<m>\d+) m from the base"

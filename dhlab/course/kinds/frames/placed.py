@@ -87,7 +87,7 @@ WORDS = {
     ),
     "x-misses-other-axis": (
         "A row walks along x_i from one axis to the other.",
-        "Is the origin right? Then point from the one axis straight across to the other.",
+        "Are both origins right? Then point from the one axis straight across to the other.",
     ),
 }
 # of a frame that has no z before it
@@ -232,12 +232,20 @@ class Frames(Exercise):
         else:
             message = judgement.message
             why, next_step = (i == 0 and WORDS_OF_FIRST.get(rule)) or WORDS.get(rule, ("", ""))
+        if rule == "x-misses-other-axis":
+            message += "".join(f" z{k} runs through your o{k}." for k in _placed_lines(task, i))
         what = KINDS[step[0]] if self.sparing else step
         headline = f"{what} is not right. {message}{allowed}"
         if not why:
             return self.wrong(mistake, headline=headline, place=step)
         why, next_step = (text.replace("_i", str(i)) for text in (why, next_step))
         return self.wrong(mistake, place=Said(headline, next=next_step, why=why, place=step))
+
+
+def _placed_lines(task, i):
+    """Of z_{i-1} and z_i those that an origin was free to choose: a slide's, and the last."""
+    joints = ((k, task.joint(k)) for k in (i - 1, i))
+    return [k for k, joint in joints if joint is None or task.axes[joint - 1].letter == "P"]
 
 
 def _same(answer, frames):
