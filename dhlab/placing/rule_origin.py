@@ -39,7 +39,7 @@ def judge_origin(found: Geometry, point: ArrayLike) -> tuple[Judgement, NDArray[
         else found.origin
     )
     if np.linalg.norm(p - exact) <= found.near:
-        return Judgement(f"o{found.i}", True, *_right_origin(found)), exact
+        return Judgement(f"o{found.i}", True, *_right_origin(found, exact)), exact
     return Judgement(f"o{found.i}", False, *_origin_fault(found, p)), None
 
 
@@ -56,8 +56,13 @@ def _reached(found, p):
     return p - side * ((p - q) @ side)
 
 
-def _right_origin(found):
+def _right_origin(found, o):
     i, (z, w) = found.i, found.names
+    if found.case == "loose" and np.linalg.norm(o - nearest_on(*found.other, o)) <= found.near:
+        return (
+            "one-row",
+            f"{w} runs through this point, and so does {z}: they meet here, and a is 0.",
+        )
     return {
         "start": (
             "free",
