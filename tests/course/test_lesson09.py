@@ -5,6 +5,7 @@ dresses, wrong ones named; the post-test.
 import json
 import re
 import warnings
+from dataclasses import replace
 from itertools import permutations
 from xml.etree import ElementTree
 
@@ -136,7 +137,7 @@ def test_the_ar4_passes_in_any_description():
         dh.assign_frames(axes, end=end),
         dh.assign_frames(elsewhere, end=end),
         dh.assign_frames(axes, end=end, convention="craig"),
-        dh.load("ar4"),
+        replace(dh.load("ar4"), source=""),
         dh.assign_frames(axes, end=end, x_signs={3: -1}, z_signs={2: -1}),
     ]
     assert all(

@@ -93,6 +93,20 @@ def column_without_o(i, frames, p, sliding):
     return swung(frames[i][:3, 2], p, sliding[i])
 
 
+def column_with_z_for_o(i, frames, p, sliding):
+    z, _ = at(i, frames)
+    return swung(z, p - z, sliding[i])
+
+
+def column_by_dot(i, frames, p, sliding):
+    z, o = at(i, frames)
+    return np.hstack([z, 0 * z] if sliding[i] else [np.dot(z, p - o), z])
+
+
+def column_about_its_own_z(i, frames, p, sliding):
+    return swung(np.array([0.0, 0.0, 1.0]), p - frames[i][:3, 3], sliding[i])
+
+
 def as_rows(cols):
     return np.array(cols).reshape(6, len(cols))
 
@@ -106,6 +120,9 @@ JACOBIANS = [  # (exercise, program, what must be said, what must not)
     ("08.2", jacobian(right_column, as_rows), ".T does", "differ"),
     ("08.2", jacobian(right_column, lambda c: np.rad2deg(c).T), "in degrees", "differ"),
     ("08.2", jacobian(right_column, lambda c: np.array(c[:1]).T), "return inside", "Print"),
+    ("08.2", jacobian(column_with_z_for_o), "or z in its place", "end alone, o was"),
+    ("08.2", jacobian(column_by_dot), "np.cross gives three", "count"),
+    ("08.2", jacobian(column_about_its_own_z), "z is 0 0 1 for every joint", "another frame"),
     ("08.11", jacobian(column_without_o), "o was not taken off", "pen"),
 ]
 
@@ -217,10 +234,38 @@ def both_converted(rows, q):
     return T
 
 
+def all_four(theta, d, a, alpha):
+    return [rot_z(theta), trans_z(d), trans_x(a), rot_x(alpha)]
+
+
+def with_dots(theta, d, a, alpha):
+    return rot_z(theta) @ trans_z(d) @ ...
+
+
+def of_whole_numbers(alpha):
+    return np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
+
+
+def called(theta, d, a, alpha):
+    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)
+
+
+def last_alone(rows, q):
+    for (offset, d, a, alpha), x in zip(rows, q):
+        T = called(offset + x, d, a, alpha)
+    return T
+
+
 MOVES = [
+    ("05.1", of_whole_numbers, "the same whatever goes in", "cut off"),
+    ("05.4", all_four, "what they make together", "alone"),
+    ("05.4", with_dots, "no dots left", "4×4"),
+    ("05.6", called, "made by calling functions", "Right"),
+    ("05.7", called, "made by calling functions", "One sign"),
+    ("09.8", last_alone, "only the last row's matrix comes out", "begins"),
     ("05.4", with_d_for_a, "d is used where a belongs", "entries"),
     ("05.4", with_theta_for_alpha, "theta is used where alpha belongs", "differ"),
-    ("05.4", with_nothing, "is None or a single number", "4×4"),
+    ("05.4", with_nothing, "is None, a single number or three dots", "4×4"),
     ("05.4", seen_from_the_end, "T_ab is frame b written in frame a", "T_06"),
     ("05.6", the_other_conventions, "the matrix of the other convention", "joins on the right"),
     ("05.7", the_other_conventions, "the matrix of the other convention", "joins on the right"),

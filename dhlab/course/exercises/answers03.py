@@ -23,7 +23,8 @@ __all__ = [
 ]
 
 COPIED = (
-    "A conversion changes no number, only its row. Compare signs and digits with the given table."
+    "A conversion changes no number: θ and d keep their row, a and α change theirs. Compare signs"
+    " and digits with the given table."
 )
 
 

@@ -16,6 +16,7 @@ from ..kinds import Known, Mistakes, Said
 __all__ = [
     "COLUMN_LINES",
     "NOT_TO_THE_PEN",
+    "OF_THE_AXIS",
     "PEN",
     "draw_bend",
     "draw_frames",
@@ -32,6 +33,12 @@ PEN = Said(
     "the lever does not run to the tip of the pen: ω is right, v is not",
     next="Which of the inputs knows of the pen: frames or T_end?",
 )
+OF_THE_AXIS = {  # where the catalogue's title is not the learner's slip, or no sentence
+    ("jacobian-frame", "the axis left in its own frame: always 0 0 1"): Said(
+        "the axis z is 0 0 1 for every joint, as each frame sees its own; p and o are right",
+        next="Take z out of the joint's frame: its third column, written in the base.",
+    )
+}
 NOT_TO_THE_PEN = (  # of the levers that the doctor knows, by its places
     "o alone, the end does not enter",
     "o × z: the velocity of a point at the base's origin",

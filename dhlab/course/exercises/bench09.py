@@ -55,6 +55,17 @@ def misread_bench(stop: int, at_stop: int, **log: Any) -> Mistakes:
         Said("the offset is right; the sign is not", next=AGAIN),
         [1, stop + turn],
     )
+    for turns in (1, -1):
+        yield (
+            "offset-value",
+            Said(
+                f"at the stop these two give {stop + 360 * turns}°, a whole turn from where the"
+                " joint is",
+                next="A joint with a stop does not turn round: its angle there is the log's"
+                " number, and no other.",
+            ),
+            [-1, stop + turn + 360 * turns],
+        )
     for sign, of_sign in ((-1, "the sign is right; in"), (1, "the sign is not right; and in")):
         for mistake, said, offset in _wrong_offsets(stop, at_stop, turn):
             if (sign, offset) != (1, stop - turn):

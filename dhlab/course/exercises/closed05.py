@@ -2,28 +2,52 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...doctor.programs.running.made import matrices_made
 from ...doctor.programs.search.slipsearch import wrong_entries
-from ...doctor.programs.wrong.links import standard
 from ..kinds import Function, Known, Said
+from ..verdict import RIGHT, Verdict
 from .orders03 import ARGUMENTS
 
-__all__ = ["ClosedForm", "OF_THE_MATRIX", "TYPED", "from_a_blog"]
+__all__ = ["ClosedForm", "OF_THE_MATRIX", "TYPED", "closed", "from_a_blog"]
+
+
+def closed(theta: float, d: float, a: float, alpha: float) -> NDArray:
+    """The link matrix, entry by entry."""
+    c, s, u, v = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return np.array(
+        [[c, -s * u, s * v, a * c], [s, c * u, -c * v, a * s], [0, v, u, d], [0, 0, 0, 1]]
+    )
 
 
 def from_a_blog(theta: float, d: float, a: float, alpha: float) -> NDArray:
     """The broken program of 05.7: one sign of the z arrow."""
-    T = standard(theta, d, a, alpha)
+    T = closed(theta, d, a, alpha)
     T[1, 2] *= -1
     return T
 
 
+OF_OTHERS = Said(
+    "the right matrix, made by calling functions that make matrices; its entries are asked",
+    next="Write the sixteen entries in this function, and call nothing but sines and cosines.",
+)
+
+
 @dataclass(frozen=True, kw_only=True)
 class ClosedForm(Function):
-    """A link matrix typed entry by entry: what is wrong is said of its entries and columns."""
+    """A link matrix typed entry by entry: what is wrong is said of its entries and columns. A
+    product of matrices that other functions make is not asked.
+    """
+
+    def compare(self, answer: Any, variant: int) -> Verdict:
+        verdict = super().compare(answer, variant)
+        if verdict.status != RIGHT or len(matrices_made(answer, self.cases(variant)[0])) < 2:
+            return verdict
+        return self.told(None, OF_OTHERS)
 
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]

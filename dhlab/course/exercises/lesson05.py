@@ -17,7 +17,7 @@ from .answers05 import (
     wrong_origins,
     wrong_slides,
 )
-from .closed05 import OF_THE_MATRIX, TYPED, ClosedForm, from_a_blog
+from .closed05 import OF_THE_MATRIX, TYPED, ClosedForm, closed, from_a_blog
 
 __all__ = ["EXERCISES"]
 
@@ -136,7 +136,7 @@ EXERCISES = [
         answer=standard,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
-        praise="Four moves, multiplied from left to right.",
+        praise="It is Rz, Tz, Tx and Rx, multiplied from left to right.",
         words=OF_THE_MATRIX,
         hints=(
             "Write the four matrices first, in the order about z, along z, along x, about x.",
@@ -163,11 +163,11 @@ EXERCISES = [
         points=2,
         draw=general_row,
         special=SPECIAL["dh_transform"],
-        answer=standard,
+        answer=closed,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
         sparing=True,
-        praise="The same matrix, in closed form.",
+        praise="The same matrix as the four moves make, entry by entry.",
         words=OF_THE_MATRIX | TYPED,
         hints=(
             (
@@ -185,12 +185,12 @@ EXERCISES = [
         title="A sign in a copied matrix",
         draw=general_row,
         special=SPECIAL["dh_transform"],
-        answer=standard,
+        answer=closed,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
         sparing=True,
         handed_out=from_a_blog,
-        praise="One sign. It hides whenever α is 0, and also at θ = ±90°.",
+        praise="One sign was wrong. It hides whenever α is 0, and also at θ = ±90°.",
         words=OF_THE_MATRIX | TYPED,
         hints=(
             "Compare the third column with that of your dh_closed.",

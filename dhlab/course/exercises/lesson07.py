@@ -140,6 +140,7 @@ EXERCISES = [
         points=3,
         answer=lambda **log: article(),
         draw=story,
+        nearly="You are nearly there: the angle that is meant is a multiple of 90°.",
         handed_out=lambda rows, **log: rows,
         praise="That was it: z4, drawn with its arrow on the wrong side. Two days.",
         hints=(
@@ -159,6 +160,10 @@ EXERCISES = [
         points=3,
         answer=lambda **paper: Arm(DHTable.standard(PUMA, angle="deg")),
         draw=draw_pasted,
+        nearly=(
+            "You are nearly there: a sign or a digit was lost on paper, and nothing was measured"
+            " anew."
+        ),
         handed_out=lambda rows, **log: rows,
         praise="A Puma 560, repaired from ten measured poses.",
         hints=(
@@ -197,6 +202,7 @@ EXERCISES = [
         points=3,
         answer=lambda **log: article(),
         draw=draw_length,
+        nearly="You are nearly there, and what is left is noise. Round as the question says.",
         handed_out=lambda rows, **log: rows,
         praise="One arrow accused itself: the residual lay along it at every pose.",
         hints=(

@@ -5,6 +5,7 @@ from ..kinds import Choice, Option, Order, Prediction, Value
 from .answers08 import (
     COLUMN_LINES,
     NOT_TO_THE_PEN,
+    OF_THE_AXIS,
     PEN,
     draw_bend,
     draw_frames,
@@ -55,6 +56,7 @@ EXERCISES = [
         names=("frames", "T_end", "sliding"),
         family="jacobian",
         shape=(6, 5),
+        words=OF_THE_AXIS,
         praise="Turning or sliding, any number of joints, base and tool included.",
         hints=(
             (
@@ -78,7 +80,7 @@ EXERCISES = [
         shape=(6, 5),
         handed_out=to_the_flange,
         sparing=True,
-        words={("lever-arm-wrong", place): PEN for place in NOT_TO_THE_PEN},
+        words=OF_THE_AXIS | {("lever-arm-wrong", place): PEN for place in NOT_TO_THE_PEN},
         praise="The lever runs to the tip of the pen, wherever the last frame may be.",
         hints=(
             "It was right until the pen was mounted. Which of the three inputs knows of the pen?",

@@ -15,6 +15,7 @@ from .answers03 import COPIED
 from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
+    THROWN_AWAY,
     between,
     draw_craig,
     draw_flange,
@@ -160,6 +161,7 @@ EXERCISES = [
         family="forward_kinematics",
         handed_out=reversed_product,
         sparing=True,
+        words={("product-starts-late", "only the last row is used"): THROWN_AWAY},
         praise="The base's matrix stands on the left, the last joint's on the right.",
         hints=(
             "For an arm of one joint this program is right. What happens at the second?",
@@ -230,7 +232,6 @@ EXERCISES = [
         mistakes=misread_bench,
         units=("", "deg"),
         entries=("sign", "offset"),
-        turns=(1,),
         praise="Two numbers from one reading, and no doctor. The cell below asks the tape.",
         hints=(
             "At the stop you know both: what the encoder reads, and what q2 is.",

@@ -13,6 +13,7 @@ from ...table import DHTable
 from ..kinds import Known, Mistakes, Said
 
 __all__ = [
+    "THROWN_AWAY",
     "between",
     "draw_craig",
     "draw_flange",
@@ -23,6 +24,12 @@ __all__ = [
     "misread_rows",
     "reversed_product",
 ]
+
+
+THROWN_AWAY = Said(
+    "only the last row's matrix comes out",
+    next="Each turn of the loop throws the product away: T must stand on the right of = too.",
+)
 
 
 def draw_craig(rng: np.random.Generator) -> dict[str, DHTable]:
@@ -51,7 +58,6 @@ def half_moved(table: DHTable) -> Mistakes:
         "θ and d belong to the joint, a and α together to the link behind it.",
     )
     down = np.column_stack([rows[:, :2], np.vstack([np.zeros(2), rows[:-1, 2:]])])
-    kept = np.vstack([moved[:-1], rows[-1]])
     next_row = "In Craig's table row 2 leads from axis 1 to axis 2. Which standard row does that?"
     known = [
         ("craig-rows-in-standard-matrix", "these are still Craig's rows", rows),
@@ -70,10 +76,29 @@ def half_moved(table: DHTable) -> Mistakes:
             "α moved, a did not",
             np.column_stack([rows[:, :3], moved[:, 3]]),
         ),
-        (
-            "conversion-incomplete",
-            "the last row still holds a pair, and behind the last joint there is no link",
-            kept,
+        *(
+            (
+                "conversion-incomplete",
+                "the last row still holds a pair, and behind the last joint there is no link",
+                np.vstack([moved[:-1], [*moved[-1, :2], *pair]]),
+            )
+            for pair in rows[1:, 2:]
+        ),
+        *(
+            (
+                "conversion-incomplete",
+                "whole rows moved up, and θ and d belong to a joint: they stay",
+                np.vstack([rows[1:], last]),
+            )
+            for last in (0 * rows[0], rows[0], rows[-1])
+        ),
+        *(
+            (
+                "conversion-incomplete",
+                "θ moved up with a and α, and it belongs to the joint: it stays",
+                np.column_stack([[*rows[1:, 0], last], moved[:, 1:]]),
+            )
+            for last in (0.0, rows[0, 0], rows[-1, 0])
         ),
     ]
     for mistake, headline, wrong in known:

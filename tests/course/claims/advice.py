@@ -99,7 +99,29 @@ def not_so(case):
     return holds
 
 
+def dot_and_cross():
+    """One number of two vectors, and three."""
+    u, v = np.array([1.0, 2, 3]), np.array([0.3, -1, 2])
+    return np.ndim(np.dot(u, v)) == np.ndim(u @ v) == 0 and np.shape(np.cross(u, v)) == (3,)
+
+
+def list_of_four(e, answer, variant):
+    return np.shape(answer(*e.cases(variant)[0])) == (4, *e.shape)
+
+
+def throws_away(e, answer, variant):
+    """Of a chain with another first row the same comes out."""
+    rows, q = next(case for case in e.cases(variant) if len(case[1]) > 1)
+    others = np.vstack([np.add(rows[0], 0.1), rows[1:]])
+    return np.allclose(answer(rows, q), answer(others, q))
+
+
 ASSERTED = [
+    (r"np\.dot and @ of two vectors give one number, np\.cross gives three\.",
+     fact(dot_and_cross)),
+    (r"A list of 4 comes back, and one is asked: .+", list_of_four),
+    (r"The parts have different lengths, or one entry is an array and not a number: .+", program),
+    (r"Each turn of the loop throws the product away: .+", throws_away),
     *((pattern, of(*keys)) for pattern, keys in TASKS),
     *CATALOGUED,
     (r"x_i turned round changes a_i, (alpha|α)_i, (theta|θ)_i and (theta|θ)_\{i\+1\}.*",

@@ -868,6 +868,7 @@ SHEET = [
         r"in other units: the points of joints? (?P<first>\d)(?: (?:and|to) 6)? in millimetres; .+",
         _last_points,
     ),
+    (r"this arm was loaded: it says where its numbers come from", lambda a, g, f: bool(a.source)),
     (r"these are joint axes, not yet an arm", lambda a, g, f: np.shape(a[0]) == (2, 3)),
     (r"the direction of joint (?P<joint>\d) is (?P<slip>reversed|another one)", _axis_slip),
     (r"axis (?P<joint>\d) goes through the point that axis \d was given(?P<slip>)", _axis_slip),
@@ -909,7 +910,23 @@ MOVED = [
     (r"α moved, a did not", _kr6(lambda rows, right: np.column_stack([rows[:, :3], right[:, 3]]))),
     (
         r"the last row still holds a pair, and behind the last joint there is no link",
-        _kr6(lambda rows, right: np.vstack([right[:-1], rows[-1]])),
+        lambda a, g, f: any(
+            _kr6(lambda rows, right, k=k: np.vstack([right[:-1], [*rows[-1, :2], *rows[k, 2:]]]))(
+                a, g, f
+            )
+            for k in range(1, 6)
+        ),
+    ),
+    (
+        r"whole rows moved up, and θ and d belong to a joint: they stay",
+        lambda a, g, f: np.allclose(np.array(a, dtype=float)[:5], _kr6_rows(g)[0][1:]),
+    ),
+    (
+        r"θ moved up with a and α, and it belongs to the joint: it stays",
+        lambda a, g, f: (
+            np.allclose(np.array(a, dtype=float)[:5, 0], _kr6_rows(g)[0][1:, 0])
+            and np.allclose(np.array(a, dtype=float)[:, 1:], _kr6_rows(g)[1][:, 1:])
+        ),
     ),
     *typed.claims(lambda g: _kr6_rows(g)[1]),
 ]

@@ -29,7 +29,8 @@ TASKS = [
     (r"Craig walks the link before joint i first\.", ("03.2", "03.3")),
     (r"The check pose says which reading is right\.", ("03.10",)),
     (r"Before joint 1 there is no link\.", ("03.5",)),
-    (r"A conversion changes no number, only its row\.", ("03.7", "03.8", "03.9", "09.7")),
+    (r"A conversion changes no number: θ and d keep their row, a and α change theirs\.",
+     ("03.7", "03.8", "03.9", "09.7")),
     (r"The first row turns about z0, and that is the motion of joint 1\.", ("04.1",)),
     (r"x stays\.", ("05.1",)),
     (r"That is asked, and not the reverse\.", ("03.3",)),
@@ -51,6 +52,7 @@ TASKS = [
     (r"dh\.assign_frames takes metres, .+", ("09.4",)),
     (r"The doctor spoke of a standard row 5\.", ("09.3",)),
     (r"The log says that the encoder counts down where q2 grows\.", ("09.10",)),
+    (r"A joint with a stop does not turn round: .+", ("09.10",)),
     (r"4096 counts are a whole turn\.", ("09.10",)),
     (r"In Craig's table row 2 leads from axis 1 to axis 2\.", ("09.7",)),
 ]  # fmt: skip

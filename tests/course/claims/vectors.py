@@ -1028,6 +1028,13 @@ def _whole(angle):
 
 BENCH = [
     (
+        r"at the stop these two give (?P<angle>-?\d+)°, a whole turn from where the joint is",
+        lambda a, g, f: (
+            np.isclose(a[0] * _turn(g) + a[1], float(f["angle"]))
+            and np.isclose(abs(float(f["angle"]) - g["stop"]), 360)
+        ),
+    ),
+    (
         r"right at the stop, and from there the wrong way",
         lambda a, g, f: a[0] == 1 and _whole(a[0] * _turn(g) + a[1] - g["stop"]),
     ),

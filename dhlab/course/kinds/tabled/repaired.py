@@ -23,9 +23,12 @@ VALUES = ("offset-value", "length-value", "length-value", "alpha-value")
 
 @dataclass(frozen=True, kw_only=True)
 class Repair(Table):
-    """A broken table to be repaired: the one that is handed out."""
+    """A broken table to be repaired: the one that is handed out. ``nearly`` is the next step of a
+    number that is within a tenth of what was to be mended.
+    """
 
     handed_out: Callable
+    nearly: str
 
     def _explained(self, arm, right, q, variant):
         """The Verdict on another arm: which of the changed entries were right before."""
@@ -59,7 +62,7 @@ class Repair(Table):
                 "the right entry, but not yet the right number",
                 place=f"row {i + 1}, {COLUMNS[k]}",
                 next=(
-                    "You are nearly there, and what is left is noise. Round as the question says."
+                    self.nearly
                     if missing[0] < NOISY * missing[1]
                     else "How much does the evidence say is missing, and with which sign? Add it to"
                     " the number that was handed out."

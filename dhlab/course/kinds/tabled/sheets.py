@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arm import Arm
-from ...verdict import Verdict
+from ...verdict import RIGHT, Verdict
 from ..exercise import Said
 from .arms import apart, size, where
 from .tables import Table
@@ -17,6 +17,10 @@ __all__ = ["OfAxes"]
 NO_ARM_YET = Said(
     "these are joint axes, not yet an arm",
     next="Hand in what dh.assign_frames makes of the axes and the end.",
+)
+LOADED = Said(
+    "this arm was loaded: it says where its numbers come from",
+    next="Hand in the arm that dh.assign_frames makes of the axes you write down.",
 )
 
 
@@ -30,6 +34,12 @@ class OfAxes(Table):
         if _are_axes(answer):
             return self.told(None, NO_ARM_YET)
         return super().arm_of(answer, right)
+
+    def judged(self, arm: Arm, right: Arm, variant: int) -> Verdict:
+        verdict = super().judged(arm, right, variant)
+        if arm.source and verdict.status == RIGHT:
+            return self.told(None, LOADED)
+        return verdict
 
     def _explained(self, arm: Arm, right: Arm, q: NDArray[np.float64], variant: int) -> Verdict:
         return self.known(arm, q, variant) or self.wrong(

@@ -222,7 +222,8 @@ def _other_shape(array, shape, case, names):
         do = (
             "It comes back inside a list: return it alone."
             if len(array) == 1
-            else f"A list of {len(array)} comes back, and one is asked: return that one alone."
+            else f"A list of {len(array)} comes back, and one is asked: that one of them, or what"
+            " they make together."
         )
     return CallFault(
         f"the answer has the shape {found}, expected {'×'.join(map(str, shape))}",

@@ -8,6 +8,7 @@ __all__ = ["in_words"]
 
 COMMA = "a comma, or a * between two factors, is missing there: (…) (…) and […] […] are no lists."
 FOUR = "A row holds four numbers in this order: θ offset, d, a, α."
+OF_VECTORS = "np.dot and @ of two vectors give one number, np.cross gives three."
 # (kind of error, what its message holds, what to do): the first that fits is told
 _WORDS = (
     ("TypeError", r"list indices must be integers or slices, not tuple", f"Perhaps {COMMA}"),
@@ -42,8 +43,8 @@ _WORDS = (
     (
         "ValueError",
         r"does not have enough dimensions \(has 0",
-        "One of the two is None or a single number: does every function that is called there return"
-        " its matrix?",
+        "One of the two is None, a single number or three dots: does every function that is called"
+        " there return its matrix, and are no dots left?",
     ),
     (
         "ValueError",
@@ -53,9 +54,15 @@ _WORDS = (
     ),
     (
         "ValueError",
-        r"setting an array element with a sequence|inhomogeneous|could not broadcast input",
-        "The rows have different lengths, or one entry is an array and not a number: count the"
-        " entries of each row, and print what each one is.",
+        r"setting an array element with a sequence|inhomogeneous",
+        "The parts have different lengths, or one entry is an array and not a number: print the"
+        f" shape of each. {OF_VECTORS}",
+    ),
+    (
+        "ValueError",
+        r"could not broadcast input",
+        "What is put there has another shape than the place it is to fill: print both shapes."
+        f" {OF_VECTORS}",
     ),
     (
         "ValueError|TypeError",

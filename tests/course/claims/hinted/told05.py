@@ -66,19 +66,19 @@ SAID = {
         "Tx(a) must come after Rz(θ)": in_order(("rz", "tx"), ("rz", "rx"), ("tz", "rx")),
     },
     "05.4": {
-        "Four moves, multiplied": always(
+        "It is Rz, Tz, Tx and Rx": always(
             lambda: near(np.linalg.multi_dot([link(GENERAL, (move,)) for move in STANDARD]), T)
         ),
         "Each new move is made in the current frame": always(facts.right_factor_in_new_frame),
     },
     "05.6": {
-        "The same matrix, in closed form": always(columns),
+        "The same matrix as the four moves make": always(columns),
         "First column: the x arrow": always(columns),
         "Last column: a times that arrow": always(columns),
         "The second column is the turned y arrow": always(columns),
     },
     "05.7": {
-        "One sign": one_sign,
+        "One sign was wrong": one_sign,
         "It hides whenever α is 0": hides,
         "The third column must be at right angles": always(
             lambda: np.isclose(T[:3, 2] @ T[:3, 0], 0)

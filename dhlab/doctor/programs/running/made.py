@@ -1,0 +1,54 @@
+"""Which functions make matrices while a program runs."""
+
+import sys
+
+import numpy as np
+
+from .calling import quiet
+
+__all__ = ["matrices_made"]
+
+THEIRS = ("numpy", "sympy")  # packages whose functions are left out
+
+
+def matrices_made(f, case):
+    """The names of the functions, numpy's and sympy's aside, that made a 4×4 array of numbers alone
+    while ``f`` was called; that of a function itself is not among them.
+
+    Examples
+    --------
+    >>> from dhlab.transform import rot_z, trans_x
+    >>> matrices_made(lambda theta, a: rot_z(theta) @ trans_x(a), (0.3, 0.4))
+    ['rot_z', 'trans_x']
+    """
+    names = []
+
+    def watch(frame, event, value):
+        if event != "return" or frame.f_code is f.__code__ or np.shape(value) != (4, 4):
+            return
+        module, code = str(frame.f_globals.get("__name__")), frame.f_code
+        given = [frame.f_locals.get(name) for name in code.co_varnames[: code.co_argcount]]
+        if (
+            module.split(".")[0] not in ("numpy", "sympy")
+            and given
+            and not any(map(np.ndim, given))
+        ):
+            names.append(code.co_name)
+
+    if getattr(f, "__code__", None) is None:
+        return names
+    before = sys.getprofile()
+    sys.setprofile(watch)
+    try:
+        with quiet():
+            f(*case)
+    finally:
+        sys.setprofile(before)
+    return names
+
+
+def _of_numbers(frame):
+    """Whether a function of nobody else's was called with numbers, and with nothing else."""
+    package, code = str(frame.f_globals.get("__name__")).split(".")[0], frame.f_code
+    given = [frame.f_locals.get(name) for name in code.co_varnames[: code.co_argcount]]
+    return package not in THEIRS and bool(given) and not any(map(np.ndim, given))
