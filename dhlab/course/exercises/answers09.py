@@ -105,7 +105,7 @@ def _wrong_lines(axes, end):
                 "z-across-joint-axis",
                 Said(
                     f"the direction of joint {k + 1} is another one",
-                    next="About which line does this joint turn, seen in the sheet?",
+                    next="About which line does this joint turn, at the zero pose?",
                 ),
                 assign_frames(_with(axes, k, (point, other)), end=end),
             )
