@@ -94,8 +94,8 @@ EXERCISES = [
         options={"six": "6: there are six joints", "five": "5", "four": "4", "three": "3"},
         correct="four",
         outcome=(
-            "the rank is 4. The stretched arm cannot move further out or in; how the other direction"
-            " is lost, 08.3 asks."
+            "the rank is 4. The stretched arm cannot move further out or in; how the other"
+            " direction is lost, 08.3 asks."
         ),
     ),
     Choice(
