@@ -919,13 +919,13 @@ MOVED = [
     ),
     (
         r"whole rows moved up, and θ and d belong to a joint: they stay",
-        lambda a, g, f: np.allclose(np.array(a, dtype=float)[:5], _kr6_rows(g)[0][1:]),
+        lambda a, g, f: np.allclose(degrees_of(arm_of(a, g)[0])[:5], _kr6_rows(g)[0][1:]),
     ),
     (
         r"θ moved up with a and α, and it belongs to the joint: it stays",
         lambda a, g, f: (
-            np.allclose(np.array(a, dtype=float)[:5, 0], _kr6_rows(g)[0][1:, 0])
-            and np.allclose(np.array(a, dtype=float)[:, 1:], _kr6_rows(g)[1][:, 1:])
+            np.allclose(degrees_of(arm_of(a, g)[0])[:5, 0], _kr6_rows(g)[0][1:, 0])
+            and np.allclose(degrees_of(arm_of(a, g)[0])[:, 1:], _kr6_rows(g)[1][:, 1:])
         ),
     ),
     *typed.claims(lambda g: _kr6_rows(g)[1]),
