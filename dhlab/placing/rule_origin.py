@@ -51,14 +51,19 @@ def _reached(found, p):
         return p
     q, w = found.other
     if found.case == "loose, parallel":
-        return p if np.linalg.norm(across(p - q, w)) > found.near else nearest_on(q, w, p)
+        return nearest_on(q, w, p) if _on_other(found, p) else p
     side = np.cross(w, found.x)
     return p - side * ((p - q) @ side)
 
 
+def _on_other(found, p):
+    q, w = found.other
+    return np.linalg.norm(across(p - q, w)) <= found.near
+
+
 def _right_origin(found, o):
     i, (z, w) = found.i, found.names
-    if found.case == "loose" and np.linalg.norm(o - nearest_on(*found.other, o)) <= found.near:
+    if found.case == "loose" and _on_other(found, o):
         return (
             "one-row",
             f"{w} runs through this point, and so does {z}: they meet here, and a is 0.",
