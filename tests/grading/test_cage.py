@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from base64 import b64decode
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,19 @@ def test_tables_and_arms_come_through():
     q = np.linspace(-1, 1, len(arm))
     assert through(arm.table) == arm.table
     assert np.array_equal(through(arm).forward(q), arm.forward(q))
+
+
+def test_that_an_arm_was_loaded_comes_through_and_no_word_of_its_source():
+    assert through(dh.load("panda")).source == "loaded"
+    own = dh.assign_frames([([0, 0, 0], [0, 0, 1])], end=np.eye(4), source="10 of 10")
+    assert through(own).source == "loaded" and not through(replace(own, source="")).source
+
+
+def test_a_coupling_comes_through():
+    coupling = [[1, 0], [1, 1]]
+    arm = dh.Arm(dh.DHTable.standard(np.eye(2, 4), angle="rad"), coupling=coupling)
+    assert np.array_equal(through(arm).coupling, coupling)
+    assert through(dh.Arm(arm.table)).coupling is None
 
 
 JSON = st.recursive(

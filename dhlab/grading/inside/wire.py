@@ -84,9 +84,9 @@ def _table(value):
     if kind is DHTable:
         return {"table": [value.convention, _array(value.rows), str(value.joints)]}
     if kind is Arm or kind is PlacedArm:
-        parts = [value.base, value.tool, value.sign]
-        parts += [] if value.coupling is None else [value.coupling]
-        return {"arm": [_table(value.table), *(_array(part) for part in parts)]}
+        parts = [_array(part) for part in (value.base, value.tool, value.sign)]
+        coupling = None if value.coupling is None else _array(value.coupling)
+        return {"arm": [_table(value.table), *parts, coupling, bool(value.source)]}
     return None
 
 
@@ -195,13 +195,14 @@ def _decode_table(content):
 def _decode_arm(content):
     from ...arm import Arm
 
-    table, base, tool, sign, *coupling = content
+    table, base, tool, sign, coupling, loaded = content
     return Arm(
         _decode_table(table["table"]),
         base=decode(base),
         tool=decode(tool),
         sign=decode(sign),
-        coupling=decode(coupling[0]) if coupling else None,
+        coupling=None if coupling is None else decode(coupling),
+        source="loaded" if loaded is True else "",  # a learner's own words stay inside
     )
 
 
