@@ -31,7 +31,7 @@ def chosen_answers(exercise: Exercise | None, marks: Sequence[Mark]) -> list[dic
     >>> from dhlab.course.exercises import exercises
     >>> mark = Mark("02.2", "right", 1, 1, chosen=("link-offset",))
     >>> [line for line in chosen_answers(exercises()["02.2"], [mark]) if line["count"]]
-    [{'letters': 'b', 'text': 'the link offset d', 'right': True, 'count': 1}]
+    [{'letters': 'd', 'text': 'the link offset d', 'right': True, 'count': 1}]
     """
     counts = Counter(mark.chosen for mark in marks if mark.chosen)
     if not counts or not isinstance(exercise, (Choice, Order)):

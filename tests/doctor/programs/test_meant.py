@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from dhlab.doctor.programs.source.changes.edits import changes_of
-from dhlab.doctor.programs.source.kinds import kinds_of
+from dhlab.doctor.programs.source.held import kinds_of
 from dhlab.doctor.programs.source.memory import remembering
 from dhlab.doctor.programs.source.text import Text, text_of
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..running.deadline import OutOfTime, limited
 from .changes.edits import changes_of
-from .kinds import kinds_of
+from .held import kinds_of
 
 __all__ = ["LIKELIEST", "Singles", "is_one_link"]
 
