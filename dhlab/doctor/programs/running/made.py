@@ -12,8 +12,8 @@ THEIRS = ("numpy", "sympy")  # packages whose functions are left out
 
 
 def matrices_made(f, case):
-    """The names of the functions, numpy's and sympy's aside, that made a 4×4 array of numbers alone
-    while ``f`` was called; that of a function itself is not among them.
+    """The names of the functions, numpy's and sympy's aside, that made a 4×4 array out of numbers
+    alone while ``f`` was called; that of ``f`` itself is not among them.
 
     Examples
     --------
@@ -25,16 +25,9 @@ def matrices_made(f, case):
     names = []
 
     def watch(frame, event, value):
-        if event != "return" or frame.f_code is f.__code__ or np.shape(value) != (4, 4):
-            return
-        module, code = str(frame.f_globals.get("__name__")), frame.f_code
-        given = [frame.f_locals.get(name) for name in code.co_varnames[: code.co_argcount]]
-        if (
-            module.split(".")[0] not in ("numpy", "sympy")
-            and given
-            and not any(map(np.ndim, given))
-        ):
-            names.append(code.co_name)
+        of_another = event == "return" and frame.f_code is not f.__code__
+        if of_another and getattr(value, "shape", None) == (4, 4) and _of_numbers(frame):
+            names.append(frame.f_code.co_name)
 
     if getattr(f, "__code__", None) is None:
         return names
