@@ -1,10 +1,9 @@
 """Which functions make matrices while a program runs."""
 
-import sys
-
 import numpy as np
 
 from .calling import quiet
+from .watched import watched
 
 __all__ = ["matrices_made"]
 
@@ -24,20 +23,14 @@ def matrices_made(f, case):
     """
     names = []
 
-    def watch(frame, event, value):
-        of_another = event == "return" and frame.f_code is not f.__code__
+    def look(frame, value):
+        of_another = frame.f_code is not f.__code__
         if of_another and getattr(value, "shape", None) == (4, 4) and _of_numbers(frame):
             names.append(frame.f_code.co_name)
 
-    if getattr(f, "__code__", None) is None:
-        return names
-    before = sys.getprofile()
-    sys.setprofile(watch)
-    try:
-        with quiet():
+    if getattr(f, "__code__", None) is not None:
+        with quiet(), watched(look):
             f(*case)
-    finally:
-        sys.setprofile(before)
     return names
 
 

@@ -49,18 +49,17 @@ def numbers_of(text):
     """Yields (node, value) of the numbers that are written into a text: decimal ones, and whatever
     stands in a list.
     """
-    for block in text.blocks:
-        for parent in ast.walk(block):
-            for node in ast.iter_child_nodes(parent):
-                value = _value(node)
-                if value is not None and (
-                    isinstance(parent, TABLE)
-                    or (isinstance(value, float) and value not in (0, 1))
-                    or (isinstance(parent, ast.Call) and text.of(parent.func) in text.defined)
-                ):
-                    yield node, float(value)
-            for row in rows_in_words(parent, text):
-                yield from ((node, float(node.value)) for node in row)
+    for parent in text.nodes():
+        for node in ast.iter_child_nodes(parent):
+            value = _value(node)
+            if value is not None and (
+                isinstance(parent, TABLE)
+                or (isinstance(value, float) and value not in (0, 1))
+                or (isinstance(parent, ast.Call) and text.of(parent.func) in text.defined)
+            ):
+                yield node, float(value)
+        for row in rows_in_words(parent, text):
+            yield from ((node, float(node.value)) for node in row)
 
 
 def rows_in_words(node, text):

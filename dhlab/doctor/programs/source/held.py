@@ -1,12 +1,11 @@
 """What the names of a program hold, seen while it runs once."""
 
-import sys
-
 import numpy as np
 
-__all__ = ["kinds_of"]
+from ..running.watched import watched
+from .text import CODE
 
-CODE = "<learner, edited>"  # the file name of what a Text compiles
+__all__ = ["kinds_of"]
 
 
 def kinds_of(f, *given):
@@ -26,17 +25,13 @@ def kinds_of(f, *given):
     """
     found = {}
 
-    def look(frame, event, _):
-        if event == "return" and frame.f_code.co_filename == CODE:
+    def look(frame, _):
+        if frame.f_code.co_filename == CODE:
             for name, value in frame.f_locals.items():
                 found.setdefault(name, set()).add(_kind(value))
 
-    before = sys.getprofile()
-    sys.setprofile(look)
-    try:
+    with watched(look):
         f(*given)
-    finally:
-        sys.setprofile(before)
     return found
 
 

@@ -11,7 +11,9 @@ import numpy as np
 
 from .memory import remembering
 
-__all__ = ["Edit", "Text", "text_of"]
+__all__ = ["CODE", "Edit", "Text", "text_of"]
+
+CODE = "<learner, edited>"  # the name of the file that the edited text would be
 
 # who calls these does more than calculate, and is not called again and again
 RISKY = {
@@ -72,6 +74,15 @@ class Text:
         """The definition of the function; None where its name is set to something."""
         defined = self.defined.get(self.name)
         return defined if isinstance(defined, ast.FunctionDef) else None
+
+    def nodes(self):
+        """Every node of what the function needs."""
+        for block in self.blocks:
+            yield from ast.walk(block)
+
+    def edit(self, node, new, rank=1):
+        """The Edit that puts a text in place of a node."""
+        return Edit(*self.span(node), new.encode(), rank)
 
     def span(self, node):
         """The first and the last byte of a node."""
@@ -174,9 +185,7 @@ class Text:
             data = self.data[start:end]
             for edit in sorted(edits, key=lambda edit: -edit.start):
                 data = data[: edit.start - start] + edit.new + data[edit.end - start :]
-            code = compile(
-                b"if 1:\n" + data if statement.col_offset else data, "<learner, edited>", "exec"
-            )
+            code = compile(b"if 1:\n" + data if statement.col_offset else data, CODE, "exec")
             if len(edits) > 1:  # seldom asked for again
                 return code
             self._compiled[key] = code

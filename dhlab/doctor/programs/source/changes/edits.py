@@ -68,19 +68,18 @@ def _of_three(text):
         name = getattr(node, "func", None) and text.of(node.func).rpartition(".")[2]
         if name in ("matmul", "dot") and len(node.args) == 3 and not node.keywords:
             product = " @ ".join(f"({text.of(factor)})" for factor in node.args)
-            edits.append(Edit(*text.span(node), f"({product})".encode(), 0))
+            edits.append(text.edit(node, f"({product})", 0))
     if edits:
         yield tuple(edits)
 
 
 def _out_of_loops(text):
     """A factor that is multiplied in at every turn of a loop, multiplied in once, behind it."""
-    for block in text.blocks:
-        for function in ast.walk(block):
-            if isinstance(function, ast.FunctionDef) and isinstance(function.body[-1], ast.Return):
-                for loop in function.body:
-                    if isinstance(loop, (ast.For, ast.While)):
-                        yield from _moved_factors(loop, function.body[-1], text)
+    for function in text.nodes():
+        if isinstance(function, ast.FunctionDef) and isinstance(function.body[-1], ast.Return):
+            for loop in function.body:
+                if isinstance(loop, (ast.For, ast.While)):
+                    yield from _moved_factors(loop, function.body[-1], text)
 
 
 def _moved_factors(loop, last, text):
@@ -89,7 +88,7 @@ def _moved_factors(loop, last, text):
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
             for factor, rest in ((node.right, node.left), (node.left, node.right)):
                 if isinstance(factor, (ast.Name, ast.Call)):
-                    drop = Edit(*text.span(node), text.of(rest).encode(), 1)
+                    drop = text.edit(node, text.of(rest))
                     name, value = text.of(factor), text.of(last.value)
                     for joined in (f"{value} @ {name}", f"{name} @ {value}"):
                         yield drop, Edit(start, end, joined.encode(), 1)

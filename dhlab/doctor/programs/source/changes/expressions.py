@@ -5,7 +5,7 @@ order, another index, a function's sister, a unit.
 import ast
 from itertools import combinations, permutations
 
-from .names import SISTERS, of_attribute, of_name
+from .names import SISTERS, is_method, name_called, of_attribute, of_name
 from .numbers import DEG, of_constant
 from .operators import in_other_orders, is_product, moved_addends, of_two, one_moved, whole
 
@@ -119,7 +119,7 @@ def _of_sign(node, parent, scope, text):
 
 def _of_call(node, parent, scope, text):
     function = node.func
-    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    name = name_called(node)
     arguments = [text.of(argument) for argument in node.args]
     keywords = [text.of(keyword) for keyword in node.keywords]
     called = text.of(function)
@@ -137,16 +137,14 @@ def _of_call(node, parent, scope, text):
     if name in SISTERS:
         yield 0, call(arguments, called=called[: -len(name)] + SISTERS[name])
     if name in WRAPPERS:
-        inner = (
-            arguments[:1] or [text.of(function.value)] if _is_method(function) else arguments[:1]
-        )
+        inner = arguments[:1] or [text.of(function.value)] if is_method(node) else arguments[:1]
         yield from ((0, f"({one})") for one in inner)
     if name in UNITS and isinstance(getattr(node.args[0], "op", None), (ast.Add, ast.Sub)):
         left, right = text.of(node.args[0].left), text.of(node.args[0].right)
         sign = "+" if isinstance(node.args[0].op, ast.Add) else "-"
         yield 0, f"({call([left])} {sign} {right})"
         yield 0, f"({left} {sign} {call([right])})"
-    if _is_method(function) and name in WRAPPERS | {"copy", "tolist"}:
+    if is_method(node) and name in WRAPPERS | {"copy", "tolist"}:
         yield 0, text.of(function.value)
     for k, keyword in enumerate(node.keywords):
         rest = keywords[:k] + keywords[k + 1 :]
@@ -185,12 +183,6 @@ def _of_call(node, parent, scope, text):
         yield 1, call([f"({arguments[0]}) / {DEG}"])
     if name == "array" and "int" in "".join(keywords):
         yield 0, call(arguments, ["dtype=float"])
-
-
-def _is_method(function):
-    return isinstance(function, ast.Attribute) and not (
-        isinstance(function.value, ast.Name) and function.value.id in ("np", "math", "numpy", "sp")
-    )
 
 
 def _of_subscript(node, parent, scope, text):

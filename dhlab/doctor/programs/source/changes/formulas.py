@@ -6,6 +6,7 @@ import ast
 from itertools import combinations
 
 from ..text import Edit
+from .names import name_called
 from .operators import one_moved
 
 __all__ = ["formula_changes"]
@@ -23,25 +24,20 @@ def formula_changes(text):
     ----------
     text : Text
     """
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
-                yield from _two_signs(node.value, text)
-            if isinstance(node, (ast.List, ast.Tuple, ast.Assign)):
-                yield from _names_exchanged(node, text)
-            if isinstance(node, ast.List):
-                yield from _conjugate(node, text)
-            if isinstance(node, ast.BinOp):
-                yield from _out_of_brackets(node, text)
-            if isinstance(node, ast.Call):
-                yield from _unclamped(node, text)
-                yield from _in_a_chain(node, text)
-            if isinstance(node, ast.FunctionDef):
-                yield from _renamed(node, text)
-
-
-def _edit(node, new, text, rank=1):
-    return Edit(*text.span(node), new.encode(), rank)
+    for node in text.nodes():
+        if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
+            yield from _two_signs(node.value, text)
+        if isinstance(node, (ast.List, ast.Tuple, ast.Assign)):
+            yield from _names_exchanged(node, text)
+        if isinstance(node, ast.List):
+            yield from _conjugate(node, text)
+        if isinstance(node, ast.BinOp):
+            yield from _out_of_brackets(node, text)
+        if isinstance(node, ast.Call):
+            yield from _unclamped(node, text)
+            yield from _in_a_chain(node, text)
+        if isinstance(node, ast.FunctionDef):
+            yield from _renamed(node, text)
 
 
 def _two_signs(formula, text):
@@ -71,7 +67,7 @@ def _conjugate(node, text):
     turned = [_turned_entry(entry, text) for entry in node.elts]
     kept = [text.of(entry) for entry in node.elts]
     for chosen in (kept[:1] + turned[1:], turned[:-1] + kept[-1:]):
-        yield (_edit(node, f"[{', '.join(chosen)}]", text),)
+        yield (text.edit(node, f"[{', '.join(chosen)}]"),)
 
 
 def _turned_entry(entry, text):
@@ -102,7 +98,7 @@ def _renamed(function, text):
             if len(nodes) == SAME and name in known:
                 for other in known:
                     if other not in places:
-                        yield tuple(_edit(node, other, text) for node in nodes)
+                        yield tuple(text.edit(node, other) for node in nodes)
         yield from _indexed_anew(statement, text)
 
 
@@ -115,7 +111,7 @@ def _indexed_anew(statement, text):
     for nodes in places.values():
         if len(nodes) == SAME:
             for index in range(4):
-                yield tuple(_edit(node.slice, str(index), text) for node in nodes)
+                yield tuple(text.edit(node.slice, str(index)) for node in nodes)
 
 
 def _names_exchanged(node, text):
@@ -130,7 +126,7 @@ def _names_exchanged(node, text):
             places.setdefault(part.id, []).append(part)
     for one, other in combinations(places, 2) if len(places) <= MOST_NAMES else ():
         yield tuple(
-            _edit(part, new, text)
+            text.edit(part, new)
             for name, new in ((one, other), (other, one))
             for part in places[name]
         )
@@ -144,19 +140,19 @@ def _out_of_brackets(node, text):
     left, right = node.left, node.right
     if isinstance(node.op, ast.MatMult) and _is_sum(right):
         for x, y in ((right.left, right.right), (right.right, right.left)):
-            yield (_edit(node, f"({text.of(x)} + {text.of(left)} @ ({text.of(y)}))", text),)
+            yield (text.edit(node, f"({text.of(x)} + {text.of(left)} @ ({text.of(y)}))"),)
     if isinstance(node.op, ast.Mult):
         for both, factor in ((left, text.of(right)), (right, text.of(left))):
             if _is_sum(both):
                 x, y = text.of(both.left), text.of(both.right)
-                yield (_edit(node, f"({x} * {factor} + {y})", text),)
-                yield (_edit(node, f"({x} + {y} * {factor})", text),)
+                yield (text.edit(node, f"({x} * {factor} + {y})"),)
+                yield (text.edit(node, f"({x} + {y} * {factor})"),)
     if isinstance(node.op, ast.Add):
         for product, other in ((left, right), (right, left)):
             if isinstance(product, ast.BinOp) and isinstance(product.op, (ast.Mult, ast.MatMult)):
                 x, y, sign = text.of(product.left), text.of(product.right), _sign(product)
-                yield (_edit(node, f"(({x} + {text.of(other)}) {sign} {y})", text),)
-                yield (_edit(node, f"({x} {sign} ({y} + {text.of(other)}))", text),)
+                yield (text.edit(node, f"(({x} + {text.of(other)}) {sign} {y})"),)
+                yield (text.edit(node, f"({x} {sign} ({y} + {text.of(other)}))"),)
 
 
 def _is_sum(node):
@@ -176,23 +172,23 @@ def _in_a_chain(node, text):
         inner = inner.func.value
     if 2 <= len(links) <= MOST_NAMES:
         for other in one_moved(links):
-            yield (_edit(node, text.of(inner) + "".join(other), text),)
+            yield (text.edit(node, text.of(inner) + "".join(other)),)
 
 
 def _unclamped(node, text):
     """The value itself, where its least, its largest or its rest is taken."""
     inner, depth = node, 0
-    while isinstance(inner, ast.Call) and _name(inner) in CLAMPS and inner.args:
+    while isinstance(inner, ast.Call) and name_called(inner) in CLAMPS and inner.args:
         inner = next((a for a in inner.args if _holds_call(a)), None) or next(
             (a for a in inner.args if not _is_constant(a)), inner.args[0]
         )
         depth += 1
     if depth:
-        yield (_edit(node, f"({text.of(inner)})", text),)
+        yield (text.edit(node, f"({text.of(inner)})"),)
 
 
 def _holds_call(node):
-    return isinstance(node, ast.Call) and _name(node) in CLAMPS | {"sin", "cos"}
+    return isinstance(node, ast.Call) and name_called(node) in CLAMPS | {"sin", "cos"}
 
 
 def _is_constant(node):
@@ -201,7 +197,3 @@ def _is_constant(node):
         isinstance(part, ast.Name) and part.id not in ("np", "math", "numpy", "pi", "PI")
         for part in ast.walk(node)
     )
-
-
-def _name(call):
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))

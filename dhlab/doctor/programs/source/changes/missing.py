@@ -6,7 +6,7 @@ arguments, neighbours of a long list.
 import ast
 from itertools import pairwise
 
-from ..text import Edit
+from .names import is_method, name_called
 from .operators import whole
 
 __all__ = ["missing_changes"]
@@ -23,41 +23,25 @@ def missing_changes(text):
     text : Text
     """
     roundings = []
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, ast.FunctionDef):
-                yield from _turned_vectors(node, text)
-                yield from _factors_and_terms(node, text)
-                yield from _by_kind(node, text)
-                yield from _other_calls(node, text)
-            if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) > LONG:
-                yield from _neighbours(node, text)
-            if isinstance(node, ast.Call) and _name(node) in ROUNDING:
-                roundings.append(node)
+    for node in text.nodes():
+        if isinstance(node, ast.FunctionDef):
+            yield from _turned_vectors(node, text)
+            yield from _factors_and_terms(node, text)
+            yield from _by_kind(node, text)
+            yield from _other_calls(node, text)
+        if isinstance(node, (ast.List, ast.Tuple)) and len(node.elts) > LONG:
+            yield from _neighbours(node, text)
+        if isinstance(node, ast.Call) and name_called(node) in ROUNDING:
+            roundings.append(node)
     if len(roundings) > 1 and all(map(_rounded, roundings)):
-        yield tuple(_edit(node, f"({text.of(_rounded(node))})", text, 0) for node in roundings)
-
-
-def _edit(node, new, text, rank):
-    return Edit(*text.span(node), new.encode(), rank)
-
-
-def _name(call):
-    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+        yield tuple(text.edit(node, f"({text.of(_rounded(node))})", 0) for node in roundings)
 
 
 def _rounded(call):
     """What a call rounds: its first argument, or what it is a method of."""
-    if call.args and not _is_method(call):
+    if call.args and not is_method(call):
         return call.args[0]
     return call.func.value if isinstance(call.func, ast.Attribute) else None
-
-
-def _is_method(call):
-    function = call.func
-    return isinstance(function, ast.Attribute) and not (
-        isinstance(function.value, ast.Name) and function.value.id in ("np", "numpy", "math")
-    )
 
 
 def _turned_vectors(function, text):
@@ -72,14 +56,14 @@ def _turned_vectors(function, text):
     matrices |= dict.fromkeys(
         node.func.value.id
         for node in ast.walk(function)
-        if isinstance(node, ast.Call) and _name(node) == "dot" and _is_method(node)
+        if isinstance(node, ast.Call) and name_called(node) == "dot" and is_method(node)
         if isinstance(node.func.value, ast.Name)
     )
     for node in ast.walk(function):
         for part in _added(node):
             if isinstance(part, (ast.Name, ast.Call, ast.Subscript)):
                 others = (name for name in matrices if name != text.of(part))
-                yield from ((_edit(part, f"{m} @ {whole(part, text)}", text, 1),) for m in others)
+                yield from ((text.edit(part, f"{m} @ {whole(part, text)}", 1),) for m in others)
 
 
 def _factors_and_terms(function, text):
@@ -101,10 +85,10 @@ def _factors_and_terms(function, text):
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
                 left, right = whole(node.left, text), whole(node.right, text)
                 for name in others:
-                    yield (_edit(node, f"({left} @ {name} @ {right})", text, 1),)
-                    yield (_edit(node, f"({left} @ {right} @ {name})", text, 1),)
+                    yield (text.edit(node, f"({left} @ {name} @ {right})"),)
+                    yield (text.edit(node, f"({left} @ {right} @ {name})"),)
         if isinstance(value, ast.BinOp) and isinstance(value.op, (ast.Add, ast.Sub)):
-            yield from ((_edit(value, f"{name} + {text.of(value)}", text, 2),) for name in others)
+            yield from ((text.edit(value, f"{name} + {text.of(value)}", 2),) for name in others)
 
 
 def _by_kind(function, text):
@@ -115,8 +99,8 @@ def _by_kind(function, text):
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
             added = text.of(node.right)
             for test in asked if isinstance(node.right, (ast.Name, ast.Subscript)) else ():
-                yield (_edit(node.right, f"(0.0 if {test} else {added})", text, 1),)
-                yield (_edit(node.right, f"({added} if {test} else 0.0)", text, 1),)
+                yield (text.edit(node.right, f"(0.0 if {test} else {added})"),)
+                yield (text.edit(node.right, f"({added} if {test} else 0.0)"),)
 
 
 def _added(node):
@@ -132,14 +116,14 @@ def _other_calls(function, text):
         node
         for node in ast.walk(function)
         if isinstance(node, ast.Call)
-        and _name(node) in text.defined
+        and name_called(node) in text.defined
         and not any(isinstance(part, ast.Call) for part in ast.walk(node) if part is not node)
     ]
     shown = dict.fromkeys(map(text.of, calls))
     for node in calls:
         for other in shown:
             if other != text.of(node):
-                yield (_edit(node, other, text, 1),)
+                yield (text.edit(node, other),)
 
 
 def _neighbours(node, text):
@@ -147,4 +131,4 @@ def _neighbours(node, text):
     for first, second in pairwise(node.elts):
         a, b = text.of(first), text.of(second)
         if a != b:
-            yield _edit(first, b, text, 1), _edit(second, a, text, 1)
+            yield text.edit(first, b, 1), text.edit(second, a, 1)

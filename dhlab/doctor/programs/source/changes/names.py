@@ -2,13 +2,29 @@
 
 import ast
 
-__all__ = ["SISTERS", "of_attribute", "of_name"]
+__all__ = ["SISTERS", "is_method", "name_called", "of_attribute", "of_name"]
 
 SISTERS = {
     "cos": "sin", "sin": "cos", "multiply": "matmul", "mul": "matmul", "add": "matmul",
     "inner": "matmul", "hstack": "vstack", "asarray": "array", "cosh": "cos", "sinh": "sin",
     "tan": "sin",
 }  # fmt: skip
+
+
+MODULES = "np", "math", "numpy", "sp"  # as they are called
+
+
+def name_called(call):
+    """The name of the function or the method that is called; "" where it has none."""
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
+def is_method(call):
+    """Whether an object's method is called, and no function of a module."""
+    function = call.func
+    return isinstance(function, ast.Attribute) and not (
+        isinstance(function.value, ast.Name) and function.value.id in MODULES
+    )
 
 
 def of_name(node, parent, scope, text):

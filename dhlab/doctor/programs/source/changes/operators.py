@@ -3,6 +3,8 @@
 import ast
 from itertools import permutations
 
+from .names import name_called
+
 __all__ = ["in_other_orders", "is_product", "moved_addends", "of_two", "one_moved", "whole"]
 
 PI = {"pi", "PI", "np", "numpy", "math"}  # what a number may be made of
@@ -25,7 +27,7 @@ def _factors(node):
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
         return [*_factors(node.left), *_factors(node.right)]
     if isinstance(node, ast.Call) and not node.keywords:
-        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+        name = name_called(node)
         if name == "dot" and len(node.args) == 1:
             return [*_factors(node.func.value), *_factors(node.args[0])]
         if name in ("dot", "matmul") and len(node.args) == 2:

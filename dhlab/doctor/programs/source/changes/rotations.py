@@ -5,7 +5,6 @@ a cosine or sine, cosines and sines exchanged in a whole formula.
 import ast
 from itertools import permutations
 
-from ..text import Edit
 from .numbers import DEG
 
 __all__ = ["rotation_changes"]
@@ -27,20 +26,15 @@ def rotation_changes(text):
     ----------
     text : Text
     """
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, ast.List):
-                yield from _turned(node, text)
-            if isinstance(node, ast.FunctionDef):
-                yield from _angles(node, text)
-                yield from _entries_set(node, text)
-                yield from _lost_factors(node, text)
-            if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
-                yield from _flipped(node.value, text)
-
-
-def _edit(node, new, text, rank=1):
-    return Edit(*text.span(node), new.encode(), rank)
+    for node in text.nodes():
+        if isinstance(node, ast.List):
+            yield from _turned(node, text)
+        if isinstance(node, ast.FunctionDef):
+            yield from _angles(node, text)
+            yield from _entries_set(node, text)
+            yield from _lost_factors(node, text)
+        if isinstance(node, (ast.Assign, ast.AugAssign, ast.Return)) and node.value is not None:
+            yield from _flipped(node.value, text)
 
 
 def _flipped(value, text):
@@ -48,7 +42,7 @@ def _flipped(value, text):
     for entry in value.elts if isinstance(value, (ast.List, ast.Tuple)) else (value,):
         called = [node.func for node in ast.walk(entry) if _turning(node)]
         if len(called) > 1:
-            yield tuple(_edit(function, _sister(function, text), text) for function in called)
+            yield tuple(text.edit(function, _sister(function, text)) for function in called)
 
 
 def _lost_factors(function, text):
@@ -66,7 +60,7 @@ def _lost_factors(function, text):
     for entry in alone if len(factors) <= MOST_FACTORS else ():
         for factor in factors:
             if factor != text.of(entry):
-                yield (_edit(entry, f"{factor} * {text.of(entry)}", text, 2),)
+                yield (text.edit(entry, f"{factor} * {text.of(entry)}", 2),)
 
 
 def _stands_alone(entry):
@@ -102,7 +96,7 @@ def _turned(node, text):
             for i, row in enumerate(new):
                 row.extend(text.of(entry) for entry in rows[i][3:])
             new.extend([text.of(entry) for entry in row] for row in rows[3:])
-            yield (_edit(node, f"[{', '.join('[' + ', '.join(r) + ']' for r in new)}]", text),)
+            yield (text.edit(node, f"[{', '.join('[' + ', '.join(r) + ']' for r in new)}]"),)
 
 
 def _entries_set(function, text):
@@ -115,7 +109,7 @@ def _entries_set(function, text):
                 found.setdefault(text.of(name), []).extend(indices)
     for indices in found.values():
         for order in permutations(range(3)) if len(indices) == 8 else ():
-            yield tuple(_edit(index, str(order[index.value]), text) for index in indices)
+            yield tuple(text.edit(index, str(order[index.value])) for index in indices)
 
 
 def _indices(node):
@@ -158,4 +152,4 @@ def _angles(function, text):
         others = (other for other in found if other != shown)
         for new in (*(form.format(shown) for form in OF_ANGLES), *others):
             if len(places) > 1:
-                yield tuple(_edit(place, new, text) for place in places)
+                yield tuple(text.edit(place, new) for place in places)

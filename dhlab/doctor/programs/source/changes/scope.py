@@ -43,9 +43,9 @@ def scope_of_text(text, kinds):
     ----------
     text : Text
     kinds : dict of sets
-        By name, as :func:`..kinds.kinds_of` gives it.
+        By name, as :func:`..held.kinds_of` gives it.
     """
-    nodes = [node for block in text.blocks for node in ast.walk(block)]
+    nodes = list(text.nodes())
     called = {id(node.func) for node in nodes if isinstance(node, ast.Call)}
     attributes = [n for n in nodes if isinstance(n, ast.Attribute) and id(n) not in called]
     fields = [

@@ -18,16 +18,15 @@ OPERATORS = {
 
 def statement_edits(text):
     """Yields (rank, start, end, what stands there then), bytes and a text."""
-    for block in text.blocks:
-        for node in ast.walk(block):
-            for body in _bodies(node):
-                yield from _in_body(body, node, text)
-            if isinstance(node, ast.ClassDef):
-                yield from _of_each_object(node, text)
-            if isinstance(node, ast.FunctionDef):
-                yield from _starting_afresh(node, text)
-                yield from _returning(node, text)
-                yield from _parameters(node, text)
+    for node in text.nodes():
+        for body in _bodies(node):
+            yield from _in_body(body, node, text)
+        if isinstance(node, ast.ClassDef):
+            yield from _of_each_object(node, text)
+        if isinstance(node, ast.FunctionDef):
+            yield from _starting_afresh(node, text)
+            yield from _returning(node, text)
+            yield from _parameters(node, text)
 
 
 def turns_of(text):
@@ -37,12 +36,11 @@ def turns_of(text):
     ----------
     text : Text
     """
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, (ast.For, ast.comprehension)):
-                yield text.span(node.iter)
-            if isinstance(node, (ast.For, ast.While)):
-                yield from (text.span(s) for s in node.body if isinstance(s, ast.Return))
+    for node in text.nodes():
+        if isinstance(node, (ast.For, ast.comprehension)):
+            yield text.span(node.iter)
+        if isinstance(node, (ast.For, ast.While)):
+            yield from (text.span(s) for s in node.body if isinstance(s, ast.Return))
 
 
 def _bodies(node):
@@ -121,12 +119,11 @@ def _of_assignment(statement, text):
 
 def _made(name, text):
     """What the text sets a name to."""
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, ast.Assign) and any(
-                isinstance(target, ast.Name) and target.id == name for target in node.targets
-            ):
-                yield text.of(node.value)
+    for node in text.nodes():
+        if isinstance(node, ast.Assign) and any(
+            isinstance(target, ast.Name) and target.id == name for target in node.targets
+        ):
+            yield text.of(node.value)
 
 
 def _of_addition(statement, text):
@@ -168,12 +165,11 @@ def _ends(text):
     for name, defined in text.functions.items():
         if not defined.args.args and ENDS.search(name):
             yield f"{name}()"
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, ast.Call) and "base" in text.of(node).lower():
-                yield text.of(node).replace("BASE", "TOOL").replace("base", "tool")
-            if isinstance(node, ast.Call) and "tool" in text.of(node).lower():
-                yield text.of(node).replace("TOOL", "BASE").replace("tool", "base")
+    for node in text.nodes():
+        if isinstance(node, ast.Call) and "base" in text.of(node).lower():
+            yield text.of(node).replace("BASE", "TOOL").replace("base", "tool")
+        if isinstance(node, ast.Call) and "tool" in text.of(node).lower():
+            yield text.of(node).replace("TOOL", "BASE").replace("tool", "base")
     if text.entry is not None:
         yield from (a.arg for a in text.entry.args.args if a.arg in ("base", "tool"))
 

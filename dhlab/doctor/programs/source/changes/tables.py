@@ -8,7 +8,6 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from ..constants import numbers_of, rows_in_words
-from ..text import Edit
 
 __all__ = ["known_numbers", "table_changes"]
 
@@ -25,15 +24,14 @@ def table_changes(text):
     ----------
     text : Text
     """
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, (ast.List, ast.Tuple, ast.Dict)):
-                parts = node.values if isinstance(node, ast.Dict) else node.elts
-                yield from () if isinstance(node, ast.Dict) else _moved(node, text)
-                rows = [cells for cells in map(_cells, parts) if cells]
-                if len(rows) >= ROWS and len({tuple(row) for row in rows}) == 1:
-                    yield from _exchanged(rows, text)
-            yield from _in_words(rows_in_words(node, text), text)
+    for node in text.nodes():
+        if isinstance(node, (ast.List, ast.Tuple, ast.Dict)):
+            parts = node.values if isinstance(node, ast.Dict) else node.elts
+            yield from () if isinstance(node, ast.Dict) else _moved(node, text)
+            rows = [cells for cells in map(_cells, parts) if cells]
+            if len(rows) >= ROWS and len({tuple(row) for row in rows}) == 1:
+                yield from _exchanged(rows, text)
+        yield from _in_words(rows_in_words(node, text), text)
 
 
 def _in_words(rows, text):
@@ -41,7 +39,7 @@ def _in_words(rows, text):
     for node in (node for row in rows for node in row if node.value):
         shown = text.of(node)
         new = shown[1:] if shown.startswith("-") else f"-{shown.removeprefix('+')}"
-        yield (Edit(*text.span(node), new.encode(), 1),)
+        yield (text.edit(node, new, 1),)
     yield from _exchanged([dict(enumerate(row)) for row in rows], text)
 
 
@@ -84,7 +82,7 @@ def _is_number(node):
 def _swap(first, second, text):
     a, b = text.of(first), text.of(second)
     if a != b:
-        yield (Edit(*text.span(first), b.encode(), 1), Edit(*text.span(second), a.encode(), 1))
+        yield (text.edit(first, b, 1), text.edit(second, a, 1))
 
 
 def known_numbers(text, arm):
@@ -114,25 +112,24 @@ def known_numbers(text, arm):
             continue
         for x in own if value else missing:
             new = repr(float(f"{np.copysign(x, value):.12g}"))
-            yield (Edit(*text.span(node), new.encode(), 1),)
+            yield (text.edit(node, new, 1),)
     if text.entry is not None:
         yield from _added(text, missing, np.unique(theta[theta != 0]))
 
 
 def _added(text, missing, offsets):
     """What is missing added to the sums of the text, and zero offsets to its joint values."""
-    for block in text.blocks:
-        for node in ast.walk(block):
-            if isinstance(node, ast.Assign) and _is_sum(node.value):
-                for x in missing:
-                    new = f"{float(x)!r} + {text.of(node.value)}"
-                    yield (Edit(*text.span(node.value), new.encode(), 2),)
-            if isinstance(node, (ast.Assign, ast.Return)) and node.value is not None:
-                for places in _joint_values(node.value, text):
-                    for x in offsets:
-                        size = f"{'-' if x < 0 else '+'} {abs(float(x))!r}"
-                        new = f"({text.of(places[0])} {size})".encode()
-                        yield tuple(Edit(*text.span(place), new, 1) for place in places)
+    for node in text.nodes():
+        if isinstance(node, ast.Assign) and _is_sum(node.value):
+            for x in missing:
+                new = f"{float(x)!r} + {text.of(node.value)}"
+                yield (text.edit(node.value, new, 2),)
+        if isinstance(node, (ast.Assign, ast.Return)) and node.value is not None:
+            for places in _joint_values(node.value, text):
+                for x in offsets:
+                    size = f"{'-' if x < 0 else '+'} {abs(float(x))!r}"
+                    new = f"({text.of(places[0])} {size})"
+                    yield tuple(text.edit(place, new) for place in places)
 
 
 def _joint_values(value, text):
