@@ -103,12 +103,18 @@ def _moved(rows, right, off):
     for columns in permutations(range(4)):
         if not differing(rows, right[:, columns]).any():
             return "columns-misread", Said("the columns stand in another order than θ, d, a, α")
-    for i, k in combinations(range(len(right)), 2):
-        order = np.arange(len(right))
-        order[[i, k]] = k, i
+    for i, k, order in _swaps(len(right)):
         if not differing(rows, right[order]).any():
             return None, Said(f"rows {i + 1} and {k + 1} have changed places")
     return None
+
+
+def _swaps(n):
+    """Each two of n places, and the order in which these have changed."""
+    for i, k in combinations(range(n), 2):
+        order = np.arange(n)
+        order[[i, k]] = k, i
+        yield i, k, order
 
 
 def _exchanged(rows, off):
@@ -162,14 +168,10 @@ def _doubled(rows, right, off):
 
 def _put_right(rows):
     """Rows with one slip taken back: (mistake, what it is, the rows)."""
-    for i, k in combinations(range(4), 2):
-        order = np.arange(4)
-        order[[i, k]] = k, i
+    for i, k, order in _swaps(4):
         said = f"{COLUMNS[i]} and {COLUMNS[k]} have changed places"
         yield EXCHANGED.get((i, k), "columns-misread"), said, rows[:, order]
-    for i, k in combinations(range(len(rows)), 2):
-        order = np.arange(len(rows))
-        order[[i, k]] = k, i
+    for i, k, order in _swaps(len(rows)):
         yield None, f"rows {i + 1} and {k + 1} have changed places", rows[order]
     for mistake, columns, found, asked, factor in IN_OTHER_UNITS:
         names = listed([COLUMNS[k] for k in columns])
