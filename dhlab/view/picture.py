@@ -29,6 +29,17 @@ FORMATS = {
     ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
 }
 
+# On a dark page a picture's light and dark change places and its hues stay, which leaves no colour
+# less contrast than it has on white. What the page calls itself counts first: JupyterLab's theme,
+# a site's, VS Code's; then what the reader's system prefers.
+_TURNED = ".dhlab-picture img{filter:invert(.91) hue-rotate(180deg)}"
+IN_THE_DARK = (
+    '<style>@media screen{:is([data-jp-theme-light="false"],[data-theme="dark"],.vscode-dark) '
+    f"{_TURNED}@media (prefers-color-scheme:dark){{"
+    ':root:not([data-theme="light"]) body:not([data-theme="light"],[data-jp-theme-light],'
+    f".vscode-light) {_TURNED}}}}}</style>"
+)
+
 
 class Picture:
     """What the functions of :mod:`dhlab.view` return; a notebook shows it, with the table to unfold
@@ -119,7 +130,7 @@ class Picture:
             image = f"<picture>{narrow}{image}</picture>"
         details = f"<details><summary>{self.summary}</summary>{self.table_html}</details>"
         return {
-            "text/html": f'<figure class="dhlab-picture">{image}{details}</figure>',
+            "text/html": f'<figure class="dhlab-picture">{image}{details}{IN_THE_DARK}</figure>',
             "text/plain": f"{self.alt}\n{self.table}",
         }
 

@@ -9,7 +9,10 @@ from matplotlib.colors import to_rgb
 
 import dhlab as dh
 from dhlab import transform, view
-from dhlab.view.drawing.style import AXES, INK, POSES
+from dhlab.view.drawing.style import AXES, INK, JOINT, LINK, POSES, QUIET
+from dhlab.view.picture import IN_THE_DARK
+
+COLORS = (INK, QUIET, LINK, JOINT)  # what is written, and what is drawn of metal
 
 
 @pytest.fixture(scope="module")
@@ -34,6 +37,42 @@ def test_contrast_with_paper(color):
     assert 1.05 / (luminance(color) + 0.05) >= 4.5
 
 
+def turned(color):
+    """A colour (3,) as CSS shows it under ``invert(.91) hue-rotate(180deg)``, by the matrices of
+    the W3C's Filter Effects.
+    """
+    rgb = 0.91 - 0.82 * np.array(to_rgb(color))
+    grey = np.array([0.213, 0.715, 0.072])
+    return np.clip(2 * grey @ rgb - rgb, 0, 1)
+
+
+@pytest.mark.parametrize("color", [*COLORS, *[style.color for style in AXES], *dict(POSES)])
+def test_contrast_is_no_less_on_a_dark_page(color):
+    ground = luminance(turned("white")) + 0.05
+    assert (luminance(turned(color)) + 0.05) / ground >= min(4.5, 1.05 / (luminance(color) + 0.05))
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(
+    "body, scheme, dark",
+    [
+        ('data-jp-theme-light="false"', "light", True),
+        ('data-jp-theme-light="true"', "dark", False),
+        ('data-theme="dark"', "light", True),
+        ('data-theme="light"', "dark", False),
+        ('data-theme="auto"', "dark", True),
+        ('class="vscode-light"', "dark", False),
+        ("", "dark", True),
+        ("", "light", False),
+    ],
+)
+def test_a_picture_follows_the_theme_of_the_page(new_page, picture, body, scheme, dark):
+    page = new_page(color_scheme=scheme)
+    page.set_content(f"<body {body}>{picture._repr_mimebundle_()['text/html']}</body>")
+    shown = page.locator("img").evaluate("image => getComputedStyle(image).filter")
+    assert shown == ("invert(0.91) hue-rotate(180deg)" if dark else "none")
+
+
 def test_axes_differ_without_colour():
     assert len({(style.width, str(style.dash)) for style in AXES}) == 3
     assert AXES[0].dash != AXES[1].dash and AXES[2].width > 1.5 * AXES[0].width
@@ -44,7 +83,7 @@ def test_notebook_sees_image_words_and_table(picture):
     html = bundle["text/html"]
     assert html.startswith('<figure class="dhlab-picture"><img alt="2 frames in space.')
     assert "<summary>The frames as a table</summary><table" in html and html.endswith(
-        "</details></figure>"
+        f"</details>{IN_THE_DARK}</figure>"
     )
     data = base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", html)[1])
     assert data.startswith(b"\x89PNG") and b"Software" not in data
