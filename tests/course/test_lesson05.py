@@ -100,7 +100,7 @@ def test_the_handed_out_program_is_no_attempt_and_hides_where_the_praise_says():
     assert "α is 0" in E["05.7"].praise and "±90°" in E["05.7"].praise
 
 
-def test_no_word_of_craig_before_it_is_taught():
+def test_the_order_of_craig_is_told_and_named_where_moves_are_multiplied():
     def reversed_product(theta, d, a, alpha):
         return rot_x(alpha) @ trans_x(a) @ trans_z(d) @ rot_z(theta)
 
@@ -109,11 +109,35 @@ def test_no_word_of_craig_before_it_is_taught():
             E["05.3"].judge(order) for order in ("cdab", "dcba")
         ]
         assert all(
-            v.mistake == "standard-rows-in-craig-matrix"
-            and ("x moves come before" in v.headline or "reverse order" in v.headline)
-            and "Craig" not in str(v)
+            v.mistake == "standard-rows-in-craig-matrix" and "x moves come before" in v.headline
             for v in said
         )
+        assert all("Craig" in v.headline for v in said[:2])
+
+
+@pytest.mark.parametrize(
+    "theta, alpha, named",
+    [(-90, HALF, "θ is in degrees"), (-HALF, 90, "α is in degrees"), (-90, 90, "both angles")],
+)
+def test_the_angle_that_is_in_degrees_is_named(theta, alpha, named):
+    for variant in VARIANTS:
+        answer = link(theta, E["05.9"].given(variant)["q3"], 0.05, alpha)
+        verdict = E["05.9"].judge(answer, variant)
+        assert verdict.mistake == "degrees-in-sin-cos" and verdict.headline.startswith(named)
+
+
+@pytest.mark.parametrize(
+    "answer, found",
+    [
+        (np.array([["1", "?"]]), "one with the text '?' in it"),
+        ([[1, {}], [0, 1]], "one with an entry that is no number"),
+        ("pose", "a text"),
+        ({}, "an object of the type dict"),
+    ],
+)
+def test_what_is_no_array_of_numbers_is_named(answer, found):
+    verdict = E["05.6"].judge(lambda theta, d, a, alpha: answer)
+    assert verdict.headline == f"expected an array of 4×4 numbers, found {found}"
 
 
 def test_orders_say_which_move_stands_too_early():

@@ -170,7 +170,19 @@ def wrong_slides(q3: float) -> Mistakes:
 def _as_other_matrices(q3, half):
     """The row put into the matrix otherwise, or the matrix written down otherwise."""
     right = standard(-half, q3, 0.05, half)
-    yield "degrees-in-sin-cos", "the angles went in in degrees", standard(-90, q3, 0.05, 90)
+    for headline, theta, alpha in (
+        ("both angles are in degrees", -90, 90),
+        ("θ is in degrees", -90, half),
+        ("α is in degrees", -half, 90),
+    ):
+        yield (
+            "degrees-in-sin-cos",
+            Said(
+                f"{headline}, and the function takes radians",
+                next="Write np.deg2rad around every angle that is given in degrees.",
+            ),
+            standard(theta, q3, 0.05, alpha),
+        )
     yield "a-d-exchanged", "d and a have changed places", standard(-half, 0.05, q3, half)
     yield "columns-misread", "θ and d have changed places", standard(q3, -half, 0.05, half)
     yield "length-value", "a was left out: it is 0.05", standard(-half, q3, 0, half)

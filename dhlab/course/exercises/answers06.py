@@ -51,7 +51,7 @@ def zero_pose() -> NDArray:
 
 def wrong_zero_poses() -> Mistakes:
     rows, q = _article_rows(), np.zeros(6)
-    yield "alpha-in-degrees", "α went in in degrees", product(rows * IN_DEGREES, q)
+    yield "alpha-in-degrees", "α was left in degrees", product(rows * IN_DEGREES, q)
     yield (
         "converted-to-radians-twice",
         Said("the rows were converted twice", next="`rows` is converted already: pass it on."),

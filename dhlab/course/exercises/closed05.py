@@ -133,7 +133,7 @@ TURNED_BACK = Said(
 )
 
 X_FIRST = Said(
-    "the four moves come in the reverse order, or in one that makes the same matrix",
+    "the x moves come before the z moves: this is the order of Craig's convention (lesson 03)",
     next="The move that is made first stands on the left, and each next one joins on the right.",
     place="Tx stands before Rz; Rx stands before Rz and Tz",
 )
@@ -159,7 +159,7 @@ OF_THE_MATRIX = {
 
 TYPED = {  # of a matrix that is typed entry by entry, in which no moves stand
     "standard-rows-in-craig-matrix": Said(
-        "this is the matrix of the other convention, in which the x moves come before the z moves",
+        "this is the matrix of Craig's convention, in which the x moves come before the z moves",
         next="Of standard rows the last column is a cos θ, a sin θ, d. What stands there in yours?",
         place="the last column is a, −d sin α, d cos α",
     )

@@ -78,39 +78,6 @@ EXERCISES = [
             "The second column says where y goes: cos α along y, sin α along z.",
         ),
     ),
-    Choice(
-        id="05.2",
-        title="Moves that commute",
-        question="Which of the four moves may change places with which?",
-        correct="about-one-axis",
-        hints=(
-            "Try each pair with your hand: does the first move change the direction of the second?",
-            "A turn about an axis leaves that axis where it is.",
-        ),
-        options={
-            "none": Option(
-                "none: every change of order is a mistake",
-                "Too strict: a turn about z leaves the z axis where it is, so a shift along z does"
-                " not notice.",
-                "every-order-taken-for-wrong",
-            ),
-            "about-one-axis": Option(
-                "Rz with Tz, Tx with Rx, and Tz with Tx",
-                "Turn and shift about one axis commute, and so do two shifts: five of the 24 orders"
-                " are right.",
-            ),
-            "turns-with-shifts": Option(
-                "all turns with all shifts",
-                "A turn about z does change where a shift along x goes.",
-                "order-taken-for-free",
-            ),
-            "both-turns": Option(
-                "Rz with Rx, since both are turns",
-                "Turns about different axes do not commute: try a book on the table.",
-                "order-taken-for-free",
-            ),
-        },
-    ),
     Order(
         id="05.3",
         title="The four moves in order",
@@ -214,6 +181,40 @@ EXERCISES = [
             "Which of the four numbers does a sliding joint change?",
             "Call your dh_transform with theta = -90° in radians and d = q3.",
         ),
+    ),
+    Choice(
+        id="05.2",
+        practice=True,
+        title="Moves that commute",
+        question="Which of the four moves may change places with which?",
+        correct="about-one-axis",
+        hints=(
+            "Try each pair with your hand: does the first move change the direction of the second?",
+            "A turn about an axis leaves that axis where it is.",
+        ),
+        options={
+            "none": Option(
+                "none: every change of order is a mistake",
+                "Too strict: a turn about z leaves the z axis where it is, so a shift along z does"
+                " not notice.",
+                "every-order-taken-for-wrong",
+            ),
+            "about-one-axis": Option(
+                "Rz with Tz, Tx with Rx, and Tz with Tx",
+                "Turn and shift about one axis commute, and so do two shifts: five of the 24 orders"
+                " are right.",
+            ),
+            "turns-with-shifts": Option(
+                "all turns with all shifts",
+                "A turn about z does change where a shift along x goes.",
+                "order-taken-for-free",
+            ),
+            "both-turns": Option(
+                "Rz with Rx, since both are turns",
+                "Turns about different axes do not commute: try a book on the table.",
+                "order-taken-for-free",
+            ),
+        },
     ),
     Value(
         id="05.5",

@@ -176,6 +176,7 @@ ASSERTED = [
     (r"numpy.+ take(s)? (angles in )?radians\.", fact(lambda: np.isclose(np.sin(np.pi / 2), 1))),
     (r"(np\.deg2rad was applied to numbers that are radians already|This course's functions take"
      r" radians)\.", lambda e, answer, variant: program(e, answer, variant)),
+    (r"Write np\.deg2rad around every angle that is given in degrees\.", of("05.9")),
     (r"Half angles belong to quaternions, whole ones to matrices; .+", program),
     (r"The name stands in the def line, and in no cosine and no sine\.", program),
     (r"1\.57 for π/2, or np\.round inside the function: the error grows along the chain\.",

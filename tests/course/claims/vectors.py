@@ -594,8 +594,16 @@ SLIDE = [
         ),
     ),
     (
-        r"the angles went in in degrees",
+        r"both angles are in degrees, and the function takes radians",
         _slide(lambda q: one_row(np.degrees(-90), q, 0.05, np.degrees(90))),
+    ),
+    (
+        r"θ is in degrees, and the function takes radians",
+        _slide(lambda q: one_row(np.degrees(-90), q, 0.05, 90)),
+    ),
+    (
+        r"α is in degrees, and the function takes radians",
+        _slide(lambda q: one_row(-90, q, 0.05, np.degrees(90))),
     ),
     (r"d and a have changed places", _slide(lambda q: one_row(-90, 0.05, q, 90))),
     (
@@ -649,7 +657,6 @@ def _of_a_chain(of):
     return [
         (pattern, _chain(of, made))
         for pattern, made in (
-            (r"α went in in degrees", lambda r, q, f: walk(r * [1, 1, 1, turns[0]], q)),
             (r"α was left in degrees", lambda r, q, f: walk(r * [1, 1, 1, turns[0]], q)),
             (r"θ was left in degrees", lambda r, q, f: walk(r * [turns[0], 1, 1, 1], q)),
             (r"the rows were converted twice", lambda r, q, f: walk(r / turns, q)),

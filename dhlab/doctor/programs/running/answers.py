@@ -176,10 +176,27 @@ def _no_numbers(answer, shape, case, names):
             shown(case, names),
             "Look for a square root of a negative number, or for a j behind a number.",
         )
+    found = _found(answer)
     return CallFault(
-        f"the function returns {type(answer).__name__}, expected an array of {wanted} numbers",
+        f"expected an array of {wanted} numbers, found {found}",
         shown(case, names),
-        "Print what it returns, and its type.",
+        "Print what the function returns, and its type.",
+    )
+
+
+def _found(answer):
+    """What stands where an array of numbers belongs, in words."""
+    if isinstance(answer, np.ndarray):
+        answer = answer.tolist()
+    if not isinstance(answer, (list, tuple)):
+        name = type(answer).__name__
+        return "a text" if name == "str" else f"an object of the type {name}"
+    rows = [row if isinstance(row, (list, tuple)) else [row] for row in answer]
+    texts = [one for row in rows for one in row if isinstance(one, str)]
+    return (
+        f"one with the text {min(texts, key=str.isdigit)!r:.40} in it"
+        if texts
+        else "one with an entry that is no number"
     )
 
 
