@@ -78,71 +78,73 @@ EXERCISES = [
     Prediction(
         id="04.P2",
         title="Two learners, two tables",
-        question="The two tables differ in every row. And the poses of the tool?",
+        question="The two tables differ in every row. What is the same on both arms?",
         options={
-            "different": "different: one of the two tables must be wrong",
-            "same-at-zero": "the same at q = 0, different elsewhere",
-            "same": "the same for every q",
+            "nothing": "nothing: one of the two tables must be wrong",
+            "tool-at-zero": "the tool's pose at q = 0, and not elsewhere",
+            "tool": "the tool's pose at every q, and no frame's",
+            "frames": "the pose of the tool and of every frame, at every q",
         },
-        correct="same",
+        correct="tool",
         outcome=(
-            "every choice kept the rules, so both tables are the arm. More than half of the numbers"
-            " differ, and no pose does."
+            "every choice kept the rules, so both tables are the arm. Each frame stands otherwise,"
+            " more than half of the numbers differ, and the tool's pose never does."
         ),
     ),
     Prediction(
         id="04.P4",
         title="Turning one x",
         question=(
-            "In Ada's frames x1 is turned round, and nothing else. Which numbers of the table"
-            " change?"
+            "In Ada's frames x2 is turned round, and nothing else; her α2 is 0. Which numbers of"
+            " the table change?"
         ),
         options={
-            "a-alpha": "a1 and α1 change sign",
-            "two-rows": "a1 and α1 change sign, and θ1 and θ2 change by 180°",
-            "nothing": "none: either sense of x is right",
+            "length": "a2 changes sign, and nothing else",
+            "one-row": "a2 changes sign, and θ2 changes by 180°",
+            "two-rows": "a2 changes sign, and θ2 and θ3 change by 180°",
         },
         correct="two-rows",
         outcome=(
-            "a1 and α1 are counted along and about x1 and change sign; θ1 ends at x1 and θ2 begins"
-            " there, so both change by 180°."
+            "a2 is counted along x2 and changes sign, as an α2 that is not 0 would; θ2 ends at x2"
+            " and θ3 begins there, so both change by 180°."
         ),
     ),
     Choice(
         id="04.8",
         title="A z axis turned round",
-        question="z2 is turned round, properly. What changes?",
-        correct="five-things",
+        question=(
+            "Somebody turned z2 round and changed α2 by 180°, θ3 and d3 in sign, and the way joint"
+            " 3 counts. What was forgotten?"
+        ),
+        correct="alpha-3",
         hints=(
             (
                 "Which entries of the table are measured about or along z2? And which have z2 as"
                 " their start or their end?"
             ),
-            (
-                "θ3 and d3 are about and along z2. α2 ends at z2, α3 begins there. And which way"
-                " does the joint count now?"
-            ),
+            "α2 goes from z1 to z2, about x2. Which α is measured from z2?",
         ),
         options={
             "nothing": Option(
-                "nothing: the line is the same, only the arrow differs",
-                "α is an angle between arrows; d is counted along one, and θ about one.",
-                "z-flip-incomplete",
-            ),
-            "alpha-2": Option(
-                "α2 alone, by 180°",
-                "Then everything behind joint 3 is upside down. The story's two days began like"
-                " this.",
-                "z-flip-incomplete",
-            ),
-            "arm": Option(
-                "the arm: with its z reversed a joint moves to other places",
-                "The arm has never heard of z. Joint 3 counts the other way, that is all.",
+                "nothing: with its z turned round, it is another arm",
+                "The arm has never heard of z: whoever changes all that hangs on z2 has the same"
+                " arm.",
                 "joint-reversed",
             ),
-            "five-things": Option(
-                "α2 and α3 by 180°, θ3 and d3 in sign, and joint 3 counts the other way",
-                "All five together, and the arm is the same.",
+            "lengths": Option(
+                "a2 and a3 in sign, since they are lengths",
+                "a is counted along x, and no x was turned.",
+                "z-flip-incomplete",
+            ),
+            "alpha-3": Option(
+                "α3 by 180°, since it begins at z2",
+                "α2 ends at z2 and α3 begins there, θ3 and d3 are counted about and along it. With"
+                " the way the joint counts these are five, and the arm is the same.",
+            ),
+            "theta-2": Option(
+                "θ2 by 180°, since it ends in row 2",
+                "θ2 goes from x1 to x2, about z1, and none of these was turned.",
+                "z-flip-incomplete",
             ),
         },
     ),

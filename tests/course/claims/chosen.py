@@ -83,12 +83,15 @@ def differ(one, other):
 
 
 def turned_round(which, right):
-    """Whether turning x1 or z2 round in the article's table changes what is said, and no pose."""
+    """Whether turning x1, x2 or z2 round in the article's table changes what is said, and no
+    pose.
+    """
     rows = np.array(ARTICLE, dtype=float)
     joints = np.ones(6)
-    if which == "x1":
-        rows[0, 2:] *= -1
-        rows[:2, 0] += 180
+    if which.startswith("x"):
+        i = int(which[1])
+        rows[i - 1, 2:] *= -1
+        rows[i - 1 : i + 1, 0] += 180
     else:
         rows[1:3, 3] += 180
         rows[2, 0:2] *= -1
@@ -171,8 +174,8 @@ OPTIONS = {
         np.linalg.norm((slid_by(0.1, 0.1) - slid_by(0, 0.1))[:3, 3]), 0.1
     ),
     ("04.6", "either-row"): lambda: same(slid_by(0.04, 0.06), slid_by(0.1, 0)),
-    ("04.8", "five-things"): lambda: turned_round("z2", True),
-    ("04.8", "alpha-2"): lambda: not same(article(Q, changed(1, 3, 180)), article(Q)),
+    ("04.8", "alpha-3"): lambda: turned_round("z2", True),
+    ("04.8", "lengths"): facts.z_hangs_on_five,
     ("04.9", "last-frame"): lambda: constant("tool"),
     ("04.9", "base-frame"): lambda: only_where_the_point_is() and not constant("base"),
     ("04.9", "length"): lambda: (
@@ -261,7 +264,7 @@ OUTCOMES = {
         and same(article(0 * Q)[:3, :3], article(0 * Q, convention="craig")[:3, :3])
         and differ(article(Q), article(Q, convention="craig"))
     ),
-    "04.P4": lambda: turned_round("x1", True),
+    "04.P4": lambda: turned_round("x2", True),
     "05.P1": lambda: same((turn("z", 90) @ [0.4, 0, 0])[:2], [0, 0.4]),
     "05.P2": lambda: orders_that_give(UNIT) == 24,
     "06.P1": lambda: same(article([90, 0, 0, 0, 0, 0])[:3, 3], [0.2, 0.75, 0.1]),

@@ -105,7 +105,6 @@ SLIDES = (
 )
 KINDS = {"z": "a z arrow", "o": "an origin", "x": "an x arrow"}  # told before the frame is
 BY_HAND = 1e-3  # m; of arrows, of their length: nearer, a step is the same
-TOLD = 3  # free choices that are named when somebody's right frames differ from ours
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,8 +178,7 @@ class Frames(Exercise):
         known = self.published and self.published(**given)
         choices = [c.message for c in equivalent(known or task.model, task.arm).differences]
         if choices:
-            more = f" and {len(choices) - TOLD} more" if len(choices) > TOLD else ""
-            told = "; ".join(choices[:TOLD]) + more
+            told = "; ".join(choices)
             says = f" The table of your frames is another right one than {self.known_as}: {told}."
         else:
             says = f" The table of your frames is {self.known_as}." if known else ""

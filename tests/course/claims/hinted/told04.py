@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import facts
-from ..chosen import constant, turned_round
+from ..chosen import constant
 from ..facts import AXES, how
 from ..reasons import DO, NAMES, STORY, accepts, always, lie, near, on
 from ..vectors import one_row
@@ -137,8 +137,7 @@ SAID = {
         "If not, it is negative": always(facts.left_hands_count_backwards),
     },
     "04.8": {
-        "θ3 and d3 are about and along z2": always(lambda: turned_round("z2", True)),
-        "α2 ends at z2": always(facts.z_hangs_on_five),
+        "α2 goes from z1 to z2": always(facts.z_hangs_on_five),
     },
     "04.6": {"Between parallel axes the origin": always(facts.sum_of_d_counts)},
     "04.9": {
