@@ -176,6 +176,14 @@ def wrong_unseen(q: list[float]) -> Mistakes:
         ),
     ):
         yield mistake, said, product(wrong, np.asarray(values, dtype=float))
+    yield (
+        "wrong-frame-compared",
+        Said(
+            "this is the pose of the article's arm, and that of the IRB 120 is asked",
+            next="Make rows in radians of irb120, under a name of their own.",
+        ),
+        product(_article_rows(), q_rad),
+    )
     for k in np.flatnonzero(rows[:, 0]):
         alone = rows.copy()
         alone[k, 0] = 0
@@ -258,7 +266,8 @@ def explain_structures(structures: list[str]) -> Known | None:
 IN_THE_LOOP = {  # two slips of Python, by the place that the doctor names
     ("product-starts-late", "only the last row is used"): Said(
         "only the last row's matrix comes out",
-        next="Each turn of the loop throws the product away: write T = T @ A.",
+        next="Each turn of the loop throws the product away: write T = T @ A in it, and"
+        " T = np.eye(4) before it.",
     ),
     ("product-stops-early", "only the first row is used"): Said(
         "only the first row's matrix comes out",

@@ -151,6 +151,9 @@ def explain_steps(lines: list[str]) -> Known | None:
     return "jacobian-not-renewed", Said("dq comes too early", why="It needs e and J.")
 
 
+CUP_Q = np.deg2rad([30, 60, -80, -30, 40, 0])  # of the article's arm
+
+
 def draw_ur5e(rng: np.random.Generator) -> dict[str, Any]:
     """A pose of the UR5e well away from its singularities."""
     arm = load("ur5e")
@@ -206,6 +209,12 @@ class Reaches(Value):
                 headline="this q brings the article's arm to the pose, and the UR5e is asked",
                 next="Your loop goes by the rows that it is given: hand it ur5e.table.rows.",
             )
+        cup = load("article-6r").forward(CUP_Q)
+        if np.allclose(load("ur5e").forward(array), cup, atol=1e-3):
+            return self.wrong(
+                headline="this q brings the UR5e to the cup, and another pose is asked",
+                next="Hand T_task to your loop.",
+            )
         words = f"the hand is {_short(1000 * metres)} mm and {_short(degrees)}° away from the pose"
         if metres <= 1e-3:
             return self.wrong(
@@ -218,7 +227,8 @@ class Reaches(Value):
             )
         return self.wrong(
             headline=words,
-            next="Are these the joint values after enough steps? Make more, or start elsewhere.",
+            next="Did your loop get ur5e.table.rows and T_task? Make more steps, or start"
+            " elsewhere.",
         )
 
 

@@ -110,8 +110,8 @@ EXERCISES = [
         options={"same": "by the same 15 cm", "more": "by more than that", "hit": "not at all"},
         correct="hit",
         outcome=(
-            "the second cup is hit. One arrow is reversed, and the arm is right at some poses and"
-            " wrong at others. Now you see why it took two days."
+            "the second cup is hit, and the first one is missed as before. Now you see why it took"
+            " two days."
         ),
     ),
     PreTest(
@@ -237,7 +237,7 @@ EXERCISES = [
                 "only-position-checked",
             ),
             "little": Option(
-                "little: many wrong tables agree there as well", "You will count them."
+                "little: many wrong tables agree there as well", "You will build one of them."
             ),
         },
     ),

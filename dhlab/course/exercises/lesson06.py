@@ -96,38 +96,6 @@ EXERCISES = [
             " 0.75)."
         ),
     ),
-    Choice(
-        id="06.4",
-        title="What the quarter turn proves",
-        question="The position did turn about z0. Which conclusion is justified?",
-        correct="program",
-        hints=(
-            "Write T = Rz(θ1) · M, where M holds everything else. What does turning q1 do to M?",
-            "Change a length in the table and run the test again: does it notice?",
-        ),
-        options={
-            "table": Option(
-                "the table is right: the arm turned about z0 as it must",
-                "Change any number of the table and the test still passes.",
-                "only-zero-pose-checked",
-            ),
-            "program": Option(
-                "the program turns about z0; the table may still be wrong",
-                "T = Rz(θ1) · M for every table: the test is of the program alone.",
-            ),
-            "nothing": Option(
-                "nothing at all",
-                "It would catch a reversed product or degrees in sin and cos: it is a test of the"
-                " program.",
-                "product-reversed",
-            ),
-            "limits": Option(
-                "q1 stays inside its limits",
-                "Forward kinematics knows no limits.",
-                "limits-in-forward",
-            ),
-        },
-    ),
     Prediction(
         id="06.P2",
         title="The other convention, from memory",
@@ -221,6 +189,39 @@ EXERCISES = [
             "Which columns of the rows are in degrees, and which unit has q?",
             "Both angle columns and q go through np.deg2rad; the offsets stay in the rows.",
         ),
+    ),
+    Choice(
+        id="06.4",
+        practice=True,
+        title="What the quarter turn proves",
+        question="At q1 = 90° the position did turn about z0. Which conclusion is justified?",
+        correct="program",
+        hints=(
+            "Write T = Rz(θ1) · M, where M holds everything else. What does turning q1 do to M?",
+            "Change a length in the table and run the test again: does it notice?",
+        ),
+        options={
+            "table": Option(
+                "the table is right: the arm turned about z0 as it must",
+                "Change any number of the table and the test still passes.",
+                "only-zero-pose-checked",
+            ),
+            "program": Option(
+                "the program turns about z0; the table may still be wrong",
+                "T = Rz(θ1) · M for every table: the test is of the program alone.",
+            ),
+            "nothing": Option(
+                "nothing at all",
+                "It would catch a reversed product or degrees in sin and cos: it is a test of the"
+                " program.",
+                "product-reversed",
+            ),
+            "limits": Option(
+                "q1 stays inside its limits",
+                "Forward kinematics knows no limits.",
+                "limits-in-forward",
+            ),
+        },
     ),
     Choice(
         id="06.8",

@@ -48,7 +48,8 @@ EXERCISES = [
         },
         praise="Position and turn, both as the base sees them.",
         hints=(
-            "The position part is right. Where is the turn seen from: the base or the tool?",
+            "As it is handed out, the position part is right. Where is the turn seen from: the base"
+            " or the tool?",
             (
                 "You look for the turn that carries R to R_goal when it is multiplied on the left."
                 " Solve that for it."
@@ -98,7 +99,8 @@ EXERCISES = [
         angles=True,
         tolerance=1e-7,
         more=OTHER_STEPS,
-        if_special="Exactly `steps` steps are asked: does the loop end before they are done?",
+        if_special="Exactly `steps` steps are asked: does the loop end before they are done, or"
+        " is q kept within bounds?",
         words={
             **in_other_axes("the pose error: "),
             "jacobian-not-renewed": Said(
@@ -178,41 +180,6 @@ EXERCISES = [
             ),
         },
     ),
-    Choice(
-        id="08.12",
-        title="A jump on the way",
-        question=(
-            "The solver is asked for one q every millimetre of a straight line. Between two of them"
-            " joints 4 and 6 jump by 180° and q5 changes its sign; the condition number is 13"
-            " before and after. What happened?"
-        ),
-        correct="branch",
-        hints=(
-            "Is J near its loss of rank here? What would joint speeds do if it were?",
-            "Put both q into arm.forward. How far apart are the two poses, and the two q?",
-        ),
-        options={
-            "singular": Option(
-                "the arm passed a singularity",
-                "Then the condition number would have grown without end on the way; it is 13.",
-                "singularity-taken-for-failure",
-            ),
-            "branch": Option(
-                "the solver changed to another branch, which reaches the same pose",
-                "The other wrist. On a path, take of all answers the one nearest to the last q.",
-            ),
-            "limit": Option(
-                "a limit cut the values off",
-                "Cut values would no longer reach the line, and two of the jumps are exactly 180°.",
-                "clipped-at-limit",
-            ),
-            "damping": Option(
-                "the damping was too small",
-                "Damping makes steps small where J is nearly singular; here it is not.",
-                "damping-taken-for-free",
-            ),
-        },
-    ),
     Prediction(
         id="08.P4",
         title="How many answers",
@@ -236,6 +203,42 @@ EXERCISES = [
             "Your loop asks for nothing but rows: give it ur5e.table.rows and a bent start.",
             "Not there yet? Make more steps, or begin at another start, and ask ur5e.forward.",
         ),
+    ),
+    Choice(
+        id="08.12",
+        practice=True,
+        title="A jump on the way",
+        question=(
+            "A solver is asked for one q every millimetre of a straight line. From one to the next"
+            " joints 4 and 6 jump by 180° and q5 changes its sign, as in the picture; the condition"
+            " number is 11 before and after. What happened?"
+        ),
+        correct="branch",
+        hints=(
+            "Is J near its loss of rank here? What would joint speeds do if it were?",
+            "Put cup_q and other into arm.forward. How far apart are the two poses, and the two q?",
+        ),
+        options={
+            "singular": Option(
+                "the arm passed a singularity",
+                "Then the condition number would have grown without end on the way; it is 11.",
+                "singularity-taken-for-failure",
+            ),
+            "branch": Option(
+                "the solver changed to another branch, which reaches the same pose",
+                "The other wrist. On a path, take of all answers the one nearest to the last q.",
+            ),
+            "limit": Option(
+                "a limit cut the values off",
+                "Cut values would no longer reach the line, and two of the jumps are exactly 180°.",
+                "clipped-at-limit",
+            ),
+            "damping": Option(
+                "the damping was too small",
+                "Damping makes steps small where J is nearly singular; here it is not.",
+                "damping-taken-for-free",
+            ),
+        },
     ),
     Program(
         id="08.8",
@@ -272,8 +275,8 @@ EXERCISES = [
         praise="Two shoulders, two elbows, two wrists, and each of them exact.",
         hints=(
             (
-                "R_36 is what is left of the orientation when the first three joints are taken off"
-                " it: which of the two is transposed, and on which side?"
+                "`for_the_wrist` gives R_36. Which two of its entries hold sine and cosine of θ4"
+                " and nothing of θ6, and which two those of θ6?"
             ),
             "For the second wrist three angles change: one its sign, the other two by half a turn.",
         ),

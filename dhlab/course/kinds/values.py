@@ -22,11 +22,11 @@ __all__ = ["LAST_ROW", "Value"]
 ROW = ("deg", "m", "m", "deg")  # theta, d, a, alpha of one link
 STANDING = Said(
     "the right numbers, but one below the other",
-    next="They are asked in a row: end the line with .ravel(), which makes one row of them.",
+    next="They are asked in a row: np.ravel(…) around them makes one row of them.",
 )
 NESTED = Said(
     "the right numbers, in more brackets than one pair",
-    next="One pair of brackets is asked: end the line with .ravel(), or take one pair away.",
+    next="One pair of brackets is asked: take the others away, or put np.ravel(…) around them.",
 )
 CUT_OFF = Said(
     "these are the right numbers with their decimals cut off",

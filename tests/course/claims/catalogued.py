@@ -67,7 +67,8 @@ CATALOGUED = [
      r" want 1\.5708\.|A slip of the pen, or cos\(90°\) remembered as 1\.|The closed form has eight"
      r" long entries, and a sign or a letter is quickly lost\.|Tx\(a\) was multiplied in before"
      r" Rz\(θ\), or the closed form was copied without .+", of_links),
-    (r"Each turn of the loop throws the product away: write T = T @ A\.", only_row(-1)),
+    (r"Each turn of the loop throws the product away: write T = T @ A in"
+     r" it, and T = np\.eye\(4\) before it\.", only_row(-1)),
     (r"It belongs behind it\.", only_row(0)),
     (r"The product was started from A_1 and the loop began with A_1 again, or .+", twice),
     (r"In the loop, swap the two sides of @\.|The offset is added to q: .+|Use q\[i\] alone in row"

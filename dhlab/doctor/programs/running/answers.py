@@ -235,6 +235,12 @@ def _other_shape(array, shape, case, names):
         do = f"Give the whole pose: its {'position' if array.size == 3 else 'rotation'} is a part."
     elif len(shape) == 2 and array.size == shape[0] != shape[1]:
         do = f"One column comes back of {shape[1]}: is the return inside the loop?"
+    elif array.ndim == len(shape) == 2 and array.shape[1] == shape[1] and len(array) < shape[0]:
+        do = (
+            "Rows are missing: is every case among them, and does the return stand behind the loop?"
+        )
+    elif len(shape) == 1 and array.size == shape[0]:
+        do = "np.ravel(…) around all of them makes one row."
     elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
         do = (
             "It comes back inside a list: return it alone."

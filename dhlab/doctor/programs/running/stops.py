@@ -67,7 +67,7 @@ _WORDS = (
     (
         "ValueError|TypeError",
         r"(too many|not enough) values to unpack|cannot unpack",
-        f"As many names as values must stand on the left. {FOUR}",
+        f"As many names as values must stand on the left. {FOUR} Or are two arguments exchanged?",
     ),
     (
         "TypeError",
@@ -123,10 +123,15 @@ _WORDS = (
     (
         "ValueError",
         r"determinant|orthogonal|rotation matri",
-        "What is handed on there is no rotation. A product of two rotations is one, a sum or a"
-        " difference is none.",
+        "What is handed on there is no rotation. A product of two rotations is one, if it is made"
+        " with @; what *, + and - make of them is none.",
     ),
-    ("LinAlgError", "", "There is nothing to invert here: forward kinematics is a product."),
+    (
+        "LinAlgError",
+        "",
+        "This matrix has no inverse. np.linalg.solve(A, b) takes the matrix first; forward"
+        " kinematics inverts nothing.",
+    ),
 )
 
 

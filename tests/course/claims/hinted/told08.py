@@ -122,7 +122,7 @@ SAID = {
     },
     "08.4": {
         "Position and turn": NAMES,
-        "The position part is right": in_base,
+        "As it is handed out, the position part": in_base,
         "You look for the turn": always(facts.turn_back_from_goal),
     },
     "08.5": {"Look where you are": of_eight, "Three of the eight lines": of_eight},
