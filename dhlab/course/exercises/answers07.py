@@ -13,6 +13,7 @@ from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...rotations import from_rotation_vectors
 from ...table import DHTable
+from ...transform import trans_x, trans_z
 from ..kinds import Known, Mistakes, Said
 from .answers06 import ARTICLE
 
@@ -53,10 +54,9 @@ CAUSES = {
     "tool": ("the tool is left out", "tool-missing"),
     "limit": ("a joint limit is exceeded", "limits-in-forward"),
     "length": ("one length (a) has the wrong value", "length-value"),
-    "zero-offset": ("a zero offset is left out", "offset-missing"),
     "reversed-joint": ("a joint counts the other way", "joint-reversed"),
 }
-OF_SYMPTOMS = ["degrees", "length", "reversed-joint", "base-height", "tool", "zero-offset"]
+OF_SYMPTOMS = ["degrees", "length", "reversed-joint", "base-height", "tool"]
 TRACES = {
     "base-height": "seen from the base, every pose would be shifted by one and the same vector",
     "degrees": "a small turn of a joint would become a leap, since 1 would be taken for 57°",
@@ -66,7 +66,6 @@ TRACES = {
         "the rotation would be right, and the residual would lie along one arrow of the arm at"
         " every pose"
     ),
-    "zero-offset": "every pose would be right once a joint is turned by a constant",
     "reversed-joint": "at q = 0 all is well, and one joint turns the wrong way from there",
 }
 
@@ -94,6 +93,14 @@ def _poses(rng, arm, q, noise, turn):
     T[:, :3, 3] += rng.normal(0, noise, (len(q), 3))
     T[:, :3, :3] = T[:, :3, :3] @ from_rotation_vectors(rng.normal(0, turn, (len(q), 3)))
     return T
+
+
+def _one_by_one(rest):
+    """Configurations (78, 6) in which one joint after the other moves; ``rest`` in degrees."""
+    sweeps = np.tile(np.deg2rad(rest), (6 * 13, 1))
+    for i in range(6):
+        sweeps[13 * i : 13 * (i + 1), i] = np.deg2rad(np.linspace(-60, 60, 13))
+    return sweeps
 
 
 def explain_match(causes: list[str]) -> Known | None:
@@ -129,9 +136,7 @@ def story(rng: np.random.Generator) -> dict[str, Any]:
     rows = np.array(ARTICLE, dtype=float)
     rows[3, 3] = -90
     log = _general(rng, 8, real)
-    sweeps = np.tile(np.deg2rad([30, 60, -80, -30, 40, 20]), (6 * 13, 1))
-    for i in range(6):
-        sweeps[13 * i : 13 * (i + 1), i] = np.deg2rad(np.linspace(-60, 60, 13))
+    sweeps = _one_by_one([30, 60, -80, -30, 40, 20])
     return {
         "rows": rows,
         "q": log,
@@ -200,7 +205,9 @@ def wrong_offsets(q: NDArray, points: NDArray) -> Mistakes:
 
 
 def draw_pasted(rng: np.random.Generator) -> dict[str, Any]:
-    """A Puma 560 as pasted from a paper, with one entry wrong, and ten measured poses."""
+    """A Puma 560 as pasted from a paper, one entry with the wrong sign; ten poses that were
+    measured, and the tip of a pen while one joint after the other moved.
+    """
     rows = np.array(PUMA, dtype=float)
     i, k = [(0, 3), (2, 3), (3, 3), (4, 3), (2, 2), (2, 1)][rng.integers(6)]
     rows[i, k] *= -1
@@ -209,6 +216,14 @@ def draw_pasted(rng: np.random.Generator) -> dict[str, Any]:
         for n, (_, d, a, alpha) in enumerate(rows, 1)
     ]
     text = "\n".join(["  i   theta   d (mm)    a (mm)   alpha (deg)", *lines])
-    real = load("puma560")
-    q = _general(rng, 10, real)
-    return {"table": text, "rows": rows, "q": q, "poses": _poses(rng, real, q, FINE, TURN)}
+    real, pen = load("puma560"), trans_x(0.1) @ trans_z(0.15)
+    q, sweeps = _general(rng, 10, real), _one_by_one([20, -40, 60, 40, 50, 30])
+    return {
+        "table": text,
+        "rows": rows,
+        "q": q,
+        "poses": _poses(rng, real, q, FINE, TURN),
+        "pen": pen,
+        "sweeps": sweeps,
+        "points": _points(rng, Arm(real.table, tool=pen), sweeps, COARSE),
+    }

@@ -30,14 +30,14 @@ EXERCISES = [
     Order(
         id="07.1",
         title="From a symptom to its cause",
-        question="A cause for each of the symptoms 1 to 6, in this order; one cause is left over.",
+        question="A cause for each of the symptoms 1 to 5, in this order; one cause is left over.",
         points=2,
-        length=6,
+        length=5,
         repeats=True,
         items={cause: text for cause, (text, _) in CAUSES.items()},
         accepts=lambda causes: causes == OF_SYMPTOMS,
         explain=explain_match,
-        praise="Each cause leaves its own trace; one of the seven leaves none.",
+        praise="Each cause leaves its own trace; one of the six leaves none.",
         hints=(
             (
                 "Ask of every symptom: is the rotation touched? Does the error stay the same, and"
@@ -160,17 +160,17 @@ EXERCISES = [
         points=3,
         answer=lambda **paper: Arm(DHTable.standard(PUMA, angle="deg")),
         draw=draw_pasted,
-        nearly=(
-            "You are nearly there: a sign or a digit was lost on paper, and nothing was measured"
-            " anew."
-        ),
+        nearly="You are nearly there: all that was lost on paper is a sign.",
         handed_out=lambda rows, **log: rows,
-        praise="A Puma 560, repaired from ten measured poses.",
+        praise="A Puma 560, repaired from six circles.",
         hints=(
-            "Is the rotation right at every pose? That decides between the angles and the lengths.",
             (
-                "Hand the likelier reading's arm to dh.diagnose, with q and the measured poses;"
-                " then change the one entry it names."
+                "Which is the last axis that is neither turned nor shifted? Its row comes before"
+                " the first axis that is."
+            ),
+            (
+                "A lost sign changes a number by twice its size. So what is 180° off was an α of"
+                " 90°; and half of a shift is the d or the a that lost its sign."
             ),
         ),
     ),

@@ -137,7 +137,7 @@ LINE = {"axis-1": 1, "axis-2": 2, "axis-3": 3}
 LENGTHS = ["shoulder-height", "upper-arm", "forearm", "sideways", "wrist-to-tool"]
 ARMS = ["the article's arm", "the UR5e", "the AR4", "the Piper"]
 STRUCTURE = ["both", "parallel", "one-point", "one-point"]
-SYMPTOMS = ["degrees", "length", "reversed-joint", "base-height", "tool", "zero-offset"]
+SYMPTOMS = ["degrees", "length", "reversed-joint", "base-height", "tool"]
 NEEDS = {  # what a line of the loop needs, by what it makes
     "frames": "q",
     "error": "T",

@@ -22,13 +22,11 @@ def z4_turned_round(g):
     return wrong_entries(g) == [(3, 3)] and np.isclose(abs(g["rows"] - g["right"]).max(), 180)
 
 
-def lengths_leave_rotations():
-    one = article(Q)
-    return all(
-        near(article(Q, changed(i, k, 0.2))[:3, :3], one[:3, :3])
-        and not near(article(Q, changed(i, j, 20))[:3, :3], one[:3, :3])
-        for i in range(6) for k, j in ((1, 0), (2, 3))
-    )  # fmt: skip
+def lost_a_sign(g):
+    """One number is the right one with the other sign: an α of 90° either way, a d or an a."""
+    ((i, k),) = wrong_entries(g)
+    right = g["right"][i, k]
+    return np.isclose(g["rows"][i, k], -right) and (k in (1, 2) or np.isclose(abs(right), 90))
 
 
 def arrow_of(rows, entry, q):
@@ -93,7 +91,7 @@ def fixed_ends():
 
 SAID = {
     "07.1": {
-        "Each cause leaves its own trace": lambda g: len(g["exercise"].items) == 7,
+        "Each cause leaves its own trace": lambda g: len(g["exercise"].items) == 6,
         "What is fixed to the floor": always(fixed_ends),
     },
     "07.4": {
@@ -108,11 +106,13 @@ SAID = {
         "The row between the two axes": z4_turned_round,
     },
     "07.8": {
-        "A Puma 560, repaired from ten": lambda g: (
-            len(g["q"]) == len(g["poses"]) == 10
-            and all(near(walk(g["right"], q), T, by=0.01) for q, T in zip(degrees(g), g["poses"]))
+        "A Puma 560, repaired from six circles": lambda g: all(
+            near((walk(g["right"], q) @ g["pen"])[:3, 3], p, by=0.01)
+            for q, p in zip(np.degrees(g["sweeps"]), g["points"])
         ),
-        "That decides between the angles": always(lengths_leave_rotations),
+        "Its row comes before the first axis": DO,
+        "A lost sign changes a number by twice": lost_a_sign,
+        "So what is 180° off was an α": lost_a_sign,
     },
     "07.2": {
         "One conversion too many": STORY,
