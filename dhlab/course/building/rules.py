@@ -34,6 +34,7 @@ __all__ = [
     "worked",
 ]
 
+TO_DO = {"predict", "faded", "modify"}  # tags of a cell in which something is to be done
 WIDTH = 100  # characters of code that JupyterLab shows without scrolling beside its file list
 VERBS = frozenset(
     """
@@ -48,11 +49,16 @@ def time(lesson: Lesson) -> tuple[bool, str]:
     """The core's minutes are stated, those counted to the nearest five, much of them exercises."""
     core, stated = lesson.core, lesson.about.get("minutes", 0)
     total = core.total
-    doing = sum(core.minutes(cell) for cell in core.code if "minutes" in cell.metadata)
+    doing = sum(core.minutes(cell) for cell in core.code if _to_do(cell))
     return (
         30 <= stated <= 50 and _near(stated, total) and doing >= 0.4 * total,
         f"{stated} stated, {total:.0f} counted, exercises {doing / total:.0%}",
     )
+
+
+def _to_do(cell):
+    """Whether something is to be answered or written in a cell."""
+    return "exercise" in cell.metadata or TO_DO & {*cell.metadata.get("tags", [])}
 
 
 def practice(lesson: Lesson) -> tuple[bool, str]:

@@ -174,7 +174,7 @@ WRONG_COLUMN_LINES: dict[str, Known] = {  # wrong in themselves: (mistake, what 
         Said(
             "frames[i] stands behind joint i",
             why="In the standard convention joint i turns about the z axis of the frame before.",
-            next="Joint 1 took axis and origin from frames[0].",
+            next="Joint 1 takes axis and origin from frames[0].",
         ),
     ),
     "lever-reversed": (

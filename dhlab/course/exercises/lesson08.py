@@ -139,7 +139,8 @@ EXERCISES = [
         options={
             "slow": "at about 10° a second",
             "faster": "at about 60° a second",
-            "whirl": "at more than 500° a second",
+            "whirl": "at about 600° a second",
+            "beyond": "at about 6,000° a second",
         },
         correct="whirl",
         outcome=(

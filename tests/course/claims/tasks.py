@@ -43,7 +43,7 @@ TASKS = [
     (r"It must point straight up there; positive q2 lifts it from the level\.", ("06.6",)),
     (r"θ3 is measured from the upper arm, not from the floor\.", ("06.6",)),
     (r"Only θ and α are angles: convert these two columns\.", ("06.10",)),
-    (r"Joint 1 took axis and origin from frames\[0\]\.|They are taken out of frames\.", ("08.10",)),
+    (r"Joint 1 takes axis and origin from frames\[0\]\.|They are taken out of frames\.", ("08.10",)),
     (r"Here the arm is far from singular\.", ("08.9",)),
     (r"The hand is where stanford\.forward puts it at your q\.", ("08.9",)),
     (r"After q = q \+ dq, the frames, the Jacobian and the error are others\.", ("08.6",)),
