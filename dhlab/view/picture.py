@@ -24,7 +24,7 @@ __all__ = ["Picture"]
 
 # dates and version numbers left out: the same picture is the same bytes
 FORMATS = {
-    ".png": {"Software": None},
+    ".png": {},
     ".svg": {"Date": None, "Creator": None},
     ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
 }
@@ -155,21 +155,26 @@ class Picture:
 
 
 def _bytes(figure, suffix):
+    if suffix == ".png":
+        return _png(figure)
+    return _saved(figure, suffix[1:], metadata=FORMATS[suffix])
+
+
+def _saved(figure, kind, **more):
     buffer = io.BytesIO()
     with matplotlib.rc_context(
         {"svg.hashsalt": "dhlab", "svg.fonttype": "path", "savefig.bbox": None}
     ):
-        figure.savefig(
-            buffer, format=suffix[1:], dpi=figure.dpi, facecolor="white", metadata=FORMATS[suffix]
-        )
-    return buffer.getvalue() if suffix != ".png" else _fewer_colours(buffer)
+        figure.savefig(buffer, format=kind, dpi=figure.dpi, facecolor="white", **more)
+    return buffer.getvalue()
 
 
-def _fewer_colours(png):
-    """The same picture with a palette of 128 colours: a fourth of the bytes, and these pictures
-    have some thirty colours and their blends.
+def _png(figure):
+    """With a palette of 128 colours: a fourth of the bytes, and these pictures have some thirty
+    colours and their blends.
     """
-    small = io.BytesIO()
-    image = Image.open(png).convert("RGB")
-    image.quantize(128, dither=Image.Dither.NONE).save(small, format="PNG", optimize=True)
+    dots, small = _saved(figure, "rgba"), io.BytesIO()
+    image = Image.frombuffer("RGBA", figure.canvas.get_width_height(), dots).convert("RGB")
+    # level 9 takes three times as long for 2 % less
+    image.quantize(128, dither=Image.Dither.NONE).save(small, format="PNG", compress_level=8)
     return small.getvalue()

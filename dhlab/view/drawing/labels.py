@@ -23,6 +23,7 @@ NEAR, FAR = (3.0, 7.0, 12.0), (7.0, 13.0, 20.0, 28.0, 38.0, 50.0)  # gaps betwee
 BESIDE = (0.0, 0.25, 0.45)  # of an arrow, from its tip back: where its letter may stand
 SAME = 9.0  # page points; one label for two of one text at points nearer than this
 SPACING = 2.5  # between the samples that stand for a line
+MEASURED: dict[tuple[str, bool, float, float], NDArray[np.float64]] = {}  # the sizes of texts
 
 
 def place_labels(scene: Scene, panel: Panel) -> list[Text]:
@@ -99,10 +100,15 @@ def _text(label, panel):
 
 
 def _size(text):
-    """Width and height of a text, page points."""
+    """Width and height of a text, page points; measured once, since setting a formula costs more
+    than drawing it.
+    """
     figure = text.get_figure(root=True)
-    extent = text.get_window_extent(figure.canvas.get_renderer())
-    return np.array([extent.width, extent.height]) * 72 / figure.dpi
+    key = text.get_text(), text.get_parse_math(), text.get_fontsize(), figure.dpi
+    if key not in MEASURED:
+        extent = text.get_window_extent(figure.canvas.get_renderer())
+        MEASURED[key] = np.array([extent.width, extent.height]) * 72 / figure.dpi
+    return MEASURED[key]
 
 
 def _ink(scene, panel):
@@ -147,16 +153,16 @@ def _places(label, size, own, panel):
         return np.hstack([centre - size / 2, centre + size / 2])[None], np.zeros(1)
     straying = 4.0 if label.toward is not None and np.any(label.toward) else 0.6
     base = np.arctan2(wanted[1], wanted[0])
+    rays = np.column_stack([np.cos(base + ANGLES), np.sin(base + ANGLES)])
+    half = _half(size, rays)
     centres, costs = [], []
     for back, point in enumerate(own):
+        turned = straying * (1 - np.cos(ANGLES)) if back == 0 else np.full(len(ANGLES), 4.0 + back)
         for gap in FAR if label.far else NEAR:
-            for angle in ANGLES:
-                ray = np.array([np.cos(base + angle), np.sin(base + angle)])
-                centres.append(point + ray * (gap + _half(size, ray)))
-                costs.append(
-                    0.12 * gap + (straying * (1 - np.cos(angle)) if back == 0 else 4.0 + back)
-                )
-    return np.hstack([np.array(centres) - size / 2, np.array(centres) + size / 2]), np.array(costs)
+            centres.append(point + rays * (gap + half)[:, None])
+            costs.append(0.12 * gap + turned)
+    middle = np.vstack(centres)
+    return np.hstack([middle - size / 2, middle + size / 2]), np.concatenate(costs)
 
 
 def _doubt(k, boxes, labels, own):
@@ -190,10 +196,10 @@ def _wanted(label, camera):
     return flat / length if length > 1e-9 else np.array([0.0, 1.0])
 
 
-def _half(size, ray):
-    """From the middle of a box to its edge along a unit ray."""
+def _half(size, rays):
+    """From the middle of a box to its edge along unit rays (k, 2)."""
     with np.errstate(divide="ignore"):
-        return np.min(size / 2 / np.abs(ray))
+        return np.min(size / 2 / np.abs(rays), axis=1)
 
 
 def _hidden(boxes, ink, page):
