@@ -3,6 +3,7 @@ and flange.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -81,11 +82,8 @@ def like(table: Arm | DHTable) -> list[Likeness]:
     >>> dh.like(dh.DHTable.standard([[0, 0.1, 0.2, 90], [0, 0, 0.3, 0]], angle="deg"))
     []
     """
-    from . import robots
-
     arm = _in_metres(as_arm(table, "like"))
-    seen = None if "P" in arm.table.joints else unsigned(arm)
-    found = [near for key in robots() if (near := _nearest(key, arm, seen))]
+    found = [near for key, names in _can_be(arm).items() if (near := _nearest(key, names, arm))]
     found.sort(key=lambda near: (round(near.length, 7), len(near.words)))
     exact = [near for near in found if max(near.length, near.angle) < EXACT]
     return exact or found
@@ -99,23 +97,47 @@ def _in_metres(arm):
     return Arm(table, sign=arm.sign)
 
 
-def _nearest(key, arm, seen):
-    """The table of one entry that is nearest to the arm, or None."""
+def _can_be(arm):
+    """The names of the tables that the arm can be at all, by the arm's key: their shapes are near
+    its own; a sliding joint leaves it open.
+    """
+    from . import robots
+
+    known, shapes = _stored(arm.table.joints, tuple(robots()))
+    if shapes is not None:
+        near = np.abs(shapes - unsigned(arm)).max(axis=1) < 2 * max(ROUNDED)
+        known = [known[k] for k in np.flatnonzero(near)]
+    names = {}
+    for key, name in known:
+        names.setdefault(key, []).append(name)
+    return names
+
+
+@cache
+def _stored(joints, keys):
+    """(key, name) of every table of these arms of the library that has these joints, and their
+    shapes (k, 3n - 2), None where one slides.
+    """
+    found = [
+        (key, name, said["shape"])
+        for key in keys
+        for name, said in summary(key)["tables"].items()
+        if said["joints"] == joints
+    ]
+    known = [(key, name) for key, name, _ in found]
+    return known, None if "P" in joints or not found else np.array([each[2] for each in found])
+
+
+def _nearest(key, names, arm):
+    """The table of one entry, of those named, that is nearest to the arm, or None."""
     near, title = [], summary(key)["name"]
-    for name, said in summary(key)["tables"].items():
-        if said["joints"] != arm.table.joints or not _alike(said["shape"], seen):
-            continue
+    for name in names:
         model = entry(key).tables[name]
         same = likeness(model, arm, *ROUNDED)
         if same:
             words = words_of(same, model, arm)
             near.append(Likeness(f"{key}.{name}", title, same.length, same.angle, words))
     return min(near, key=lambda one: (round(one.length, 7), len(one.words)), default=None)
-
-
-def _alike(stored, seen):
-    """Whether two shapes can be one at all; a sliding joint leaves it open."""
-    return seen is None or abs(np.array(stored) - seen).max() < 2 * max(ROUNDED)
 
 
 def likeness(a: Arm, b: Arm, length: float, angle: float) -> SameShape | None:

@@ -1,6 +1,7 @@
 """Every mistake at every place of a right arm, and what takes them back."""
 
 from dataclasses import dataclass
+from math import isclose
 
 import numpy as np
 
@@ -126,6 +127,5 @@ def _may_be(change, arm):
     """Whether the wrong table can be this one; else small angles would be explained away."""
     if not isinstance(change.undone, Scaled):
         return True
-    factors = np.array(change.undone.factors)
-    in_degrees = arm.table.rows[:, np.isclose(factors, np.pi / 180)]
-    return in_degrees.size == 0 or np.abs(in_degrees).max() >= SMALLEST_DEGREES
+    in_degrees = [isclose(factor, np.pi / 180) for factor in change.undone.factors]
+    return not any(in_degrees) or np.abs(arm.table.rows[:, in_degrees]).max() >= SMALLEST_DEGREES

@@ -14,11 +14,12 @@ from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "misfits", "ends_of", "within", "fit", "jacobian"]
 
 ENDS = "base", "tool"
 PARTS = "table", *ENDS, "sign", "coupling"
 AT_ONCE = 2000  # poses, whose frames take 2 MB
+NEXT, LAST = [1, 2, 0], [2, 0, 1]  # the other two of three numbers
 FLAT = 4  # poses; so few leave a base and a tool that are both free long valleys to walk along
 
 
@@ -67,13 +68,13 @@ def misfits(arms, data):
     """
     if data.base_free or data.tool_free:
         return (misfit(arm, data) for arm in arms)
-    left = data.squares(_ends_of(arms, data.q))
+    left = data.squares(ends_of(arms, data.q))
     chi2 = left[0] / data.noise[0] ** 2
     chi2 = chi2 if data.R is None else chi2 + left[1] / data.noise[1] ** 2
     return (Fit(*each, left=both) for *each, both in zip(arms, chi2.tolist(), zip(*left)))
 
 
-def _ends_of(arms, q):
+def ends_of(arms, q):
     """The end poses of several arms (k, m, 4, 4), many in one product: of a few poses the steps
     take longer than the numbers.
     """
@@ -139,25 +140,27 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     base, tool = data.base_free if base is None else base, data.tool_free if tool is None else tool
     free = list(free)
     size = len(free) + 6 * base + 6 * tool
-    best = (data.residual(arm.forward(data.q)) ** 2).sum()
+    F, r = _looked_at(arm, data)
+    best = (r**2).sum()
     if size == 0:
         return Fit(arm, float(best))
     held = _Held(arm, free, prior)
     damping, far = 1e-9, _hopeless(data)
+    J = _derivatives(arm, F, data, free, base, tool)
     for _ in range(steps):
-        J, r = jacobian(arm, data, free, base, tool)
         trial = _moved(arm, held.step(arm, J, r, damping), free, base, tool)
-        chi2 = (data.residual(trial.forward(data.q)) ** 2).sum() + held.cost(trial)
+        F, left = _looked_at(trial, data)
+        chi2 = (left**2).sum() + held.cost(trial)
         if chi2 < best:
             done = best - chi2 < (1e-2 if chi2 > far else 1e-7) * (1 + chi2)
-            arm, best, damping = trial, chi2, damping / 10
+            arm, best, r, damping = trial, chi2, left, damping / 10
+            J = _derivatives(arm, F, data, free, base, tool)
             if done:
                 break
         else:
             damping = max(damping * 30, 1e-5)
             if damping > 1e4:
                 break
-    J, _ = jacobian(arm, data, free, base, tool)
     sigma = np.sqrt(np.clip(np.diag(np.linalg.pinv(J.T @ J, rcond=1e-10, hermitian=True)), 0, None))
     rank = np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300))
     return Fit(arm, float(best), rank, sigma)
@@ -188,10 +191,21 @@ class _Held:
 
 
 def jacobian(arm, data, free, base, tool):
-    """Residuals' derivatives: each number of a row turns or shifts what is behind it, like a joint
-    of its own.
-    """
+    """Residuals' derivatives by each of the free numbers, and the residuals."""
+    F, r = _looked_at(arm, data)
+    return _derivatives(arm, F, data, free, base, tool), r
+
+
+def _looked_at(arm, data):
+    """The frames of an arm where it was measured, and its residuals in one row."""
     F = arm.frames(data.q)
+    return F, data.residual(F[:, -1] @ arm.tool).reshape(-1)
+
+
+def _derivatives(arm, F, data, free, base, tool):
+    """The residuals' derivatives: each number of a row turns or shifts what is behind it, like a
+    joint of its own.
+    """
     end = F[:, -1] @ arm.tool
     axes, origins, turns = [], [], []
     standard = arm.table.convention == "standard"
@@ -209,12 +223,16 @@ def jacobian(arm, data, free, base, tool):
             origins.append(frame[:, :3, 3])
             turns.append(k < 3)
     axes, origins, turns = np.stack(axes, 1), np.stack(origins, 1), np.array(turns)[:, None]
-    v = np.where(turns, np.cross(axes, end[:, None, :3, 3] - origins), axes) / data.noise[0]
-    r = data.residual(end)
+    v = np.where(turns, _cross(axes, end[:, None, :3, 3] - origins), axes) / data.noise[0]
     if data.R is not None:
         omega = np.where(turns, -axes @ end[:, :3, :3], 0.0) / data.noise[1]
         v = np.concatenate([v, omega], axis=-1)
-    return np.swapaxes(v, 1, 2).reshape(-1, v.shape[1]), r.reshape(-1)
+    return np.swapaxes(v, 1, 2).reshape(-1, v.shape[1])
+
+
+def _cross(a, b):
+    """The products of many vectors; ``np.cross`` takes longer to ask than to multiply."""
+    return a[..., NEXT] * b[..., LAST] - a[..., LAST] * b[..., NEXT]
 
 
 def _moved(arm, step, free, base, tool):

@@ -10,7 +10,7 @@ import numpy as np
 from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
 from .angles import STARTS, turned, turns
 from .ends import place_ends
-from .fitting import fit, misfit
+from .fitting import ends_of, fit, misfit, misfits
 from .measured import limit
 from .repairs import discrete_repairs
 from .signs import entries_of, length_columns
@@ -30,9 +30,7 @@ def pairs(arm, data, part):
 
 def _two_by_two(arm, data, part):
     first = [
-        Explanation(f := misfit(repair.arm, data), (arm, f.arm))
-        for repair in part(discrete_repairs(arm))
-        if not repair.free
+        Explanation(found, (arm, found.arm)) for found in part(misfits(_repaired(arm, part), data))
     ]
     yield from _two_entries(arm, data, part)
     looked_at = _Ends(data)
@@ -49,10 +47,14 @@ def _two_by_two(arm, data, part):
                 yield Explanation(found, (*one.chain, found.arm), ends=(end,))
     yield from _entry_and_end(arm, data)
     for one in part(first):
-        for repair in part(discrete_repairs(one.chain[1])):
-            if not repair.free and looked_at.fit(repair.arm):
-                found = misfit(repair.arm, data)
-                yield Explanation(found, (*one.chain, found.arm))
+        for twice in looked_at.near(_repaired(one.chain[1], part)):
+            found = misfit(twice, data)
+            yield Explanation(found, (*one.chain, found.arm))
+
+
+def _repaired(arm, part):
+    """The arm with each mistake taken back that leaves no number to be fitted."""
+    return [repair.arm for repair in part(discrete_repairs(arm)) if not repair.free]
 
 
 def _enough(data):
@@ -70,7 +72,7 @@ def _worth_a_fit(arm, data, times=30):
 
 
 class _Ends:
-    """A quick look at an arm's ends, whether they can be the measured ones: two rotations, or a few
+    """A quick look at arms' ends, whether they can be the measured ones: two rotations, or a few
     positions or the distances between them.
     """
 
@@ -81,24 +83,26 @@ class _Ends:
         self.pairs = np.triu_indices(len(data.q[self.few]), 1)
         self.sides = self._between(data.p[self.few])
 
-    def fit(self, arm):
-        """False where the arm cannot be right."""
+    def near(self, arms):
+        """Those of the arms that can be right."""
+        if self.open or not arms:
+            return arms
+        apart = self._apart(ends_of(arms, self.data.q[self.few])).reshape(len(arms), -1)
+        most = 12 * self.data.noise[0 if self.data.R is None else 1] + 1e-7
+        return [arms[k] for k in np.flatnonzero(np.abs(apart).max(axis=1, initial=0) < most)]
+
+    def _apart(self, ends):
+        """What lies between the ends of each arm (k, few, 4, 4) and the measured ones."""
         data = self.data
-        if self.open:
-            return True
-        ends = arm.frames(data.q[self.few])[:, -1] @ arm.tool
         if data.R is not None:
-            return np.abs(ends[:, :3, :3] - data.R[self.few]).max() < 12 * data.noise[1] + 1e-7
-        apart = (
-            self._between(ends[:, :3, 3]) - self.sides
-            if data.base_free
-            else ends[:, :3, 3] - data.p[self.few]
-        )
-        return np.abs(apart).max(initial=0) < 12 * data.noise[0] + 1e-7
+            return ends[..., :3, :3] - data.R[self.few]
+        if data.base_free:
+            return self._between(ends[..., :3, 3]) - self.sides
+        return ends[..., :3, 3] - data.p[self.few]
 
     def _between(self, points):
         i, j = self.pairs
-        return np.linalg.norm(points[i] - points[j], axis=1)
+        return np.linalg.norm(points[..., i, :] - points[..., j, :], axis=-1)
 
 
 def _best_lengths(arm, data, count, enough=None):
