@@ -4,7 +4,7 @@ that a test names under ``make fuzz``.
 
 import os
 
-__all__ = ["few", "variants"]
+__all__ = ["few", "shared_out", "variants"]
 
 ALL = bool(os.environ.get("DHLAB_SEED"))
 
@@ -15,6 +15,14 @@ def few(items, most):
     if ALL or len(items) <= most:
         return items
     return [items[k * len(items) // most] for k in range(most)]
+
+
+def shared_out(items, k, among):
+    """The share of the items that falls to the ``k``-th of several arms, where every so many arms
+    see all of them; all under ``make fuzz``.
+    """
+    items = list(items)
+    return items if ALL else items[k % among :: among]
 
 
 def variants(most):

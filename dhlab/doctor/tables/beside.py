@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 from itertools import pairwise
 
-from .cells import Cell, cell_of, read_cell
+from .cells import Cell, cell_of, cell_or_none
 from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
 from .language.words import KINDS
 
@@ -60,7 +60,7 @@ def explained(roles, heading, rows):
     roles, notes = list(roles), []
     whole = [cells for cells in rows if len(cells) == len(roles)]
     for k, (role, name) in enumerate(zip(roles, heading)):
-        found = [one for cells in whole if (one := _read(cells[k])) is not None]
+        found = [one for cells in whole if (one := cell_or_none(str(cells[k]))) is not None]
         again = role == "label" and "label" in roles[:k]  # one column names the rows
         again = again and all(cell.is_constant for cell in found)
         if (role is not None and not again) or 2 * len(found) <= len(whole) or _counts(found):
@@ -82,13 +82,6 @@ def explained(roles, heading, rows):
     return tuple(roles), tuple(notes)
 
 
-def _read(cell):
-    try:
-        return read_cell(str(cell))
-    except ValueError:
-        return None
-
-
 def _counts(cells):
     """Whether the numbers are those of links, one after the other."""
     values = [cell.value for cell in cells]
@@ -99,7 +92,7 @@ def _counts(cells):
 
 def _letters(rows, without):
     """The letters of all columns but one."""
-    cells = (_read(cell) for row in rows for k, cell in enumerate(row) if k != without)
+    cells = (cell_or_none(str(cell)) for row in rows for k, cell in enumerate(row) if k != without)
     return {letter for cell in cells if cell is not None for letter, _ in cell.letters}
 
 
@@ -202,7 +195,7 @@ def labelled(table, grid, source):
 def require_no_fifth(names, cells, where):
     """A fifth number that is not 0 makes the row another one than Denavit and Hartenberg's."""
     for name, cell in zip(names, cells):
-        read = _read(cell) if name in FIFTH else None
+        read = cell_or_none(str(cell)) if name in FIFTH else None
         if read is not None and (read.value or read.letters):
             raise ValueError(
                 f"recognise_table: {where}: expected four numbers of Denavit and Hartenberg, found"

@@ -4,11 +4,12 @@ with a small grammar, never evaluated.
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from .language.expressions import NoExpression, Value, evaluate
-from .language.letters import plain, unified
+from .language.letters import KEPT, plain, unified
 
-__all__ = ["Cell", "read_cell", "cell_of", "kind_of_letter", "plain"]
+__all__ = ["Cell", "cell_or_none", "read_cell", "cell_of", "kind_of_letter", "plain"]
 
 LONGEST = 200
 KINDS = (
@@ -98,6 +99,21 @@ def read_cell(text, known=None):
         raise ValueError(
             f"expected {expected}, found {shown!r}; write it as one of these"
         ) from None
+
+
+@lru_cache(KEPT)
+def cell_or_none(text):
+    """The Cell in a text, None where there is none.
+
+    Examples
+    --------
+    >>> cell_or_none("90°").value, cell_or_none("link length")
+    (90.0, None)
+    """
+    try:
+        return read_cell(text)
+    except ValueError:
+        return None
 
 
 def _trimmed(text):

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..beside import DASH, explained, require_no_fifth, slid, with_theta
-from ..cells import Cell, plain, read_cell
+from ..cells import Cell, cell_or_none, plain, read_cell
 from ..columns import IMPLIED, LENGTHS
 from ..language.roles import ROLES, role_of, unit_in
 from ..language.words import KINDS, NO_UNIT, RANGE, ROOM, SIGNS, STILL, TURNED
@@ -200,10 +200,7 @@ def _is_title(cells):
 
 
 def _try(cell):
-    try:
-        return read_cell(str(cell))
-    except ValueError:
-        return None
+    return cell_or_none(str(cell))
 
 
 def _row(cells, roles, where, source):

@@ -4,7 +4,7 @@ they stand in the line.
 
 import re
 
-from ..cells import read_cell
+from ..cells import cell_or_none
 from ..evidence.orders import names_in_a_row
 from ..language.brackets import cells_in
 
@@ -46,9 +46,8 @@ def is_cell(cell):
     """Whether a cell is a number, a dash, or a letter with its index."""
     if cell.strip("*` ") == "-":
         return True
-    try:
-        found = read_cell(cell)
-    except ValueError:
+    found = cell_or_none(cell)
+    if found is None:
         return False
     return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
 

@@ -2,8 +2,11 @@
 
 import re
 import unicodedata
+from functools import lru_cache
 
-__all__ = ["plain", "unified"]
+__all__ = ["KEPT", "plain", "unified"]
+
+KEPT = 500  # texts whose meaning is remembered: all readers of a table ask for the same ones
 
 STYLED = re.compile("[\U0001d400-\U0001d7ff]")  # mathematical letters and digits, as 𝜃 and 𝟎
 SPACED = re.compile(r"(?<=[\[(]) ?(r ?a ?d|d ?e ?g|m ?m|c ?m) ?(?=[\])])")  # [r a d ] of a PDF
@@ -83,6 +86,7 @@ TEX_NAMES = {"vartheta": "theta", "cdot": "*", "times": "*", "arctan": "atan", "
 MOST_NESTED = 6
 
 
+@lru_cache(KEPT)
 def unified(text):
     """Unicode and TeX written in plain letters; the case is kept.
 

@@ -2,8 +2,9 @@
 
 import re
 import unicodedata
+from functools import lru_cache
 
-from .letters import unified
+from .letters import KEPT, unified
 
 __all__ = ["ROLES", "kind_said", "role_of", "unit_in"]
 
@@ -132,7 +133,12 @@ def role_of(text):
     >>> role_of("alpha_{i-1} [rad]"), role_of("link length"), role_of("self.theta_offset")
     (('alpha', True), ('a', False), ('offset', False))
     """
-    text = unified(str(text)).strip(" *`'\"$:").lower()
+    return _role_of(str(text))
+
+
+@lru_cache(KEPT)
+def _role_of(text):
+    text = unified(text).strip(" *`'\"$:").lower()
     if text in LABELS or not text:
         return "label", False
     found = UNIT.search(text)
