@@ -119,7 +119,7 @@ def test_garbage_is_not_explained():
         (lambda theta, d, a: np.eye(4), "dh_transform", "it takes theta, d, a"),
         (lambda *row: np.full((4, 4), np.inf), "dh_transform", "NaN or infinity"),
         (lambda *row: print(row), "dh_transform", "returns nothing"),
-        (lambda *row: "T", "dh_transform", "str"),
+        (lambda *row: "T", "dh_transform", "a text"),
         (lambda *row: np.eye(2), "dh_transform", "2×2"),
         (lambda rows, q: [np.eye(4)] * len(q), "forward_kinematics", "shape"),
         (lambda *row: exit(), "dh_transform", "SystemExit"),
