@@ -226,9 +226,11 @@ class Value(Exercise):
         larger than usual.
         """
         difference = np.asarray(array - value)
-        angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
-        difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
-        size = np.abs(np.where(angles, value - 360 * np.round(value / 360), value))
+        size = np.abs(value)
+        if self.turns:
+            angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
+            difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
+            size = np.abs(np.where(angles, value - 360 * np.round(value / 360), value))
         allowed = np.maximum(tolerance * size, self.tolerance * (1 + size))
         return ~(np.abs(difference) <= allowed)
 

@@ -2,6 +2,8 @@
 same arm.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from ...arm import Arm
@@ -9,6 +11,7 @@ from ..finding import find
 from ..mistakes.faults import faults
 from ..mistakes.registry import preference
 from ..mistakes.remade import D, with_parts
+from ..mistakes.together import ends_of
 
 __all__ = ["explain_rows", "wrong_tables"]
 
@@ -41,12 +44,12 @@ def explain_rows(given, right, q):
     """
     if len(given) != len(right):
         return None
-    poses = given.forward(q)
+    made, ends = _made(right, np.asarray(q, dtype=float).tobytes())
+    off = np.abs(ends - given.forward(q)).reshape(len(made), -1).max(axis=1)
     fitting = [
-        fault
-        for fault in faults(Arm(right.table), typed=True)
-        if np.abs(_posed(right, fault).forward(q) - poses).max() <= 1e-8
-        and not _slid_elsewhere(fault.arm.table, given.table)
+        made[k]
+        for k in np.flatnonzero(off <= 1e-8)
+        if not _slid_elsewhere(made[k].arm.table, given.table)
     ]
     if not fitting:
         return None
@@ -54,9 +57,14 @@ def explain_rows(given, right, q):
     return find(told.mistake, told.place)
 
 
-def _posed(right, fault):
-    """The right arm with the wrong table."""
-    return with_parts(right, table=fault.arm.table)
+@lru_cache(maxsize=2)
+def _made(right, q):
+    """Every mistake in the table of a right arm, and where the arm's end would then be (k, m, 4, 4)
+    at the configurations with these bytes: kept for the next try.
+    """
+    made = list(faults(Arm(right.table), typed=True))
+    arms = [with_parts(right, table=fault.arm.table) for fault in made]
+    return made, ends_of(arms, np.frombuffer(q).reshape(-1, len(right)))
 
 
 def _best(fitting, given, right):

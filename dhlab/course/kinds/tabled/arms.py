@@ -2,15 +2,13 @@
 its end is, and where the two arms part.
 """
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ....arm import Arm
+from ....doctor.mistakes.remade import with_rows
 from ....geometry.equivalence import equivalent
 from ....printing import number
-from ....table import DHTable
 from ..exercise import Said
 from ..units import LOOSELY, Group, in_other_units
 
@@ -88,9 +86,7 @@ def _only(shape, i, k):
 
 
 def _with_rows(arm, rows):
-    table = arm.table
-    make = DHTable.standard if table.convention == "standard" else DHTable.craig
-    return replace(arm, table=make(rows, angle="deg", joints=table.joints))
+    return with_rows(arm, rows / IN_DEGREES)
 
 
 def _same_angles(arm, right):

@@ -6,19 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .... import kinematics
 from ....arm import Arm
-from ....fast.plain import Plain
 from ....rotations import from_rotation_vectors, rotation_vectors
-from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
+from ...mistakes.remade import A, D, with_rows
+from ...mistakes.together import ends_of
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "misfits", "ends_of", "within", "fit", "jacobian"]
+__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
 
-ENDS = "base", "tool"
-PARTS = "table", *ENDS, "sign", "coupling"
-AT_ONCE = 2000  # poses, whose frames take 2 MB
 NEXT, LAST = [1, 2, 0], [2, 0, 1]  # the other two of three numbers
 FLAT = 4  # poses; so few leave a base and a tool that are both free long valleys to walk along
 
@@ -72,33 +68,6 @@ def misfits(arms, data):
     chi2 = left[0] / data.noise[0] ** 2
     chi2 = chi2 if data.R is None else chi2 + left[1] / data.noise[1] ** 2
     return (Fit(*each, left=both) for *each, both in zip(arms, chi2.tolist(), zip(*left)))
-
-
-def ends_of(arms, q):
-    """The end poses of several arms (k, m, 4, 4), many in one product: of a few poses the steps
-    take longer than the numbers.
-    """
-    kinds, ends = {}, np.empty((len(arms), len(q), 4, 4))
-    for k, arm in enumerate(arms):
-        kinds.setdefault((arm.table.convention, arm.table.joints), []).append(k)
-    together = max(1, AT_ONCE // len(q))
-    for which in kinds.values():
-        for begin in range(0, len(which), together):
-            some = which[begin : begin + together]
-            ends[some] = _ends_of_one_kind([arms[k] for k in some], q)
-    return ends
-
-
-def _ends_of_one_kind(arms, q):
-    convention, slides = arms[0].table.convention, arms[0].table.prismatic
-    rows = np.stack([arm.table.rows for arm in arms])[:, None]
-    base, tool = (np.stack([getattr(arm, end) for arm in arms])[:, None] for end in ENDS)
-    moved = np.stack(
-        [Plain(*(getattr(arm, part) for part in PARTS)).joint_values(q) for arm in arms]
-    )
-    theta, d = rows[..., THETA] + ~slides * moved, rows[..., D] + slides * moved
-    links = kinematics.link_matrices(convention, theta, d, rows[..., A], rows[..., ALPHA])
-    return kinematics.frames(base, links)[..., -1, :, :] @ tool
 
 
 def within(arm, data, chi2):

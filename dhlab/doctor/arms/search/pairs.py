@@ -8,9 +8,10 @@ from itertools import combinations
 import numpy as np
 
 from ...mistakes.remade import ALPHA, THETA, A, D, with_rows
+from ...mistakes.together import ends_of
 from .angles import STARTS, turned, turns
 from .ends import place_ends
-from .fitting import ends_of, fit, misfit, misfits
+from .fitting import fit, misfit, misfits
 from .measured import limit
 from .repairs import discrete_repairs
 from .signs import entries_of, length_columns
