@@ -188,7 +188,7 @@ def _require_zeros(table, source):
         for k, role in enumerate(table.roles)
         if role in ("theta", "offset")
     ]
-    if any(cell.value for cell in held):
+    if any(cell.value for cell in (*held, *table.zeros)):
         return
     found = SHIFTED.search(WRAPPED.sub("", source.text)) or STATED.search(source.text)
     told = found[0].strip() if found else _named_zero(source, table)

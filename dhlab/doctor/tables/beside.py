@@ -131,32 +131,32 @@ def with_added(table, source):
     ValueError
         It is not said which row that is.
     """
-    notes, rows, roles = [], list(table.rows), table.roles
+    n, notes = len(table.rows), []
+    zeros = list(table.zeros) or [Cell(0.0)] * n
     by_name = table.why == "as the names of the arrays say"
     for k, text in added_at_joints(source.code, by_name).items():
         value = source.value(text)
-        if k is None or not 0 <= k < len(rows) or value is None or roles is None:
+        if k is None or not 0 <= k < n or value is None:
             raise ValueError(
                 f"recognise_table: the program adds {text} to theta at one joint; in which row is"
                 " it? Write it into the row, as theta - 90"
             )
-        if "offset" not in roles:
-            roles, rows = (*roles, "offset"), [(*row, Cell(0.0)) for row in rows]
-        at = roles.index("offset")
-        if any(cell.value for cell, role in zip(rows[k], roles) if role in ("theta", "offset")):
+        own = zip(table.rows[k], table.roles or ())
+        if zeros[k].value or any(cell.value for cell, role in own if role in ("theta", "offset")):
             raise ValueError(
                 f"recognise_table: row {k + 1} has a zero of its own, and the program adds {text}"
                 " to theta; do both count? Leave one of them out, or add them up"
             )
-        rows[k] = (*rows[k][:at], cell_of(value, text), *rows[k][at + 1 :])
+        zeros[k] = cell_of(value, text)
         notes.append(f"{text} is added to theta of row {k + 1}, as the program does")
-    signs = list(table.signs) or [1] * len(rows)
+    signs = list(table.signs) or [1] * n
     for k in turned_at_joints(source.code) if by_name else ():
         if k < len(signs):
             signs[k] = -1
             notes.append(f"joint {k + 1} counts against its axis, as the program has it")
-    table = replace(table, signs=tuple(signs), notes=(*table.notes, *notes))
-    return _with_slides(replace(table, rows=tuple(rows), roles=roles), source)
+    zeros = tuple(zeros) if any(cell.value for cell in zeros) else ()
+    table = replace(table, signs=tuple(signs), zeros=zeros, notes=(*table.notes, *notes))
+    return _with_slides(table, source)
 
 
 def _with_slides(table, source):

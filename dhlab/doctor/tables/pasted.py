@@ -15,7 +15,8 @@ class Pasted:
 
     ``roles`` are the columns' names in order, None when nothing says them, and ``why`` how they are
     known; ``units`` by role; ``convention`` as far as it is said, and ``because`` how; ``labels``,
-    ``kinds`` ("R", "P", "fixed" or ""), ``signs`` and ``limits`` one per row; ``form`` is what
+    ``kinds`` ("R", "P", "fixed" or ""), ``signs``, ``zeros`` (Cells that the text adds to theta
+    beside the rows) and ``limits`` one per row; ``form`` is what
     dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers,
     ``joints`` how many it speaks of, ``poses`` the lists that it calls joint values, ``slides``
     whether it speaks of a joint that slides.
@@ -30,6 +31,7 @@ class Pasted:
     labels: tuple = ()
     kinds: tuple = ()
     signs: tuple = ()
+    zeros: tuple = ()
     limits: tuple = ()
     form: str = ""
     length: str = ""

@@ -66,6 +66,8 @@ def readings(table, order, convention, angle, length, right, tidy):
         for role in ("theta", "d", "a", "alpha"):
             columns.setdefault(role, [])
         columns = _with_own_units(columns, table.units)
+        if table.zeros:
+            columns["offset"] = _zeros(columns, table.zeros)
         choices = product(
             _conventions(table, columns, convention, found),
             angle_units(table, columns, angle),
@@ -87,6 +89,19 @@ def _with_own_units(columns, units):
                     replace(cell, unit=cell.unit or unit) for cell in columns.get(role, ())
                 ]
     return columns
+
+
+def _zeros(columns, beside):
+    """The column of zeros with those that stand beside the rows."""
+    own = columns.get("offset") or [None] * len(beside)
+    for i, (angle, cell) in enumerate(zip(columns["theta"], beside)):
+        if cell.value and angle.value:
+            raise ValueError(
+                f"recognise_table: row {i + 1} has a zero of its own, {angle.text}, and"
+                f" {cell.text} stands beside the rows; is it added? Leave one of them out, or add"
+                " them up"
+            )
+    return [cell if cell.value or not other else other for cell, other in zip(beside, own)]
 
 
 def _conventions(table, columns, given, order):

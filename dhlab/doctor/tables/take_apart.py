@@ -18,6 +18,7 @@ from .evidence.source import source_of
 from .language.comments import uncommented
 from .language.expressions import key
 from .language.letters import unified
+from .lists import with_lists
 from .pasted import Pasted
 
 __all__ = ["take_apart"]
@@ -35,6 +36,7 @@ READERS = (
     sequences.read,
     lines.read,
 )
+LISTS_READ = (universal.read, arrays.read)  # these give lists beside the columns a meaning themselves
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
 
@@ -114,7 +116,10 @@ def _read(source, nominal, length):
             if _lacks_values(found):  # rows of numbers say more than rows of names
                 others = _tables(later, source)
                 found = next((one for one in others if not _lacks_values(one)), found)
-            table = with_ends(with_added(_with_words(found, source), source), source)
+            table = _with_words(found, source)
+            if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
+                table = with_lists(table, source)
+            table = with_ends(with_added(table, source), source)
             require_accounted(table, source, _tables(later, source))
             return table
     raise AssertionError  # the last reader answers or raises

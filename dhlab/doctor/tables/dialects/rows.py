@@ -14,7 +14,6 @@ from ..evidence.orders import every_column_in, order_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
-from .arrays import arrays_in
 from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups
@@ -69,7 +68,7 @@ def _numbers(source):
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
     table = from_grid(grid, source, fits, why, units, form)
-    table = _with_beside(replace(table, notes=(*table.notes, *left)), source)
+    table = replace(table, notes=(*table.notes, *left))
     table = labelled(with_types(table, source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
@@ -109,7 +108,7 @@ def _of_three(matrices, source):
     note = {"theta": "each row is taken for a joint that turns, with its zero at theta = 0"}.get(
         left, "it is 0, as the text says"
     )
-    table = labelled(_with_beside(table, source), rows, source)
+    table = labelled(table, rows, source)
     return replace(table, notes=(*table.notes, f"no column {left}: {note}"))
 
 
@@ -248,35 +247,6 @@ def _without_maker(rows):
     if len(rows) > 1 and len(first) == 1 and re.fullmatch(r"[A-Z]\w+", str(*first)):
         return [(where, cells[1:]) for where, cells in rows]
     return rows
-
-
-def _with_beside(table, source):
-    """The table with the zeros and signs that stand in arrays of their own beside it."""
-    n, roles = len(table.rows), table.roles
-    for name, values in arrays_in(source).items():
-        role = "sign" if re.search(r"sign(?!al)", name.lower()) else role_of(name)[0]
-        if len(values) != n or "home" in name.lower() or any(v.letters for v, _ in values):
-            continue
-        if role == "sign" and set(table.signs) <= {1}:
-            signs = tuple(-1 if value.number < 0 else 1 for value, _ in values)
-            table = replace(table, signs=signs)
-        if role != "offset" or roles is None or "offset" in roles or "theta" not in roles:
-            continue
-        zero = [cell_of(value, text) for value, text in values]
-        if not any(cell.value for cell in zero):
-            continue
-        if any(row[roles.index("theta")].value for row in table.rows):
-            raise ValueError(
-                f"recognise_table: the rows have zeros of their own, and {name} stands beside them;"
-                " is it added? Leave one of them out, or add them up"
-            )
-        table = replace(
-            table,
-            rows=tuple((*row, cell) for row, cell in zip(table.rows, zero)),
-            roles=(*roles, "offset"),
-            notes=(*table.notes, f"{name} is added to theta"),
-        )
-    return table
 
 
 def _is_read(rows, source):

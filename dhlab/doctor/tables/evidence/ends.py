@@ -53,5 +53,6 @@ def _with_row(table, row, end):
         kinds=added(table.kinds, "fixed", ""),
         labels=added(table.labels, end, ""),
         signs=added(table.signs, 1, 1),
+        zeros=added(table.zeros, Cell(0.0), Cell(0.0)) if table.zeros else (),
         limits=added(table.limits, None, None),
     )

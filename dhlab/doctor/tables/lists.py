@@ -1,0 +1,53 @@
+"""Zeros and senses of a pasted table's joints that stand beside its rows, in lists of their own."""
+
+import re
+from dataclasses import replace
+
+from .cells import cell_of
+from .dialects.arrays import arrays_in
+from .language.roles import role_of
+
+__all__ = ["with_lists"]
+
+SIGN = re.compile(r"sign(?!al)|joint_?dir(?:ection)?s?$")
+
+
+def with_lists(table, source):
+    """The table with the zeros and signs that the text lists beside it, one for each row.
+
+    Raises
+    ------
+    ValueError
+        The rows have zeros of their own, and others.
+    """
+    n = len(table.rows)
+    for name, values in arrays_in(source).items():
+        role = "sign" if SIGN.search(name.lower()) else role_of(name)[0]
+        if len(values) != n or "home" in name.lower() or any(v.letters for v, _ in values):
+            continue
+        if role == "sign" and set(table.signs) <= {1}:
+            signs = tuple(-1 if value.number < 0 else 1 for value, _ in values)
+            table = replace(table, signs=signs)
+        cells = tuple(cell_of(value, text) for value, text in values)
+        if role == "offset" and any(cell.value for cell in cells) and not _held(table, cells, name):
+            table = replace(
+                table, zeros=cells, notes=(*table.notes, f"{name} is added to theta")
+            )
+    return table
+
+
+def _held(table, cells, name):
+    """Whether the rows have these zeros already."""
+    roles = table.roles or ()
+    if "d" in roles and any(cell.unit in ("mm", "cm", "m") for cell in cells):
+        return True  # offsets along z
+    own = [k for k, role in enumerate(roles) if role in ("theta", "offset")]
+    held = [sum(row[k].value for k in own) for row in table.rows]
+    if table.zeros or any(held):
+        if all(abs(value - cell.value) < 1e-9 for value, cell in zip(held, cells)):
+            return True
+        raise ValueError(
+            f"recognise_table: the rows have zeros of their own, and {name} stands beside them;"
+            " is it added? Leave one of them out, or add them up"
+        )
+    return False
