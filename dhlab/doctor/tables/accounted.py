@@ -5,11 +5,13 @@ joints there are, what is added to joint angles, lists of as many numbers, a sec
 import re
 from collections import Counter
 
-from .columns import ROLES
+import numpy as np
+
+from .columns import MOST_TURNS, orders
 from .dialects.arrays import arrays_in
 from .language.roles import role_of
 
-__all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
+__all__ = ["counts_in", "joints_said", "require_accounted", "same_arm", "speaks_of_sliding"]
 
 NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
@@ -125,18 +127,15 @@ def require_accounted(table, source, others=()):
         One question: what the rows leave out.
     """
     _require_in_order(table)
-    if table.roles is None or (table.form and not table.form.startswith("calls of")):
+    if table.form and not table.form.startswith("calls of"):
         return
     _require_joints(table, source)
-    _require_zeros(table, source)
+    if table.roles is not None:
+        _require_zeros(table, source)
+        _require_sliding(table, source)
     _require_senses(table, source)
-    _require_sliding(table, source)
     for other in others:
-        if (
-            other.roles
-            and len(other.rows) >= len(table.rows) > 1
-            and _numbers(other) != _numbers(table)
-        ):
+        if other.roles and len(other.rows) >= len(table.rows) > 1 and not same_arm(table, other):
             raise ValueError(
                 f"recognise_table: expected one table, found two of {len(table.rows)} and"
                 f" {len(other.rows)} rows with different numbers; which one is meant? Leave the"
@@ -257,7 +256,25 @@ def _is_zero(name, source):
     )
 
 
-def _numbers(table):
-    """The lengths and twists of a table, in whatever order."""
-    kept = [k for k, role in enumerate(table.roles) if role in (*ROLES[1:], "r")]
-    return Counter(round(abs(row[k].value), 6) for row in table.rows for k in kept if row[k].value)
+def same_arm(one, other):
+    """Whether two tables of a text hold the same numbers, in whatever order, unit and scale: the
+    lengths, and the twists where both say which column these are.
+    """
+    both = one.roles is not None and other.roles is not None
+    return all(
+        kinds[0] == kinds[1]
+        for kinds in zip(_numbers(one, both), _numbers(other, both))
+    )
+
+
+def _numbers(table, with_twists):
+    """The lengths of a table, by the longest of them, and its twists in radians, or nothing."""
+    roles = table.roles or next((found.roles for found in orders(table, None)), ())
+    cells = [(cell, role) for row in table.rows for cell, role in zip(row, roles) if cell.value]
+    lengths = [abs(cell.value) for cell, role in cells if role in ("d", "a", "r")]
+    longest = max(lengths, default=1.0)
+    twists = [abs(cell.value) for cell, role in cells if role == "alpha" and with_twists]
+    return (
+        Counter(round(length / longest, 4) for length in lengths),
+        Counter(round(np.deg2rad(v) if v > MOST_TURNS else v, 3) for v in twists),
+    )

@@ -1,13 +1,13 @@
 """What a column of a pasted table can be: angles or lengths; and the order of the columns."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations
 
 import numpy as np
 
 from .cells import Cell
 
-__all__ = ["IMPLIED", "ROLES", "Order", "orders", "misplaced", "snapped"]
+__all__ = ["IMPLIED", "MOST_TURNS", "ROLES", "Order", "orders", "misplaced", "snapped"]
 
 IMPLIED = Cell(0.0, (("theta", 1.0),), text="theta")  # the variable of rows that do not show it
 
@@ -58,7 +58,8 @@ def orders(table, given):
     if given is not None:
         return [Order(tuple(given.split()), "as you say")]
     if table.roles is not None:
-        return _named(table)
+        named = _named(table)
+        return (_by_numbers(table, named[0]) if _is_contradicted(table, named) else None) or named
     columns = list(zip(*table.rows))
     usual = DIALECTS if any(cell != IMPLIED for cell in columns[-1]) else ()
     strict = [_kind(column) for column in columns]
@@ -74,6 +75,25 @@ def orders(table, given):
                     Order(roles, DIALECTS.get(roles) or "an unusual order") for roles in fitting
                 ]
     return []
+
+
+def _is_contradicted(table, named):
+    """Whether a program or a comment calls a column of multiples of π a length."""
+    written = table.why.startswith(("as the header", "as their names", "as the names"))
+    roles = named[0].roles
+    if written or table.form or len(named) > 1 or set(roles) != set(ROLES):
+        return False
+    columns = {role: [row[k] for row in table.rows] for k, role in enumerate(roles)}
+    return bool({"d", "a"} & set(misplaced(columns)))
+
+
+def _by_numbers(table, named):
+    """The Orders that the numbers allow, those first that are nearest to the one that is named."""
+    said = f"by the numbers; {' '.join(named.roles)}, {named.why}, would make lengths of angles"
+    found = orders(replace(table, roles=None), None)
+    near = [sum(map(str.__eq__, order.roles, named.roles)) for order in found]
+    ranked = sorted(zip(near, found), key=lambda one: -one[0])
+    return [replace(order, why=said) for _, order in ranked]
 
 
 def _named(table):

@@ -35,6 +35,8 @@ def arrays_in(source, twice=None, unread=None):
         values = [source.value(cell) for cell in cells or ()]
         if unread is not None and None in values:
             unread[name] = cells[values.index(None)]
+            if group.mark == "{" and re.match(r"\s*['\"]?\w+['\"]?\s*:", unread[name]):
+                del unread[name]  # under an index each: no list of zeros
         if group.mark == "(" and group.name and any(v is None or v.letters for v in values):
             continue  # a call of numbers makes a list, one of letters is a function
         if len(values) >= (3 if group.mark == "(" else 2) and None not in values:
