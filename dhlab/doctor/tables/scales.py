@@ -30,6 +30,7 @@ REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05
 LONGEST = {"cm": 70.0, "in": 70.0}  # a link, in its unit
 SHORT_LINK = 0.5  # a number as small as this is in metres, where metres make an arm at all
 TOY = 3.0  # the longest number: up to it, "mm" in the text is doubtful
+DOUBTFUL = 0.015, 25.0  # an arm that reaches less or more, in metres, is in another unit than said
 
 
 def angle_units(table, columns, given):
@@ -71,6 +72,8 @@ def _checked_angle(unit, cells, why):
     right = np.abs(values / 90 - np.round(values / 90)).max() < 1e-9
     if unit == "rad" and right and values.max() > 4 * np.pi:
         return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
+    if unit == "rad" and any(value > 2 * np.pi + 0.01 and not snapped(value)[1] for value in values):
+        return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
     if unit == "deg" and all(snapped(value)[1] for value in values):
         return [("rad", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
     return [(unit, why)]
@@ -96,12 +99,26 @@ def length_units(table, columns, given):
         )
         if said == "mm" and longest < TOY and any(SCALED.search(cell.text) for cell in cells):
             return [("m", "by the factor in the cells")]
-        if said == "mm" and longest < TOY:
-            return [("m", "though the text says millimetres"), ("mm", why)]
-        if said == "m" and longest > LONGEST["cm"] and np.median(sizes) > 1:
-            return [("mm", "though the text says metres"), ("m", why)]
-        return [(said, why)]
+        doubt = f"though the text says {UNIT_WORDS[said]}"
+        return [*((unit, doubt) for unit in _better(said, sizes)), (said, why)]
     return [(unit, reached(sizes, unit)) for unit in units_by_size(sizes)]
+
+
+def _better(said, sizes):
+    """The units in which lengths make an arm, where they make none in the one that is said."""
+    reach = sum(sizes) * TO_METRES[said]
+    if reach > DOUBTFUL[1] and np.median(sizes) > 1:  # near-parallel axes have huge d among others
+        return [unit for unit in ("mm", "cm") if _makes_an_arm(unit, sizes)][:1]
+    if said == "mm" and max(sizes) < TOY:
+        return ["m"]
+    if reach < DOUBTFUL[0]:
+        return [unit for unit in ("m", "cm") if _makes_an_arm(unit, sizes)][:1]
+    return []
+
+
+def _makes_an_arm(unit, sizes):
+    least, most = REACHES[unit]
+    return least <= sum(sizes) * TO_METRES[unit] <= most
 
 
 def units_by_size(sizes):

@@ -91,18 +91,16 @@ def read(source, nominal=None):
 
 
 def _unrolled(found, source):
-    """The groups; a call in a loop, ``Link(d=d[i])``, behind one that is in none, once for each."""
-    alone = False
+    """The groups; a call in a loop, ``Link(d=d[i])``, once for each number of its lists."""
     for group in found:
         counted = set(LOOPED.findall(group.text))
         known = any(re.fullmatch(one[0], _name(group).lower()) for one in CLASSES)
-        if not (known and counted and alone and group.mark == "("):
-            alone = alone or (known and group.mark == "(" and not counted)
+        lists = [name for name, _ in counted if role_of(name)[0] in NAMED]
+        lengths = {sum(key.startswith(f"{name}[") for key in source.known) for name in lists}
+        if not (known and group.mark == "(" and len(lengths) == 1 and any(lengths)):
             yield group
             continue
-        lists = [name for name, _ in counted if role_of(name)[0] in NAMED]
-        lengths = [sum(key.startswith(f"{name}[") for key in source.known) for name in lists]
-        for k in range(max(lengths, default=0) if len(set(lengths)) == 1 else 0):
+        for k in range(*lengths):
             texts = [LOOPED.sub(lambda m, k=k: f"{m[1]}[{k}]", item.text) for item in group.items]
             yield replace(group, items=[Item(text, line=group.line) for text in texts])
 
