@@ -375,7 +375,7 @@ CALIBRATED = np.transpose(
 )
 
 PUBLISHED = [  # what dh_facts, section 4, says of each pair
-    ("panda.maker_mod", "panda.deluca_std", True, True, "convention standard"),
+    ("panda.maker_mod", "panda.deluca_std", True, True, "in place of Craig's"),
     (
         "panda.maker_mod",
         "panda.rtb_tool",

@@ -17,6 +17,8 @@ from .zeros import rezero, with_zeros
 
 __all__ = ["equivalent", "Equivalence"]
 
+NAMES = {"standard": "the standard convention", "craig": "Craig's convention"}
+
 
 def equivalent(
     a: Arm | DHTable, b: Arm | DHTable, *, base: str = "fixed", tool: str = "fixed"
@@ -94,8 +96,8 @@ def _same(a, b, A, B, X, base, tool):
                 "convention",
                 None,
                 None,
-                f"the convention {b.table.convention} in place of {a.table.convention} (a and alpha"
-                " one row on)",
+                f"{NAMES[b.table.convention]} in place of {NAMES[a.table.convention]} (a and alpha"
+                " in other rows)",
             ),
         )
     )

@@ -217,7 +217,7 @@ def test_words_of_the_free_choices():
         ("flip-z", 3)
     ] and "joint 4 counts the other way" in str(z)
     craig = equivalent(arm, arm.to("craig"))
-    assert [c.kind for c in craig.differences] == ["convention"] and "convention craig" in str(
+    assert [c.kind for c in craig.differences] == ["convention"] and "Craig's convention" in str(
         craig
     )
     assert equivalent(arm, arm).message == "The same arm, in the same table."

@@ -227,7 +227,7 @@ def unrepaired() -> Mistakes:
     yield (
         "a-alpha-from-previous-row",
         Said(
-            "row 5 of the maker's table was right, and row 6 is still wrong",
+            "α of row 5 of the maker's table was right before you changed it",
             next="The doctor spoke of a standard row 5. In which of Craig's rows stands its α?",
         ),
         Arm(DHTable.craig(carried, angle="deg"), sign=load("ar4").sign),

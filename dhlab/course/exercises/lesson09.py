@@ -60,8 +60,8 @@ EXERCISES = [
         },
         correct="same-arm",
         outcome=(
-            "three x arrows point the other way, so two lengths and some angles have other signs."
-            " Every pose agrees."
+            "three x arrows point the other way, so a2, a3 and α5 have the other sign, and θ2, θ4,"
+            " θ5 and θ6 differ by 180°. Every pose agrees."
         ),
     ),
     OfAxes(
@@ -72,7 +72,8 @@ EXERCISES = [
         mistakes=lambda: wrong_axes(*AR4),
         praise="Six lines and an end: the arm is known.",
         hints=(
-            "Joint 5 nods the hand: about which line? Joint 6 spins it: about which?",
+            "Joint 5 nods the hand: about which line? Joint 6 spins it: about which? The right"
+            " thumb along the line, the fingers as q grows.",
             (
                 "The lines of joints 4, 5 and 6 meet in the wrist's centre; the fifth lies across"
                 " the forearm, the sixth along the tool."

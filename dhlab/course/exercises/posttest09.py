@@ -166,21 +166,27 @@ def misread_rows(table: DHTable, joint: int) -> Mistakes:
         [here[3], here[2]],
     )
     yield "columns-misread", "angle and distance have changed places", [a, alpha]
-    yield (
-        "a-d-exchanged",
-        "the angle is right; the distance is d, and a is asked",
-        [alpha, there[1]],
-    )
-    yield (
-        "theta-alpha-exchanged",
-        "the distance is right; the angle is θ, and α is asked",
-        [there[0], a],
-    )
+    yield ("a-d-exchanged", "the distance is d, and a is asked", [alpha, there[1]])
+    yield ("theta-alpha-exchanged", "the angle is θ, and α is asked", [there[0], a])
     yield (
         "standard-rows-in-craig-matrix",
         "these are θ and d of the earlier joint's row",
         [here[0], here[1]],
     )
+    for i, (_, _, other_a, other_alpha) in enumerate(
+        table.rows * [180 / np.pi, 1, 1, 180 / np.pi], 1
+    ):
+        if i != joint + 1:
+            yield (
+                "standard-rows-in-craig-matrix",
+                f"the distance is a of row {i}, which leads to another axis",
+                [alpha, other_a],
+            )
+            yield (
+                "standard-rows-in-craig-matrix",
+                f"the angle is α of row {i}, which leads to another axis",
+                [other_alpha, a],
+            )
 
 
 def reversed_product(rows: NDArray, q: NDArray) -> NDArray:

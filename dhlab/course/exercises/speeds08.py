@@ -82,6 +82,14 @@ def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes
         Said("joint 3's value went through deg2rad too", why="It slides: its value is in metres."),
         np.linalg.solve(geometric_jacobian(*_at_radians(np.deg2rad(q))), twist),
     )
+    yield (
+        "degrees-for-radians",
+        Said(
+            "all six went through rad2deg: radians and metres per second are asked",
+            next="Hand in what np.linalg.solve gives.",
+        ),
+        np.rad2deg(right),
+    )
     for damping in (0.01, 0.05, 0.1, 0.5):
         yield (
             "damping-taken-for-free",

@@ -936,7 +936,7 @@ MAKERS = [
         is_arm(lambda g, f: degrees_of(right_of(g)) + 270 * np.outer(np.eye(6)[5], np.eye(4)[3])),
     ),
     (
-        r"row 5 of the maker's table was right, and row 6 is still wrong",
+        r"α of row 5 of the maker's table was right before you changed it",
         is_arm(
             lambda g, f: (
                 degrees_of(right_of(g))

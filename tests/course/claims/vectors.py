@@ -920,6 +920,7 @@ HAND = [
     ),
     (r"this is J times the hand's velocity", _speeds(lambda J, t, s, q: near(s, J @ t, 5e-3))),
     (r"all six speeds have the other sign", _speeds(lambda J, t, s, q: _fits(J, -t, s))),
+    (r"all six went through rad2deg: .+", _speeds(lambda J, t, s, q: _fits(J, t, np.radians(s)))),
     (
         r"q was left in degrees",
         lambda a, g, f: _fits(_at_degrees(g, False), _at(g)[2], np.asarray(a)),
@@ -1015,12 +1016,25 @@ def _craig_row(k, *columns):
     return entries
 
 
+def _of_rows(i, k):
+    """α of row i of the Craig table and a of row k, counted from 1."""
+    return lambda g: [*_craig_row(i - g["joint"], 3)(g), *_craig_row(k - g["joint"], 2)(g)]
+
+
 BETWEEN = [
     (r"these are a and α of the earlier joint's row; .+", is_value(_craig_row(0, 3, 2))),
     (r"angle and distance have changed places", is_value(_craig_row(1, 2, 3))),
-    (r"the angle is right; the distance is d, and a is asked", is_value(_craig_row(1, 3, 1))),
-    (r"the distance is right; the angle is θ, and α is asked", is_value(_craig_row(1, 0, 2))),
+    (r"the distance is d, and a is asked", is_value(_craig_row(1, 3, 1))),
+    (r"the angle is θ, and α is asked", is_value(_craig_row(1, 0, 2))),
     (r"these are θ and d of the earlier joint's row", is_value(_craig_row(0, 0, 1))),
+    (
+        r"the distance is a of row (?P<row>\d), which leads to another axis",
+        lambda a, g, f: is_value(_of_rows(g["joint"] + 1, int(f["row"])))(a, g, f),
+    ),
+    (
+        r"the angle is α of row (?P<row>\d), which leads to another axis",
+        lambda a, g, f: is_value(_of_rows(int(f["row"]), g["joint"] + 1))(a, g, f),
+    ),
 ]
 
 
