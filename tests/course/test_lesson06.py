@@ -91,6 +91,22 @@ def test_the_camera_is_found_from_the_tool_and_not_from_the_flange():
     )
 
 
+def test_the_neighbours_arm_and_the_neighbours_goal_are_named():
+    irb120, ur5e = exercises()["06.10"], exercises()["08.13"]
+    for variant in variants(2):
+        q = np.deg2rad(irb120.given(variant)["q"])
+        assert "article's arm" in irb120.judge(load("article-6r").forward(q), variant).headline
+    cup = load("article-6r").forward(np.deg2rad([30, 60, -80, -30, 40, 0]))
+    assert "to the cup" in ur5e.judge(load("ur5e").solve(cup).q[0]).headline
+
+
+def test_a_place_with_its_1_is_told_so():
+    unseen = exercises()["03.10"]
+    for variant in variants(2):
+        point = unseen.answer(**unseen.given(variant))
+        assert "the 1 at the end" in unseen.judge([*point, 1], variant).headline
+
+
 def test_matching_names_the_parts_and_where_to_look():
     judge = exercises()["06.1"].judge
     assert judge("bdace").headline == "d4 and d6 are exchanged" and "z3" in judge("bdace").next

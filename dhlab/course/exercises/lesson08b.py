@@ -210,8 +210,8 @@ EXERCISES = [
         title="A jump on the way",
         question=(
             "A solver is asked for one q every millimetre of a straight line. From one to the next"
-            " joints 4 and 6 jump by 180° and q5 changes its sign, as in the picture; the condition"
-            " number is 11 before and after. What happened?"
+            " joints 4 and 6 jump by 180° and q5 changes its sign, as from `cup_q` to `other`; the"
+            " condition number is 11 before and after. What happened?"
         ),
         correct="branch",
         hints=(

@@ -93,9 +93,14 @@ def wrong_points(
 
 
 def whole_pose(answer: object, **given: Any) -> Known | None:
-    """A 4×4 whose last column is the point that is asked."""
-    array = as_numbers(answer)
-    if array.shape != (4, 4) or not np.allclose(array[:3, 3], unseen_point(**given), atol=1e-3):
+    """A 4×4 whose last column is the point that is asked, or that column."""
+    array, point = as_numbers(answer), unseen_point(**given)
+    if array.shape == (4,) and np.allclose(array, [*point, 1], atol=1e-3):
+        return None, Said(
+            "the place is right, but the 1 at the end is not part of it",
+            next="Three numbers are asked: [:3] takes the first three.",
+        )
+    if array.shape != (4, 4) or not np.allclose(array[:3, 3], point, atol=1e-3):
         return None
     return None, Said(
         "this is the end's whole pose, and its place is asked",

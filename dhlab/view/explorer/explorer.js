@@ -84,7 +84,8 @@ input[type="range"] { width: 100%; min-height: 28px; margin: 0; accent-color: va
 .choice label span { display: inline-flex; align-items: center; }
 .below { padding: 8px 12px 12px; border-top: 1px solid var(--line); display: flex; flex-direction: column; gap: 8px; }
 .pair table { width: 100%; }
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(300px, 1fr)); gap: 8px 24px; }
+.pair { display: flex; flex-wrap: wrap; gap: 8px 24px; } /* beside each other where both are seen whole */
+.pair > * { flex: 1 1 auto; min-width: 0; }
 .scroll { overflow-x: auto; border-radius: 4px; }
 table { border-collapse: collapse; font-size: 13px; width: min(100%, 560px); }
 caption { text-align: left; font-weight: 600; padding: 2px 0 4px; }
