@@ -261,10 +261,7 @@ def same_arm(one, other):
     lengths, and the twists where both say which column these are.
     """
     both = one.roles is not None and other.roles is not None
-    return all(
-        kinds[0] == kinds[1]
-        for kinds in zip(_numbers(one, both), _numbers(other, both))
-    )
+    return all(kinds[0] == kinds[1] for kinds in zip(_numbers(one, both), _numbers(other, both)))
 
 
 def _numbers(table, with_twists):

@@ -4,7 +4,7 @@ that stand for nothing are asked about.
 
 import re
 
-__all__ = ["by_number", "joints_of", "named_alone"]
+__all__ = ["by_number", "joints_of", "named_alone", "require_values"]
 
 MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
 
@@ -47,6 +47,23 @@ def joints_of(table, columns, still):
     if unknown:
         raise ValueError(_ask(unknown))
     return letters, signs
+
+
+def require_values(table):
+    """Every letter that is no joint's variable has a value.
+
+    Raises
+    ------
+    ValueError
+        Some have none.
+    """
+    unknown: dict = {}
+    for i, row in enumerate(table.rows, 1):
+        for k, cell in enumerate(row, 1):
+            if not cell.is_constant and cell.variable not in ("theta", "q", "?"):
+                unknown.setdefault(cell.letters[0][0], (i, k))
+    if unknown:
+        raise ValueError(_ask(unknown))
 
 
 def named_alone(columns, i):

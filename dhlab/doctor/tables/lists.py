@@ -30,9 +30,7 @@ def with_lists(table, source):
             table = replace(table, signs=signs)
         cells = tuple(cell_of(value, text) for value, text in values)
         if role == "offset" and any(cell.value for cell in cells) and not _held(table, cells, name):
-            table = replace(
-                table, zeros=cells, notes=(*table.notes, f"{name} is added to theta")
-            )
+            table = replace(table, zeros=cells, notes=(*table.notes, f"{name} is added to theta"))
     return table
 
 

@@ -18,8 +18,8 @@ class Pasted:
     ``kinds`` ("R", "P", "fixed" or ""), ``signs``, ``zeros`` (Cells that the text adds to theta
     beside the rows) and ``limits`` one per row; ``form`` is what
     dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers,
-    ``joints`` how many it speaks of, ``poses`` the lists that it calls joint values, ``slides``
-    whether it speaks of a joint that slides.
+    ``joints`` how many it speaks of, ``poses`` the lists that it calls joint values, ``adds``
+    whether it says that theta is added to them, ``slides`` whether it speaks of a joint that slides.
     """
 
     rows: tuple
@@ -38,6 +38,7 @@ class Pasted:
     angle: str = ""
     joints: tuple = ()
     poses: tuple = ()
+    adds: bool = False
     slides: bool = False
     notes: tuple = ()
 

@@ -72,7 +72,9 @@ def _checked_angle(unit, cells, why):
     right = np.abs(values / 90 - np.round(values / 90)).max() < 1e-9
     if unit == "rad" and right and values.max() > 4 * np.pi:
         return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
-    if unit == "rad" and any(value > 2 * np.pi + 0.01 and not snapped(value)[1] for value in values):
+    if unit == "rad" and any(
+        value > 2 * np.pi + 0.01 and not snapped(value)[1] for value in values
+    ):
         return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
     if unit == "deg" and all(snapped(value)[1] for value in values):
         return [("rad", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]

@@ -12,8 +12,8 @@ from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
 from .evidence.axes import axes_in
 from .evidence.ends import with_ends
-from .evidence.orders import convention_in, previous_in
-from .evidence.poses import poses_in
+from .evidence.orders import convention_in, defined_in, previous_in
+from .evidence.poses import adds_theta, poses_in
 from .evidence.source import source_of
 from .language.comments import uncommented
 from .language.expressions import key
@@ -36,7 +36,10 @@ READERS = (
     sequences.read,
     lines.read,
 )
-LISTS_READ = (universal.read, arrays.read)  # these give lists beside the columns a meaning themselves
+LISTS_READ = (
+    universal.read,
+    arrays.read,
+)  # these give lists beside the columns a meaning themselves
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
 
@@ -204,6 +207,8 @@ def _with_words(table, source):
             table = replace(table, convention="craig", because="by the index i-1 in the comment")
         elif source.convention:
             table = replace(table, convention=source.convention, because="as the text says")
+        elif defined := defined_in(source):
+            table = replace(table, convention=defined, because="as the text defines a and alpha")
     return _with_sayings(table, source)
 
 
@@ -221,5 +226,6 @@ def _with_sayings(table, source):
         angle=table.angle or source.angle,
         joints=counts_in(source),
         poses=poses_in(source),
+        adds=adds_theta(source),
         slides=speaks_of_sliding(source),
     )

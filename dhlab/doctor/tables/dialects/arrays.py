@@ -75,8 +75,10 @@ def _upright(group):
     if len(column) > 1 and all(len(items) == 1 for items in column):
         return [items[0].text for items in column] if len(column) == len(group.items) else None
     inner = re.compile(rf"(?<![\w\])]){re.escape(group.mark)}")  # no index, as in q[1]
-    if any(item.groups and inner.search(item.text) for item in group.items):
-        return None
+    for item in group.items:
+        sums = group.mark == "(" and all(len(part.items) == 1 for part in item.groups)
+        if item.groups and not sums and inner.search(item.text):
+            return None
     return [cell for item in group.items for cell in cells_in(item.text)]
 
 
@@ -148,6 +150,7 @@ def _by_role(source, twice, notes):
     would make a length of an angle.
     """
     found: dict = {}
+    named: dict = {}
     unread: dict = {}
     arrays = _unnumbered(arrays_in(source, twice, unread))
     said = _said_beside(source, arrays)
@@ -168,13 +171,32 @@ def _by_role(source, twice, notes):
             values = [(value.times(-1.0), f"-({text})") for value, text in values]
         role = said.get(name, None if "home" in name.lower() else role)
         stand = role == "theta" and _moves(values) and not _moves(found.get(role, ()))
+        if role in ("d", "a", "alpha"):
+            named.setdefault(role, {})[name] = values
         if role and (role not in found or stand):  # q = [0, 0] is where the joints stand
             found[role] = values
     _require_zeros(unread, found)
+    _require_one(named)
     missing = [role for role in ("a", "d") if role not in found]
     if len(missing) == 1 and "r" in found:
         found[missing[0]] = found.pop("r")
     return found
+
+
+def _require_one(named):
+    """Two lists of different numbers for two of the parameters are two arms."""
+    several = [
+        list(lists)
+        for lists in named.values()
+        if len({tuple(round(v.number, 6) for v, _ in values) for values in lists.values()}) > 1
+        and len({len(values) for values in lists.values()}) == 1
+    ]
+    if len(several) > 1:
+        names = " and ".join(several[0][:2])
+        raise ValueError(
+            f"recognise_table: expected one arm, found {names} with different numbers; which one is"
+            " meant? Paste the arrays of one arm"
+        )
 
 
 def _added(name, source):

@@ -3,6 +3,7 @@ DHLink(…), RevoluteMDHLink(…), Frame::DH(…).
 """
 
 import re
+from collections import Counter
 from dataclasses import replace
 
 from ..cells import cell_of, read_cell
@@ -41,7 +42,7 @@ LATER = re.compile(r"\b([A-Za-z_]\w*)\s*(?:([({[])(\d+)[)}\]])?\.(\w+)\s*=(?!=)\
 
 def read(source, nominal=None):
     """The Pasted table of calls of link classes; None when there are none."""
-    rows, forms, conventions, notes = [], [], set(), []
+    made, forms, notes = [], [], []
     named: dict = {}
     own = {
         _name(group): definitions(source).get(_name(group))
@@ -57,13 +58,14 @@ def read(source, nominal=None):
             known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
                 continue
-        row, said = _row(group, name, known, source, notes, len(rows) + 1)
+        row, said = _row(group, name, known, source, notes, len(made) + 1)
         if row is None:
             continue
-        rows.append(row)
+        made.append((group, row, said or known[2]))
         named[group.target] = row
         forms.append(known[1])
-        conventions.add(said or known[2])
+    made = _of_one_arm(made, notes)
+    rows, conventions = [row for _, row, _ in made], {said for _, _, said in made}
     if not rows or (len(rows) == 1 and (not rows[0].cells or _is_of_a_loop(rows[0]))):
         return None
     _changed_later(named, rows, source, conventions)
@@ -88,6 +90,33 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _of_one_arm(made, notes):
+    """The links without one that is made again under its name, as programs do it.
+
+    Raises
+    ------
+    ValueError
+        Two arms are made.
+    """
+    lists = Counter(
+        id(group.outer) for group, *_ in made if group.outer and group.outer.mark in "[{"
+    )
+    places = [f"{group.target}{group.index}" for group, *_ in made]
+    places = [
+        place if re.search(r"\d", place) else f"{place} {k}" for k, place in enumerate(places)
+    ]
+    again = [place for place, times in Counter(places).items() if times > 1]
+    if len(again) > 1 or sum(times > 1 for times in lists.values()) > 1:
+        what = f"{again[0]} and {again[1]} made twice" if len(again) > 1 else "two lists of links"
+        raise ValueError(
+            f"recognise_table: expected one arm, found {what}; which one is meant? Paste the links"
+            " of one arm"
+        )
+    if again:
+        notes.append(f"{again[0]} is made twice, and the last counts")
+    return [one for k, one in enumerate(made) if places[k] not in places[k + 1 :]]
 
 
 def _unrolled(found, source):

@@ -16,6 +16,10 @@ PRINTED = re.compile(  # as the toolboxes print it
     r"\b(tool|base)\b[\s:|]*t\s*=\s*\(?([^()=;\n]*?)\)?\s*[,;]\s*rpy/\w+\s*=\s*\(?([^()\n|]*)",
     re.IGNORECASE,
 )
+MATRIX = re.compile(  # tool_transform = np.array([[
+    r"\b(\w*(?:tool|tcp|base|flange)\w*)['\"]?\s*(?:=(?!=)|:(?!:))\s*(?:[\w.]+\()?\[\s*\[",
+    re.IGNORECASE,
+)
 BY_THREE = re.compile(r"(?:SE3(?:\.Trans)?|transl|trans|translation)$", re.IGNORECASE)
 
 
@@ -28,6 +32,9 @@ def with_ends(table, source):
     found = SET.findall(source.code) if table.form else []
     for end, t, rpy in PRINTED.findall(source.text):
         found.append((end.lower(), "SE3" if not re.search(r"[1-9]", rpy) else f"rpy {rpy}, t", t))
+    for name in MATRIX.findall(source.code):
+        note = f"the text has a matrix {name[:30]}, which is not in the rows"
+        table = replace(table, notes=(*table.notes, note))
     for end, made, inside in found if table.roles is not None else ():
         values = [source.value(cell) for cell in cells_in(inside)]
         plain = len(values) == 3 and all(v is not None and not v.letters for v in values)

@@ -8,6 +8,7 @@ from ..language.roles import ROLES, role_of, unit_in
 
 __all__ = [
     "convention_in",
+    "defined_in",
     "every_column_in",
     "names_in_a_row",
     "order_in",
@@ -18,6 +19,14 @@ __all__ = [
 
 NAME = re.compile(r"[A-Za-z][\w.]*(?:[({\[]i(?:\s*-\s*1)?[)}\]]|_\{?i-1\}?|(?<=_i)-1)?")
 PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
+# z_{i-1}, Z(i), x_i, xi-1
+AXIS = {
+    name: re.compile(rf"(?<![a-z\\]){name}[ _]?[({{\[]*[ijkn]((?:\s?[-+]\s?1)?)[)}}\]]*(?![a-z])")
+    for name in "zx"
+}
+MEASURED = re.compile(
+    r"about|along|around|measured|绕|沿|um\b|entlang|alrededor|a lo largo|autour|selon"
+)
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
@@ -149,6 +158,30 @@ def previous_in(source):
     return any(PREVIOUS.search(text) for text in named)
 
 
+def defined_in(source):
+    """ "craig" or "standard" by the definitions of a or alpha in words: along or about which x axis
+    they are measured between which z axes; "" where the text defines neither, or both ways.
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> defined_in(source_of("a: distance from z_{i-1} to z_i along x_i"))
+    'standard'
+    """
+    found = set()
+    for line in source.text.lower().split("\n"):
+        z, x = ({_index(k) for k in AXIS[name].findall(line)} for name in "zx")
+        if len(z) == 2 and len(x) == 1 and max(z) - min(z) == 1 and MEASURED.search(line):
+            found.add({min(z): "craig", max(z): "standard"}.get(*x, ""))
+    return found.pop() if len(found) == 1 else ""
+
+
+def _index(text):
+    """The index of an axis, counted from i."""
+    digits = re.sub(r"[^-+\d]", "", text)
+    return int(digits) if digits.lstrip("+-").isdigit() else 0
+
+
 def order_of_names(text, in_code=False):
     """(roles, units) where four names of columns follow each other; None otherwise.
 
@@ -158,9 +191,18 @@ def order_of_names(text, in_code=False):
     (('theta', 'd', 'a', 'alpha'), {'theta': 'deg', 'alpha': 'deg'})
     """
     found = names_in_a_row(text, in_code)
-    if found is None and not in_code and (roles := _of_phrases(text)):
+    if found is None and not in_code and (roles := _of_phrases(text) or _of_letters(text)):
         return roles, {}
     return found and found[:2]
+
+
+def _of_letters(text):
+    """The roles of four letters, each once, among words of a script that has not these letters."""
+    if not re.search(r"[\u0400-\u04ff\u3040-\u30ff\u4e00-\u9fff\uac00-\ud7af]", text):
+        return None
+    found = re.findall(r"(?<![A-Za-z])(?:theta|alpha|[adr])(?![A-Za-z])", text.lower())
+    roles = tuple("a" if letter == "r" and "a" not in found else letter for letter in found)
+    return roles if len(roles) == 4 and set(roles) == set(ROLES) else None
 
 
 def _of_phrases(text):

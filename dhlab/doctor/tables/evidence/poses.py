@@ -8,7 +8,7 @@ import numpy as np
 
 from ..language.brackets import cells_in
 
-__all__ = ["poses_in", "theta_meanings"]
+__all__ = ["adds_theta", "poses_in", "theta_meanings"]
 
 LISTED = re.compile(
     r"\b(q(?![a-z]*lim)\w*|joint\w*|angles?\w*|pose\w*|config\w*)[ \t]*[=:][ \t]*[\w.]*\(?"
@@ -16,6 +16,11 @@ LISTED = re.compile(
     re.IGNORECASE,
 )
 ZEROS = re.compile(r"off|zero|bias|lim|min|max|type|name|sign|dir", re.IGNORECASE)
+ADDED = re.compile(
+    r"theta[_ -]?(?:off(?:set)?|zero)s?\b|\bq\w*(?:[\[(]\w+[\])])?\s*\+\s*\w*theta"
+    r"|\btheta\w*(?:[\[(]\w+[\])])?\s*\+\s*(?:q|joint)",
+    re.IGNORECASE,
+)
 QUARTER_OFF = np.deg2rad(3)  # a zero found by measuring is no further from a quarter turn
 LEAST_ODD = 2  # angles that are neither equal nor quarter turns: one arm may have one such bend
 
@@ -37,6 +42,18 @@ def poses_in(source):
     return tuple(found)
 
 
+def adds_theta(source):
+    """Whether the text says that the numbers of theta are zeros.
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> adds_theta(source_of("# theta_offset, d, a, alpha")), adds_theta(source_of("theta, d, a"))
+    (True, False)
+    """
+    return bool(ADDED.search(source.text))
+
+
 def theta_meanings(table, columns):
     """ "zeros", "pose" or both, the likelier first."""
     cells = columns["theta"]
@@ -48,7 +65,8 @@ def theta_meanings(table, columns):
         return ["pose", "zeros"]
     named = table.roles is not None and "theta" in table.roles
     beside = any(cell.value for cell in columns.get("offset", ()))
-    return ["zeros", "pose"] if named and (len(odd) >= LEAST_ODD or beside) else ["zeros"]
+    doubtful = beside or (len(odd) >= LEAST_ODD and not table.adds)
+    return ["zeros", "pose"] if named and doubtful else ["zeros"]
 
 
 def _is_odd(value):

@@ -183,6 +183,7 @@ def _unwrapped(text):
     lines.
     """
     text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
+    text = re.sub(r"[ \t]+$", "", _without_diff(text), flags=re.MULTILINE)
     text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
     if re.search(r"<t[dh]\b", text, re.IGNORECASE):
         text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
@@ -202,6 +203,19 @@ def _unwrapped(text):
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
     return text
+
+
+def _without_diff(text):
+    """The new lines of a change as version control prints it, without their marks."""
+    lines = text.split("\n")
+    marked = [line for line in lines if line.strip()]
+    if len(marked) < 3 or not all(line[0] in "+- @\\" for line in marked):
+        return text
+    added = sum(line[0] == "+" for line in marked)
+    if 2 * added <= len(marked):
+        return text
+    gone = [line[:1] in ("-", "@", "\\") or line.startswith("+++") for line in lines]
+    return "\n".join("" if left else line[1:] for line, left in zip(lines, gone))
 
 
 def _listed_table(text):

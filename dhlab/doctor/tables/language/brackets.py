@@ -8,7 +8,7 @@ __all__ = ["Group", "Item", "cells_in", "groups", "keyword"]
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BEFORE = re.compile(r"([A-Za-z_][\w.:>-]*(?:\s*<[\w\s,:]*>)?)\s?$")
 TARGET = re.compile(
-    r"([A-Za-z_][\w.]*)(?:\([\w:,\s]*\))?\s*(?:\[[\w\s*+]*\]\s*)*['\"]?\s*(?:=|:(?!:)|<<)\s*$"
+    r"([A-Za-z_][\w.]*)((?:\([\w:,\s]*\))?\s*(?:\[[\w\s*+]*\]\s*)*)['\"]?\s*(?:=|:(?!:)|<<)\s*$"
 )
 DECLARED = re.compile(r"([A-Za-z_]\w*)\s*(?:\[[\w\s*+]*\]\s*)*$")  # double a[6] {…}
 NO_NAMES = ("in", "return", "if", "and", "or", "not", "for", "while", "print", "else")
@@ -31,7 +31,8 @@ class Item:
 @dataclass
 class Group:
     """What stands between two brackets. ``name`` stands directly before, as the function of a call;
-    ``target`` is what it is assigned to; ``outer`` is the group around it.
+    ``target`` is what it is assigned to, ``index`` which item of that; ``outer`` is the group around
+    it.
     """
 
     mark: str
@@ -41,6 +42,7 @@ class Group:
     outer: "Group | None" = None
     items: list = field(default_factory=list)
     text: str = ""
+    index: str = ""
 
 
 def keyword(text):
@@ -107,6 +109,7 @@ def _opened(text, at, line, stack):
         line,
         stack[-1][0] if stack else None,
         [Item(line=line)],
+        index=target[2].strip() if target and len(target.groups()) > 1 else "",
     )
 
 

@@ -37,6 +37,10 @@ TYPED = re.compile(
     rf"|{KIND}|(?-i:[A-Z][a-zA-Z]*[a-z]))[ \t]*(?==(?!=))",
     re.IGNORECASE,
 )
+PARAMETER = re.compile(  # def dh(theta: float, d: float), fn dh(theta: f64)
+    rf"(?<=\w)[ \t]*:[ \t]*(?:{KIND}|(?:sp|sympy|torch|jnp)\.\w+|str|bool|Symbol|Expr)[ \t]*(?=[,)])",
+    re.IGNORECASE,
+)
 FORTRAN_TYPED = re.compile(
     r"^[ \t]*(?:real|double precision)[^:\n]*::\s*(\w+)\s*(?:\([^)\n]*\))?\s*=",
     re.MULTILINE | re.IGNORECASE,
@@ -81,6 +85,8 @@ TOGETHER = re.compile(
     r"[ \t]*=(?!=)[ \t]*([^=;\n\[\]{}]+?)[ \t]*(?=;|$)",
     re.MULTILINE,
 )
+DICTIONARY = re.compile(r"\b([A-Za-z_]\w*)[ \t]*=[ \t]*\{([^{}]*)\}")
+ENTRY = re.compile(r"['\"](\w+)['\"]\s*:\s*([^,'\"\[\]\n]+)")
 # functions of one number that a text defines itself: def rad(x): return x * pi / 180
 OWN = (
     r"\bdef\s+(\w+)\(\s*(\w+)[^)\n]*\)[^:\n]*:((?:\n[ \t]+\w+[ \t]*=[^\n]*){0,3})"
@@ -106,6 +112,7 @@ def neutral(text):
     'a = c(0, pi / 2)'
     """
     text = _numbers(_inlined(text))
+    text = PARAMETER.sub("", _looked_up(text))
     text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))
     text = VB_TYPED.sub(r"\2 =", text)
     if OF_DOLLARS.search(text):
@@ -120,6 +127,18 @@ def neutral(text):
     text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on
     text = TOGETHER.sub(_apart, ELEMENT.sub(_element, text))
     return _without_setters(text)
+
+
+def _looked_up(text):
+    """The text with the number itself for ``L["d1"]``, where ``L = {"d1": 0.3}``."""
+    for name, inside in DICTIONARY.findall(text):
+        held = dict(ENTRY.findall(inside))
+        text = re.sub(
+            rf"\b{name}\[['\"](\w+)['\"]\](?!\s*=(?!=))",
+            lambda m, held=held: f"({held[m[1]].strip()})" if m[1] in held else m[0],
+            text,
+        )
+    return text
 
 
 def _inlined(text):
