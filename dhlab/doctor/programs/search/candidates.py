@@ -3,6 +3,8 @@
 A block is (slips of candidate k, a function of k; poses of all candidates (m, 4, 4)).
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from ...mistakes.entries import slips_of_the_pen, wrong_entries
@@ -48,7 +50,15 @@ def one_slip(trial):
         np.stack([chain_product(slip.change(*columns(right))) for slip in slips("link")]),
     )
     candidates = wrong_entries()
-    yield lambda k: (mistyped(*candidates[k]),), chain_product(_with_entries(right, candidates))
+    yield lambda k: (mistyped(*candidates[k]),), _mistyped(right.shape, right.tobytes())
+
+
+@lru_cache(maxsize=1)
+def _mistyped(shape, numbers):
+    """The poses of a table, given by its bytes, with every wrong entry: kept for the next try at
+    the same exercise.
+    """
+    return chain_product(_with_entries(np.frombuffer(numbers).reshape(shape), wrong_entries()))
 
 
 def _late(trial, names, links):

@@ -3,6 +3,7 @@
 import ast
 import linecache
 import sys
+from functools import lru_cache
 from types import ModuleType
 
 import numpy as np
@@ -53,11 +54,19 @@ def _definition(f):
     if code is None:
         return None
     lines = linecache.getlines(code.co_filename, f.__globals__)
+    return _definitions("".join(lines)).get(code.co_firstlineno)
+
+
+@lru_cache(maxsize=4)
+def _definitions(text):
+    """The nodes that define the functions of a text, by their first lines; several functions of one
+    text are asked about, and one several times.
+    """
     try:
-        nodes = ast.walk(ast.parse("".join(lines)))
+        nodes = [*ast.walk(ast.parse(text))]
     except (SyntaxError, ValueError):  # magics of a notebook
-        return None
-    return next((node for node in nodes if _first_line(node) == code.co_firstlineno), None)
+        return {}
+    return {_first_line(node): node for node in reversed(nodes)}
 
 
 def _first_line(node):
