@@ -30,9 +30,10 @@ def summary(key: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``name``, ``maker``, ``also``, and ``tables``: by name ``convention``, ``joints`` and
-        ``shape``, which holds lengths and twists without their signs (m and rad), or is None for an
-        arm with sliding joints.
+        ``name``, ``maker``, ``also``, and ``tables``, the best first: by name ``convention``,
+        ``joints``, ``shape``, which holds lengths and twists without their signs (m and rad), or is
+        None for an arm with sliding joints, and ``rows`` (rad and m), ``sign`` and ``coupling`` as
+        they stand in the file.
 
     Examples
     --------
@@ -62,6 +63,9 @@ def summary_of(key: str) -> dict[str, Any]:
             "convention": arm.table.convention,
             "joints": arm.table.joints,
             "shape": None if "P" in arm.table.joints else unsigned(arm).round(9).tolist(),
+            "rows": arm.table.rows.tolist(),
+            "sign": arm.sign.tolist(),
+            "coupling": None if arm.coupling is None else arm.coupling.tolist(),
         }
         for name, arm in said.tables.items()
     }

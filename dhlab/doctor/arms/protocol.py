@@ -144,10 +144,10 @@ def _choose(moved, count):
     (mistakes, candidates, 3).
     """
     apart = np.stack([_squares(moved[:, k]) for k in range(moved.shape[1])])
-    possible = apart.max(axis=0) > HIDDEN**2
+    apart = apart[:, apart.max(axis=0) > HIDDEN**2]
 
     def price(total):
-        return np.exp(-np.sqrt(total[..., possible]) / SEEN).sum(axis=-1)
+        return np.exp(-np.sqrt(total) / SEEN).sum()
 
     chosen, total = [], np.zeros_like(apart[0])
     for step in range(2 * count):

@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from ....robots import load, robots
+from ....robots import robots
 from ....robots.index import summary
 from ....robots.likeness import like
 from ..changes import ArmChange
@@ -36,14 +36,11 @@ def another_model():
 
 def models(arm, makers=None):
     """(name, the arm with the rows and senses of that model) for every model of the library with
-    the same kinds of joints, or of these makers alone. All of them take some seconds at first.
+    the same kinds of joints, or of these makers alone.
     """
-    for name, model in _loaded(makers, arm.table.joints):
-        rows, convention = model.table.rows, model.table.convention
-        yield (
-            name,
-            with_rows(arm, rows, convention=convention, sign=model.sign, coupling=model.coupling),
-        )
+    for name, (rows, parts) in _known(arm.table.joints).items():
+        if makers is None or summary(name)["maker"] in makers:
+            yield name, with_rows(arm, rows, **parts)
 
 
 def which_model(mistake, wrong, right):
@@ -52,6 +49,7 @@ def which_model(mistake, wrong, right):
 
     Examples
     --------
+    >>> from dhlab.robots import load
     >>> which_model(ID, load("ur10_cb"), load("ur10e"))[0]
     'This arm is the Universal Robots UR10e; the table is that of another model.'
     """
@@ -77,13 +75,23 @@ def _alike(a, b):
     )
 
 
-def _loaded(makers, joints):
-    """One arm after the other, so that who asks may stop in between."""
-    for name in robots():
-        if makers is None or summary(name)["maker"] in makers:
-            arm = _arm(name)
-            if arm.table.joints == joints:
-                yield name, arm
+@cache
+def _known(joints):
+    """The rows, and the other parts, of the best table of every model with these joints: as the
+    index has them, without a file read for each.
+    """
+    best = {name: next(iter(summary(name)["tables"].values())) for name in robots()}
+    return {
+        name: (np.array(said["rows"]), _parts(said))
+        for name, said in best.items()
+        if said["joints"] == joints
+    }
 
 
-_arm = cache(load)
+def _parts(said):
+    coupling = said["coupling"]
+    return {
+        "convention": said["convention"],
+        "sign": np.array(said["sign"]),
+        "coupling": None if coupling is None else np.array(coupling),
+    }
