@@ -444,7 +444,7 @@ class Arm:
         return (
             self.table == other.table
             and self.limits == other.limits
-            and all(np.array_equal(x, y) for x, y in arrays)
+            and all(x is y or np.array_equal(x, y) for x, y in arrays)
         )
 
     def __hash__(self) -> int:

@@ -242,7 +242,7 @@ class DHTable:
         return (
             self.convention == other.convention
             and self.joints == other.joints
-            and np.array_equal(self.rows, other.rows)
+            and bool((self._rows == other._rows).all())
         )
 
     def __hash__(self) -> int:

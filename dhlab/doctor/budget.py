@@ -101,7 +101,7 @@ class Budget:
         """
         for count, item in enumerate(items):
             spent = self.spent
-            if count >= least and self.past(share):
+            if count >= least and spent >= share * self.seconds:
                 self.cut_short.append(doing)
                 return
             if self._shown and spent > self._said:

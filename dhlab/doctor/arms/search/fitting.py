@@ -13,9 +13,23 @@ from ...mistakes.together import ends_of
 from .ends import place_ends, rigid
 from .measured import limit
 
-__all__ = ["Fit", "misfit", "misfits", "within", "fit", "jacobian"]
+__all__ = [
+    "DAMPING",
+    "MOST_DAMPING",
+    "Fit",
+    "damped",
+    "derivatives",
+    "done",
+    "fit",
+    "hopeless",
+    "jacobian",
+    "misfit",
+    "misfits",
+    "within",
+]
 
 NEXT, LAST = [1, 2, 0], [2, 0, 1]  # the other two of three numbers
+DAMPING, MOST_DAMPING = 1e-9, 1e4  # of a Gauss-Newton step: the first, and where a fit gives up
 FLAT = 4  # poses; so few leave a base and a tool that are both free long valleys to walk along
 
 
@@ -36,7 +50,7 @@ class Fit:
         return self.chi2 <= limit(data.count - self.fitted)
 
 
-def _hopeless(data):
+def hopeless(data):
     """A χ² that neither another base or tool nor slow steps of a fit will bring down to the noise;
     exact data may begin far off.
     """
@@ -52,7 +66,7 @@ def misfit(arm, data):
     placed = place_ends(arm, data)
     chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
     ends = data.base_free + data.tool_free
-    if ends == 0 or (ends == 1 and (data.R is None or chi2 > _hopeless(data))):
+    if ends == 0 or (ends == 1 and (data.R is None or chi2 > hopeless(data))):
         return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
     flat = ends == 2 and len(data.q) <= FLAT
     return fit(placed, data, (), steps=100 if flat else 15)
@@ -113,26 +127,34 @@ def fit(arm, data, free, *, base=None, tool=None, steps=15, prior=None):
     best = (r**2).sum()
     if size == 0:
         return Fit(arm, float(best))
-    held = _Held(arm, free, prior)
-    damping, far = 1e-9, _hopeless(data)
-    J = _derivatives(arm, F, data, free, base, tool)
+    J, held = _derivatives(arm, F, data, free, base, tool), _Held(arm, free, prior)
+    damping, far = DAMPING, hopeless(data)
     for _ in range(steps):
         trial = _moved(arm, held.step(arm, J, r, damping), free, base, tool)
         F, left = _looked_at(trial, data)
         chi2 = (left**2).sum() + held.cost(trial)
-        if chi2 < best:
-            done = best - chi2 < (1e-2 if chi2 > far else 1e-7) * (1 + chi2)
-            arm, best, r, damping = trial, chi2, left, damping / 10
+        better = chi2 < best
+        damping, was = damped(damping, better), best
+        if better:
+            arm, best, r = trial, chi2, left
             J = _derivatives(arm, F, data, free, base, tool)
-            if done:
-                break
-        else:
-            damping = max(damping * 30, 1e-5)
-            if damping > 1e4:
-                break
+        if done(was, chi2, far) if better else damping > MOST_DAMPING:
+            break
     sigma = np.sqrt(np.clip(np.diag(np.linalg.pinv(J.T @ J, rcond=1e-10, hermitian=True)), 0, None))
     rank = np.linalg.matrix_rank(J, tol=1e-6 * np.abs(J).max(initial=1e-300))
-    return Fit(arm, float(best), rank, sigma)
+    return Fit(arm, float(best), rank, sigma, data.left_by(r))
+
+
+def damped(damping, better):
+    """The damping after a step that made the misfit smaller, or did not."""
+    return np.where(better, damping / 10, np.maximum(damping * 30, 1e-5))
+
+
+def done(was, chi2, far):
+    """Whether a step that made χ² smaller gained so little that the next is not worth its time;
+    sooner where χ² is beyond ``far``.
+    """
+    return was - chi2 < np.where(chi2 > far, 1e-2, 1e-7) * (1 + chi2)
 
 
 class _Held:
@@ -192,11 +214,19 @@ def _derivatives(arm, F, data, free, base, tool):
             origins.append(frame[:, :3, 3])
             turns.append(k < 3)
     axes, origins, turns = np.stack(axes, 1), np.stack(origins, 1), np.array(turns)[:, None]
-    v = np.where(turns, _cross(axes, end[:, None, :3, 3] - origins), axes) / data.noise[0]
-    if data.R is not None:
-        omega = np.where(turns, -axes @ end[:, :3, :3], 0.0) / data.noise[1]
-        v = np.concatenate([v, omega], axis=-1)
+    v = derivatives(axes, origins, turns, end, data)
     return np.swapaxes(v, 1, 2).reshape(-1, v.shape[1])
+
+
+def derivatives(axes, origins, turns, end, data):
+    """How the residuals of poses ``end`` (..., m, 4, 4) change when what is behind some axes (...,
+    m, s, 3) is turned about them, or shifted along them where not ``turns``; (..., m, s, 3 or 6).
+    """
+    v = np.where(turns, _cross(axes, end[..., None, :3, 3] - origins), axes) / data.noise[0]
+    if data.R is None:
+        return v
+    omega = np.where(turns, -axes @ end[..., :3, :3], 0.0) / data.noise[1]
+    return np.concatenate([v, omega], axis=-1)
 
 
 def _cross(a, b):

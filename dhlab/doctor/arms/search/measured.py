@@ -55,6 +55,15 @@ class Measured:
         turn = rotation_vectors(np.swapaxes(T[..., :3, :3], -1, -2) @ self.R) / self.noise[1]
         return np.concatenate([position, turn], axis=-1)
 
+    def left_by(self, residuals):
+        """The same sums as :meth:`squares`, from what :meth:`residual` gives, (3m,) or (6m,)."""
+        each = (
+            residuals.reshape(len(self.q), -1, 3)
+            * np.array(self.noise)[: residuals.size // self.p.size, None]
+        )
+        left = (each**2).sum(axis=(0, 2))
+        return (left[0], left[1] if self.R is not None else 0.0)
+
 
 def limit(freedom):
     """The χ² that noise alone passes once in ten million draws."""

@@ -10,6 +10,7 @@ from ...mistakes.remade import A, D
 from .angles import STARTS, all_offsets, rounded_angles, turned, turns
 from .data import data_repairs
 from .ends import place_ends
+from .entries import fitted_one_by_one
 from .fitting import Fit, fit, misfit, misfits
 from .measured import Measured
 from .repairs import discrete_repairs
@@ -56,9 +57,8 @@ def _one_by_one(arm, data, part):
         found = fit(place_ends(repair.arm, data), data, repair.free) if repair.free else next(whole)
         yield Explanation(found, (arm, found.arm), repair.free)
     placed = place_ends(arm, data)
-    for i, column in entries_of(arm):
-        for found in _entry_fits(placed, data, i, column):
-            yield Explanation(found, (arm, found.arm), ((i, column),))
+    for entry, found in _entry_fits(placed, data):
+        yield Explanation(found, (arm, found.arm), (entry,))
     for twisted in [arm, *signs_of_twists(arm, data, part)]:
         if twisted is not arm:
             found = misfit(twisted, data)
@@ -77,19 +77,25 @@ def _one_by_one(arm, data, part):
         yield Explanation(misfit(arm, changed), (arm,), data_fault=fault, changed=changed)
 
 
-def _entry_fits(placed, data, i, column):
-    """Fits of one entry; an angle is begun where it is best, or all round, since a fit only sees
-    the nearest valley.
+def _entry_fits(placed, data):
+    """(entry, Fit) of each entry by itself; an angle is begun where it is best, or all round, since
+    a fit only sees the nearest valley.
     """
-    entry = i, column
-    if column in (D, A):
-        return [fit(placed, data, (entry,))]
+    entries = entries_of(placed)
     if not data.base_free and not data.tool_free:
-        turn = next(turn for e, turn, _ in turns(placed, data) if e == entry)
-        return [fit(turned(placed, entry, turn), data, (entry,), steps=4)]
-    trials = [misfit(turned(placed, entry, start), data) for start in STARTS]
-    order = np.argsort([trial.chi2 for trial in trials])[:2]
-    return [fit(trials[k].arm, data, (entry,)) for k in order]
+        begun = dict.fromkeys(entries, 0.0) | {
+            entry: turn for entry, turn, _ in turns(placed, data)
+        }
+        steps = {entry: 15 if entry[1] in (D, A) else 4 for entry in entries}
+        yield from fitted_one_by_one(placed, data, begun, steps).items()
+        return
+    for entry in entries:
+        if entry[1] in (D, A):
+            yield entry, fit(placed, data, (entry,))
+            continue
+        trials = [misfit(turned(placed, entry, start), data) for start in STARTS]
+        for k in np.argsort([trial.chi2 for trial in trials])[:2]:
+            yield entry, fit(trials[k].arm, data, (entry,))
 
 
 def calibrated(arm, data, prior=None):

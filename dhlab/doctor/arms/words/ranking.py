@@ -161,7 +161,7 @@ def _rounded_end(explanation, data):
         arm = with_parts(found.arm, **{end: changed})
         chi2 = float((data.residual(arm.forward(data.q)) ** 2).sum())
         if chi2 < found.chi2 + WORSE_ROUND:
-            done = replace(found, arm=arm, chi2=chi2)
+            done = replace(found, arm=arm, chi2=chi2, left=None)
             return replace(explanation, fit=done, chain=(*explanation.chain[:-1], arm))
     return explanation
 
