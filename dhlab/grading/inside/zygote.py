@@ -19,6 +19,7 @@ import sys
 import time
 
 from dhlab.grading.inside import confine
+from dhlab.grading.inside.examples import used_once
 
 LOADED = re.compile(r"""\bdh\.load\(["']([\w.-]+)["']\)""")
 LOOK = 0.03  # seconds between two looks at what a submission writes
@@ -158,10 +159,16 @@ def _warm(modules, lessons):
 
 
 def _load(modules):
-    """Load modules once, for all submissions from now on."""
+    """Load modules once, for all submissions from now on, and use those that read more when they
+    are used.
+    """
+    loaded = []
     for name in modules:
         with contextlib.suppress(Exception):
-            importlib.import_module(name)
+            loaded.append(importlib.import_module(name))
+    for module in loaded:
+        with contextlib.suppress(Exception):
+            used_once(module)
     if modules:
         gc.collect()
         gc.freeze()
