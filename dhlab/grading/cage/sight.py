@@ -40,16 +40,38 @@ def packages() -> list[str]:
 
 def kept() -> list[str]:
     """What stands in the folders of packages and may be seen in the room ``OWN``."""
-    found, wanted = {"__pycache__"}, [*ALLOWED]
-    known = {_plain(one.name): one for one in metadata.distributions(path=packages()) if one.name}
+    found, wanted, known = {"__pycache__"}, [*ALLOWED], _installed()
     while wanted:
-        one = known.pop(_plain(wanted.pop()), None)
-        if one is not None:
+        path = known.pop(_plain(wanted.pop()), None)
+        if path is not None:
+            one = metadata.Distribution.at(path)
             wanted += [re.split(r"[^\w.-]", text)[0] for text in one.requires or ()]
-            found |= {path.parts[0] for path in one.files or ()}
+            found |= _tops(one)
     return [
         entry.path for folder in packages() for entry in os.scandir(folder) if entry.name in found
     ]
+
+
+def _installed():
+    """Where each package's own account of itself stands, by its plain name; only those that are
+    wanted are read, since all of them are long.
+    """
+    return {
+        _plain(entry.name.partition("-")[0]): entry.path
+        for folder in packages()
+        for entry in os.scandir(folder)
+        if entry.name.endswith((".dist-info", ".egg-info"))
+    }
+
+
+def _tops(one):
+    """The files and folders that a package has put among the others. Thousands of lines list what
+    is in them: only the beginnings are kept.
+    """
+    record = one.read_text("RECORD")
+    if record is None:
+        return {path.parts[0] for path in one.files or ()}
+    return set(re.findall(r'^"?([^/,"\n]+)', record, re.MULTILINE))
 
 
 def _plain(name):
