@@ -281,7 +281,7 @@ def _spoils_its_input(rows, q):
         (lambda rows, q: print(q), "returns nothing"),
         (lambda rows, q: np.eye(4), "same whatever"),
         (lambda rows, q: recursive(rows, q)[:3], "shape 3×4"),
-        (lambda rows, q: "T", "str"),
+        (lambda rows, q: "T", "a text"),
     ],
 )
 def test_what_goes_wrong_with_a_program_is_said(f, words, capsys):

@@ -267,8 +267,8 @@ MOVES = [
     ("05.4", with_theta_for_alpha, "theta is used where alpha belongs", "differ"),
     ("05.4", with_nothing, "is None, a single number or three dots", "4×4"),
     ("05.4", seen_from_the_end, "T_ab is frame b written in frame a", "T_06"),
-    ("05.6", the_other_conventions, "the matrix of the other convention", "joins on the right"),
-    ("05.7", the_other_conventions, "the matrix of the other convention", "joins on the right"),
+    ("05.6", the_other_conventions, "the matrix of Craig's convention", "joins on the right"),
+    ("05.7", the_other_conventions, "the matrix of Craig's convention", "joins on the right"),
     ("07.2", both_converted, "onverted to radians twice", "offset"),
 ]
 

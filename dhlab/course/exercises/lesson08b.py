@@ -275,8 +275,8 @@ EXERCISES = [
         praise="Two shoulders, two elbows, two wrists, and each of them exact.",
         hints=(
             (
-                "`for_the_wrist` gives R_36. Which two of its entries hold sine and cosine of θ4"
-                " and nothing of θ6, and which two those of θ6?"
+                "Which two entries of R_36, which `for_the_wrist` gives, hold sine and cosine of θ4"
+                " and nothing of θ6? And which two those of θ6?"
             ),
             "For the second wrist three angles change: one its sign, the other two by half a turn.",
         ),
