@@ -25,6 +25,9 @@ DASH = Cell(0.0, text="-")
 ENUMERATED = re.compile(  # JointType::Static
     r"(?:::|\.)(revolute|rotary|rotational|hinge|prismatic|linear|fixed|static)\b", re.IGNORECASE
 )
+OF_ONE = re.compile(  # types(3) = 'P', joint_type[2] = "prismatic"
+    r"\b\w*type\w*([(\[])(\d)[)\]]\s*=\s*['\"](r|p|revolute|prismatic)['\"]", re.IGNORECASE
+)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -215,6 +218,11 @@ def with_types(table, source):
     listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
     letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
     typed = [KINDS[one.lower()] for one in ENUMERATED.findall(source.code)]
+    single = {
+        int(k) - (mark == "("): KINDS[kind.lower()] for mark, k, kind in OF_ONE.findall(source.code)
+    }
+    if not any(table.kinds) and "P" in single.values() and max(single) < len(table.rows):
+        return replace(table, kinds=tuple(single.get(k, "R") for k in range(len(table.rows))))
     if not any(table.kinds) and len(typed) == len(table.rows):
         return replace(table, kinds=tuple(typed))
     if not any(table.kinds) and any("P" in one and len(one) == len(table.rows) for one in letters):

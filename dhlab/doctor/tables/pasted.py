@@ -16,10 +16,10 @@ class Pasted:
     ``roles`` are the columns' names in order, None when nothing says them, and ``why`` how they are
     known; ``units`` by role; ``convention`` as far as it is said, and ``because`` how; ``labels``,
     ``kinds`` ("R", "P", "fixed" or ""), ``signs``, ``zeros`` (Cells that the text adds to theta
-    beside the rows) and ``limits`` one per row; ``form`` is what
-    dialect it is, in words; ``length`` and ``angle`` what words of the text say of all numbers,
-    ``joints`` how many it speaks of, ``poses`` the lists that it calls joint values, ``adds``
-    whether it says that theta is added to them, ``slides`` whether it speaks of a joint that slides.
+    beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
+    ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
+    speaks of, ``poses`` the lists that it calls joint values, ``adds`` whether it says that theta
+    is added to them, ``slides`` whether it speaks of a joint that slides.
     """
 
     rows: tuple

@@ -225,7 +225,9 @@ def _row(group, name, known, source, notes, number):
         elif word in ("modified", "mdh", "standard", "dh", "stdh"):
             said = "craig" if word in ("modified", "mdh") else "standard"
         elif text[:1] in "[{":
-            cells.update(_by_order(cells_in(text.strip("[]{}")), order, source, number))
+            numbers = {**source.assigned, **source.known}  # no variables: the toolbox has its own
+            known_here = replace(source, known=numbers) if known[1] == ROBOTICS_TOOLBOX else source
+            cells.update(_by_order(cells_in(text.strip("[]{}")), order, known_here, number))
     numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
     if not cells and len(numbers) >= 3 and known[0] == "link":
         return None, ""  # somebody's own class: the toolbox takes names or one vector

@@ -282,8 +282,8 @@ def _cell(cell, where, k, source):
     if isinstance(cell, str) and plain(cell) in ("", "nan", "n/a", "?"):
         raise ValueError(
             f"recognise_table: {where}, cell {k + 1}: expected a number, found"
-            f" {cell.strip()[:20] or 'an empty cell'}; which number stands there? Write 0 where 0 is"
-            " meant"
+            f" {cell.strip()[:20] or 'an empty cell'}; which number stands there? Write 0 where 0"
+            " is meant"
         )
     try:
         return read_cell(str(cell), source.known if source else None)

@@ -28,7 +28,7 @@ MEASURED = re.compile(
     r"about|along|around|measured|绕|沿|um\b|entlang|alrededor|a lo largo|autour|selon"
 )
 BETWEEN = re.compile(
-    r"[\s,;|&/\[\](){}:=*'\"_.>→-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
+    r"[\s,;|&/\[\](){}:=*'\"_.>→%#-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
 ROW = re.compile(  # al, a, to, d = dh[i]; for al, a, to, d in dh
     r"(?:^|[;(]|\bfor\s)\s*\(?(\w+)\s*,\s*(\w+)\s*,\s*(\w+)\s*,\s*(\w+)\)?\s*"

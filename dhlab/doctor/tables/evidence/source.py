@@ -43,13 +43,14 @@ LENGTH_WORDS = {
     "cm": r"\b(cm|centi-?met(?:er|re)s?|cent[ií]metros?|centim[eè]tres?|centimetri|zentimetern?)\b"
     r"|厘米|センチ|сантиметр|(?<!\w)см(?!\w)|센티",
     "in": r"\b(inch|inches|zoll|pulgadas|pouces)\b",
-    "m": r"(?:\bmet(?:er|re)s?\b|\bmetros?\b|\bm[eè]tres?\b|\bmetri\b|(?<![毫厘])米|\bметр|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b"
+    "m": r"(?:\bmet(?:er|re)s?\b|\bmetros?\b|\bm[eè]tres?\b|\bmetri\b|(?<![毫厘])米|\bметр"
+    r"|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b"
     r"|=\s*-?\d*\.?\d+\s*m(?![\w/²^*]))",
 }
 ANGLE_WORDS = {
     "deg": r"\bgra(?:d(?:os?|i)?|us?)\b(?! d[ei] lib)|\bdegrés?\b(?! de lib)|角度制|градус"
     r"|(?<![*/.'\"])\b(deg|degrees?)\b(?!\s*(?:2|to|of freedom|[=(]))|[\[(]°[\])]",
-    "rad": r"\bradian[ei]s?\b|\bradiane?n\b|(?<![为为到成转換])弧度|ラジアン|радиан"
+    "rad": r"\bradian[ei]s?\b|\bradiane?n\b|(?<![为到成转換])弧度|ラジアン|радиан"
     r"|(?<![*/.'\"])\b(rad|radians?)\b(?!\s*(?:2|to|[=(]))",
 }
 DENIED = re.compile(

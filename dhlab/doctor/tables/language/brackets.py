@@ -8,7 +8,8 @@ __all__ = ["Group", "Item", "cells_in", "groups", "keyword"]
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BEFORE = re.compile(r"([A-Za-z_][\w.:>-]*(?:\s*<[\w\s,:]*>)?)\s?$")
 TARGET = re.compile(
-    r"([A-Za-z_][\w.]*)((?:\([\w:,\s]*\))?\s*(?:\[[\w\s*+]*\]\s*)*)['\"]?\s*(?:=|:(?!:)|<<)\s*$"
+    r"([A-Za-z_][\w.]*)((?:\([\w:,\s]*\))?\s*(?:\[[\w\s*+]*\]\s*)*)['\"]?\s*"
+    r"(?:=|:(?!:)|<<)\s*$"
 )
 DECLARED = re.compile(r"([A-Za-z_]\w*)\s*(?:\[[\w\s*+]*\]\s*)*$")  # double a[6] {…}
 NO_NAMES = ("in", "return", "if", "and", "or", "not", "for", "while", "print", "else")
@@ -31,8 +32,7 @@ class Item:
 @dataclass
 class Group:
     """What stands between two brackets. ``name`` stands directly before, as the function of a call;
-    ``target`` is what it is assigned to, ``index`` which item of that; ``outer`` is the group around
-    it.
+    ``target`` is what it is assigned to, ``index`` which item of that, ``outer`` what is around it.
     """
 
     mark: str

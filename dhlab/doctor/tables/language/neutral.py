@@ -38,7 +38,8 @@ TYPED = re.compile(
     re.IGNORECASE,
 )
 PARAMETER = re.compile(  # def dh(theta: float, d: float), fn dh(theta: f64)
-    rf"(?<=\w)[ \t]*:[ \t]*(?:{KIND}|(?:sp|sympy|torch|jnp)\.\w+|str|bool|Symbol|Expr)[ \t]*(?=[,)])",
+    rf"(?<=\w)[ \t]*:[ \t]*(?:{KIND}|(?:sp|sympy|torch|jnp)\.\w+|str|bool|Symbol|Expr)[ \t]*"
+    r"(?=[,)])",
     re.IGNORECASE,
 )
 FORTRAN_TYPED = re.compile(
@@ -85,6 +86,13 @@ TOGETHER = re.compile(
     r"[ \t]*=(?!=)[ \t]*([^=;\n\[\]{}]+?)[ \t]*(?=;|$)",
     re.MULTILINE,
 )
+ZEROS = re.compile(  # zeros(7, 1), np.zeros(6), [0.0] * 6
+    r"(?<![\w.])(?:np\.|numpy\.)?zeros[ ]?\(\(?(?:1,[ ]?\d|\d(?:,[ ]?1?)?)\)?\)"
+    r"|\[0(?:\.0*)?\]\s*\*\s*\d\b"
+)
+TRANSPOSED = re.compile(  # [90 0]' * pi/180
+    r"\]'(?=\s*[;*/,)\n])"
+)
 DICTIONARY = re.compile(r"\b([A-Za-z_]\w*)[ \t]*=[ \t]*\{([^{}]*)\}")
 ENTRY = re.compile(r"['\"](\w+)['\"]\s*:\s*([^,'\"\[\]\n]+)")
 # functions of one number that a text defines itself: def rad(x): return x * pi / 180
@@ -113,6 +121,7 @@ def neutral(text):
     """
     text = _numbers(_inlined(text))
     text = PARAMETER.sub("", _looked_up(text))
+    text = TRANSPOSED.sub("]", ZEROS.sub(_zeros, text))
     text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))
     text = VB_TYPED.sub(r"\2 =", text)
     if OF_DOLLARS.search(text):
@@ -127,6 +136,11 @@ def neutral(text):
     text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on
     text = TOGETHER.sub(_apart, ELEMENT.sub(_element, text))
     return _without_setters(text)
+
+
+def _zeros(match):
+    count = max(int(k) for k in re.findall(r"\d+", match[0]))
+    return f"[{', '.join(['0'] * count)}]" if count < 10 else match[0]
 
 
 def _looked_up(text):

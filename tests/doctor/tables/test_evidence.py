@@ -1,0 +1,122 @@
+"""What a pasted text says of its rows elsewhere than in them: zeros in lists, definitions in words,
+a second arm, units that make no arm. It decides, or is asked about.
+"""
+
+import numpy as np
+import pytest
+
+from dhlab import recognise_table
+
+ROWS = "[[0, 0.3, 0, pi/2], [0, 0, 0.25, 0]]"
+STANDARD = np.array([[0, 0.3, 0, np.pi / 2], [0, 0, 0.25, 0]])
+SECOND = STANDARD + [[0, 0, 0, 0], [np.pi / 2, 0, 0, 0]]
+HEAD = "| i | twist angle | link length | link offset | joint angle |\n"
+CRAIG = "| 1 | 0 | 0 | 0.3 | q1 |\n| 2 | pi/2 | 0.25 | 0 | q2 |\n"
+
+
+def read(text):
+    found = recognise_table(text)
+    assert len(found.readings) == 1, found
+    return found.arm.table
+
+
+@pytest.mark.parametrize(
+    "beside",
+    [
+        f"# standard, m: theta, d, a, alpha\ndh = {ROWS}\njoint_offset = [0, pi/2]",
+        f"# standard, m: theta, d, a, alpha\ndh = {ROWS}\nq_offset = np.array([0, pi/2])",
+        "def A(theta, d, a, alpha): pass  # standard, m\nA(q1, 0.3, 0, pi/2) @ A(q2, 0, 0.25, 0)"
+        "\njoint_offsets = [0, pi/2]",
+        "# standard, m\nd = [0.3, 0]\na = [0, 0.25]\nalpha = [pi/2, 0]\noffset = [0, pi/2]\n"
+        "for i in range(2):\n    L.append(RevoluteDH(d=d[i], a=a[i], alpha=alpha[i],"
+        " offset=offset[i]))",
+    ],
+)
+def test_zeros_in_a_list_beside_the_rows_belong_to_them(beside):
+    np.testing.assert_allclose(read(beside).rows, SECOND, atol=1e-12)
+
+
+def test_zeros_belong_to_rows_whose_columns_nothing_names():
+    found = recognise_table(f"dh = {ROWS}\njoint_offsets = [0, pi/2]")
+    assert any(
+        reading.arm.table.convention == "standard"
+        and np.allclose(reading.arm.table.rows, SECOND, atol=1e-12)
+        for reading in found.readings
+    )
+
+
+@pytest.mark.parametrize(
+    "said, convention",
+    [
+        ("alpha: angle from Z(i-1) to Z(i) about X(i-1)", "craig"),
+        ("a_i is the distance from z_i to z_{i+1} measured along x_i", "craig"),
+        ("a_i is the distance from z_{i-1} to z_i along x_i", "standard"),
+        ("twist: from z_{i-1} to z_i, around x_i", "standard"),
+    ],
+)
+def test_definitions_in_words_say_the_convention(said, convention):
+    assert read(f"{said}\n{HEAD}{CRAIG}").convention == convention
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# standard, m\ndh = {'d1': 0.3, 'a2': 0.25}\n"
+        "L = [RevoluteDH(d=dh['d1'], alpha=pi/2), RevoluteDH(a=dh['a2'])]",
+        "% standard, m\nd = [0.3, 0]';\na = [0, 0.25]';\nalpha = [90, 0]'/180*pi;",
+        f"+# standard, m: theta, d, a, alpha\n+dh = {ROWS}\n-dh = [[0, 0, 0, 0], [0, 0, 0, 0]]\n"
+        "+# and more\n+x = 1",
+        f"# 标准 m 绕z轴转角θ 沿z轴距离d 沿x轴长度a 绕x轴扭角α\ndh = {ROWS}",
+        "# standard, m\ndef dh(theta: float, d: float, a: float, alpha: float): ...\n"
+        "rows = [{'a': 0, 'alpha': pi/2, 'd': 0.3, 'theta': 0},"
+        " {'a': 0.25, 'alpha': 0, 'd': 0, 'theta': 0}]",
+        "L(1) = Link([1 2 3 4], 'standard');\nL(1) = Link([0 0.3 0 pi/2], 'standard');\n"
+        "L(2) = Link([0 0 0.25 0], 'standard');",
+    ],
+)
+def test_the_same_arm_is_read_however_its_program_says_it(text):
+    np.testing.assert_allclose(read(text).rows, STANDARD, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "left = [RevoluteDH(d=0.3, alpha=pi/2), RevoluteDH(a=0.25)]\n"
+        "right = [RevoluteDH(d=0.3, alpha=-pi/2), RevoluteDH(a=0.25)]",
+        "L(1) = Link([0 0.3 0 pi/2]); L(2) = Link([0 0 0.25 0]);\n"
+        "L(1) = Link([0 0.4 0 pi/2]); L(2) = Link([0 0 0.25 0]);",
+        "my_a = [0, 0.25]\nmy_d = [0.3, 0]\nmy_alpha = [pi/2, 0]\n"
+        "other_a = [0, 0.35]\nother_d = [0.4, 0]\nother_alpha = [pi/2, 0]",
+        f"| i | θ | d | a | α |\n|---|---|---|---|---|\n| 1 | q1 | 0.4 | 0 | 90 |\n"
+        f"| 2 | q2 | 0 | 0.25 | 0 |\n\nin the program:\n```\ndh = {ROWS}\n```",
+    ],
+)
+def test_two_arms_in_one_text_are_asked_about(text):
+    with pytest.raises(ValueError, match=r"found .*which one is meant\?"):
+        recognise_table(text)
+
+
+def test_an_order_that_makes_lengths_of_angles_is_not_taken():
+    found = recognise_table(
+        "def dh(a, d, alpha, theta): pass  # standard, m\n"
+        "rows = [[0, -pi/2, 0.3, 0], [0.25, pi/2, 0, 0], [0, 0, 0.2, -pi/4]]"
+    )
+    assert "order" in found.open
+    assert all(dict(one.choices)["order"][1] in ("alpha", "theta") for one in found.readings)
+
+
+@pytest.mark.parametrize(
+    "said, numbers, units",
+    [
+        ("cm", (0.2848, 0.4208), ["metres", "centimetres"]),
+        ("centímetros", (17.5, 11.6), ["centimetres"]),
+        ("metres", (284.8, 420.8), ["millimetres", "metres"]),
+        ("mm", (284.8, 420.8), ["millimetres"]),
+    ],
+)
+def test_a_unit_in_which_lengths_make_no_arm_is_doubted(said, numbers, units):
+    first, second = numbers
+    found = recognise_table(
+        f"standard, all lengths in {said}\ntheta d a alpha\nq1 {first} 0 90\nq2 0 {second} 0\n"
+    )
+    assert [one.words.split("; ")[-1].split(",")[0] for one in found.readings] == units
