@@ -5,8 +5,9 @@ reader's browser sent elsewhere.
     python docs/build.py OUT      # OUT/html
     python docs/build.py --live   # lessons that run in their page as well, 37 MB more
     python docs/build.py --class  # the class edition: without the worked answers
+    python docs/build.py --both   # the site, and the class edition in docs/_build/class/html
 
-In OUT the folders html, source, doctrees and executed belong to the build.
+In OUT the folders html, source, doctrees, executed and class belong to the build.
 
 A lesson is run again when it or anything in ``dhlab`` has changed; a cell that fails, and any
 warning of Sphinx, ends the build.
@@ -35,7 +36,7 @@ from sphinx.cmd.build import main as sphinx
 
 from dhlab.view.explorer import without_widgets
 
-__all__ = ["build", "executed", "pages"]
+__all__ = ["build", "edition", "executed", "pages"]
 
 DOCS = Path(__file__).resolve().parent
 ROOT = DOCS.parent
@@ -49,12 +50,20 @@ ALIASES = {"02-parameters": "! atan2, ! arctan2"}  # what the search finds a les
 PARTS = ("", "reference/", "benchmarks/", "bench/")  # where pages, and what pages include, stand
 
 
-def build(out, answers=True):
+def build(out, answers=True, both=False):
     """Everything, into ``out``; returns Sphinx's exit status. Only the runs of notebooks are kept
-    from the build before. With ``answers`` a worked one is folded under each exercise.
+    from the build before. ``both`` adds the class edition, in the folder ``class``.
+    """
+    texts = pages(out / "executed")
+    status = edition(out, texts, answers)
+    return edition(out / "class", texts, answers=False) if both and not status else status
+
+
+def edition(out, texts, answers):
+    """The pages that Sphinx makes of the texts, into ``out``; returns its exit status. With
+    ``answers`` a worked one is folded under each exercise.
     """
     source, html, doctrees = out / "source", out / "html", out / "doctrees"
-    texts = pages(out / "executed")
     for folder in (source, html, doctrees):
         shutil.rmtree(folder, ignore_errors=True)
     for name, text in texts.items():
@@ -197,11 +206,13 @@ def main():
     )
     parser.add_argument("out", nargs="?", type=Path, default=DOCS / "_build")
     parser.add_argument("--live", action="store_true", help="with Python for the pages")
-    parser.add_argument(
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument(
         "--class", action="store_false", dest="answers", help="without the worked answers"
     )
+    which.add_argument("--both", action="store_true", help="and the class edition, in OUT/class")
     given = parser.parse_args()
-    status = build(given.out.resolve(), given.answers)
+    status = build(given.out.resolve(), given.answers, given.both)
     if given.live:
         sys.path.insert(0, str(DOCS / "live"))
         from gather import into, pinned

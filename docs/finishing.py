@@ -8,6 +8,7 @@ import io
 import os
 import re
 import zipfile
+from functools import cache
 from html import escape, unescape
 from pathlib import Path
 
@@ -93,15 +94,13 @@ def _with_stills(text, html, root):
     """
 
     def still(found):
-        image = Image.open(io.BytesIO(base64.b64decode(found[1])))
-        return _sources(image, int(found[2]), html, root)
+        return _sources(base64.b64decode(found[1]), int(found[2]), html, root)
 
     def narrow(found):
         return re.sub(r'^src="(\S+)"(?: srcset="(.*?)")?|loading.*', _as_set, still(found)).strip()
 
     def shot(found):
-        image = Image.open(html / "_images" / found[1])
-        return _sources(image, image.width, html, root)
+        return _sources((html / "_images" / found[1]).read_bytes(), None, html, root)
 
     return SHOT.sub(shot, STILL.sub(still, NARROW.sub(narrow, text)))
 
@@ -111,29 +110,42 @@ def _as_set(found):
     return f'srcset="{", ".join(filter(None, found.groups()))}"' if found[1] else ""
 
 
-def _sources(image, width, html, root):
-    """The attributes of a picture shown ``width`` pixels wide: a file for screens of one point to
-    the pixel, and the whole one for finer ones.
+def _sources(picture, width, html, root):
+    """The attributes of a picture shown ``width`` pixels wide, or in its own width: a file for
+    screens of one point to the pixel, and the whole one for finer ones.
     """
-    height = round(width * image.height / image.width)
-    size = f'width="{width}" height="{height}" loading="lazy" decoding="async"'
-    image = image.convert("RGB")
-    whole = root + _file(image, html)
-    if image.width <= width:
-        return f'src="{whole}" {size}'
-    plain = root + _file(image.resize((width, height), Image.Resampling.LANCZOS), html)
-    return f'src="{plain}" srcset="{whole} {image.width / width:.3g}x" {size}'
+    (across, up), (whole, *plain) = _files(picture, width)
+    for name, content in (whole, *plain):
+        (html / name).parent.mkdir(exist_ok=True)
+        (html / name).write_bytes(content)
+    width = width or across
+    size = f'width="{width}" height="{round(width * up / across)}" loading="lazy" decoding="async"'
+    if not plain:
+        return f'src="{root}{whole[0]}" {size}'
+    return f'src="{root}{plain[0][0]}" srcset="{root}{whole[0]} {across / width:.3g}x" {size}'
 
 
-def _file(image, html):
-    """A picture's file, by its content; in few colours, white among them."""
+@cache  # the class edition shows the same pictures
+def _files(picture, width):
+    """The size of a picture, and its files: the whole one, and a smaller one where it is shown
+    smaller.
+    """
+    image = Image.open(io.BytesIO(picture)).convert("RGB")
+    files = [_file(image)]
+    if width and width < image.width:
+        shown = width, round(width * image.height / image.width)
+        files.append(_file(image.resize(shown, Image.Resampling.LANCZOS)))
+    return image.size, files
+
+
+def _file(image):
+    """A picture's name, by its content, and its bytes; in few colours, white among them."""
     few = image.quantize(COLOURS, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     image = few.convert("RGB").point(lambda value: 255 if value >= NEARLY_WHITE else value)
-    name = f"_images/{hashlib.sha256(image.tobytes()).hexdigest()[:16]}.webp"
-    if not (html / name).exists():
-        (html / name).parent.mkdir(exist_ok=True)
-        image.save(html / name, lossless=True, method=4)
-    return name
+    content = io.BytesIO()
+    image.save(content, format="WEBP", lossless=True, method=4)
+    name = hashlib.sha256(image.tobytes()).hexdigest()[:16]
+    return f"_images/{name}.webp", content.getvalue()
 
 
 def _described(text, home):

@@ -249,11 +249,11 @@ def new_page(browser):
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
-    """The folder of the pages, built as ``make site`` does; the lessons as they were run for it
-    stand beside it, in ``executed``.
+    """The folder of the pages, built as ``make site`` does; beside it stand the lessons as they
+    were run for it, in ``executed``, and the class edition, in ``class``.
     """
     out = tmp_path_factory.mktemp("site")
-    build = [sys.executable, HERE.parent / "docs" / "build.py", out]
+    build = [sys.executable, HERE.parent / "docs" / "build.py", "--both", out]
     done = subprocess.run(build, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return out / "html"
