@@ -73,10 +73,11 @@ def address(site):
 
 
 @pytest.fixture(scope="module")
-def opened(new_page, address):
+def opened(browser, address):
     """Every page after loading: {name: (page, what went wrong while it loaded)}."""
     seen = {}
-    reader = new_page().context  # a page in a context of its own costs more than it holds
+    reader = browser.new_context()  # one for all: its own costs a page more than what it shows
+    reader.set_default_timeout(240_000)
     for name in PAGES:
         page, faults = reader.new_page(), []
         page.on(
