@@ -5,7 +5,10 @@ Built by ``docs/build.py``, which hands in pages whose cells have been run alrea
 """
 
 import sys
+from functools import cache
 from pathlib import Path
+
+from sphinx.search.en import SearchEnglish
 
 import dhlab
 
@@ -59,6 +62,8 @@ html_copy_source = False
 html_show_sourcelink = False
 html_show_copyright = False
 html_domain_indices = False
+
+SearchEnglish.stem = cache(SearchEnglish.stem)  # a word once, not once for each page
 
 
 def setup(app):
