@@ -4,6 +4,7 @@ noise against those put in.
 
 import numpy as np
 import pytest
+from draws import few
 
 from dhlab import Arm, DHTable, load
 from dhlab.measure import calibrate_offsets, fit_circles
@@ -159,7 +160,7 @@ def test_every_table_draws_a_circle_but_a_coupled_joint_does_not():
 def test_standard_deviations_of_circles_are_honest():
     q, model, noise = np.vstack([sweep(2, 30), sweep(3, 15, 0, 0.8)]), article(), 1e-4
     points, scores = model.forward(q)[:, :3, 3], []
-    for _ in range(150):
+    for _ in few(range(150), 75):
         for given in (noise, None):
             report = fit_circles(
                 q, points + noise * rng.normal(size=points.shape), model, noise=given

@@ -74,7 +74,7 @@ def test_steps_multiply_up_to_the_link_matrix(convention):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", few(robots(), 20))
+@pytest.mark.parametrize("name", few(robots(), 10))
 def test_product_of_every_arm_of_the_library(name):
     arm = load(name)
     assert worst(symbolic.product(arm), arm) < 1e-12

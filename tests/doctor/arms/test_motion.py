@@ -3,12 +3,11 @@ section 2.
 """
 
 import json
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from terminal import dhlab
 
 import dhlab as dh
 from dhlab.doctor.arms.motion import diagnose_motion
@@ -232,25 +231,9 @@ def test_the_command_line(tmp_path):
         "q1,q2,q3,q4,q5,q6,x,y,z\n"
         + "\n".join(",".join(repr(float(v)) for v in row) for row in rows)
     )
-    command = [
-        sys.executable,
-        "-m",
-        "dhlab",
-        "doctor",
-        str(tmp_path / "wrong.yaml"),
-        str(tmp_path / "sweeps.csv"),
-        "--motion",
-        "--units",
-        "mm,deg",
-    ]
-    plain = subprocess.run(command, capture_output=True, text=True, encoding="utf-8")
+    files = tmp_path / "wrong.yaml", tmp_path / "sweeps.csv"
+    command = ["doctor", *files, "--motion", "--units", "mm,deg"]
+    plain = dhlab(*command)
     assert plain.returncode == 0 and "row 2, a" in plain.stdout and "proves nothing" in plain.stdout
-    answer = json.loads(
-        subprocess.run(
-            [*command, "--json", "--noise", "0.1mm"],
-            capture_output=True,
-            text=True,
-            encoding="utf-8",
-        ).stdout
-    )
+    answer = json.loads(dhlab(*command, "--json", "--noise", "0.1mm").stdout)
     assert answer["verdict"] == "explained" and answer["findings"][0]["parameter"] == "a"

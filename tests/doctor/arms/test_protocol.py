@@ -3,11 +3,10 @@ there.
 """
 
 import json
-import subprocess
-import sys
 
 import numpy as np
 import pytest
+from terminal import dhlab
 
 import dhlab as dh
 from dhlab.doctor import diagnose
@@ -136,12 +135,7 @@ def test_what_cannot_be_is_refused(arguments, words):
 @pytest.mark.slow
 def test_the_command_line(tmp_path):
     def doctor(*arguments):
-        return subprocess.run(
-            [sys.executable, "-m", "dhlab", "doctor", *arguments],
-            capture_output=True,
-            text=True,
-            encoding="utf-8",
-        )
+        return dhlab("doctor", *arguments)
 
     sheet = str(tmp_path / "sheet.csv")
     answer = doctor("ur5e", "--protocol", "--sheet", sheet)

@@ -67,7 +67,7 @@ def test_one_bad_measurement_is_pointed_out(wrong):
 
 @pytest.mark.slow
 def test_what_is_right_all_the_same_is_said():
-    """Whatever is tried before: two seconds are as good as ten."""
+    """Whatever is tried before: a second is as good as ten."""
     right = dh.load("ur5e")
     q = general(right, 12, 1)
     T = noisy(right.forward(q), np.random.default_rng(2))
@@ -75,24 +75,24 @@ def test_what_is_right_all_the_same_is_said():
     assert (
         "rotation is right at every pose"
         in diagnose(
-            dh.Arm(dh.DHTable.standard(lengths, angle="rad")), q, T, noise=NOISE, budget=2
+            dh.Arm(dh.DHTable.standard(lengths, angle="rad")), q, T, noise=NOISE, budget=1
         ).notes[-1]
     )
     scrambled = T.copy()
     scrambled[:, :3, :3] = Rotation.random(12, random_state=np.random.RandomState(3)).as_matrix()
     assert (
         "position is right at every pose"
-        in diagnose(right, q, scrambled, noise=NOISE, budget=2).notes[-1]
+        in diagnose(right, q, scrambled, noise=NOISE, budget=1).notes[-1]
     )
     louder = noisy(right.forward(q), np.random.default_rng(2), (3e-3, 3 * NOISE[1]))
-    assert "times the noise" in diagnose(right, q, louder, noise=NOISE, budget=2).notes[-1]
+    assert "times the noise" in diagnose(right, q, louder, noise=NOISE, budget=1).notes[-1]
     both = (
         from_xyz_rpy([0.1, 0.2, 0.3], [0.1, 1.0, -0.4])
         @ T
         @ from_xyz_rpy([0.02, 0, 0.1], [0.5, 0.1, 0.2])
     )
     assert "another base and another tool" in " ".join(
-        diagnose(right, q, both, noise=NOISE, budget=2).notes
+        diagnose(right, q, both, noise=NOISE, budget=1).notes
     )
 
 
