@@ -58,7 +58,8 @@ def _turn_of_positions(L, ends, axis, data):
         c, s = np.cos(GRID)[:, None], np.sin(GRID)[:, None]
         turned_v = np.broadcast_to(v, (len(GRID), *v.shape)).copy()
         turned_v[..., j], turned_v[..., k] = c * v[:, j] - s * v[:, k], s * v[:, j] + c * v[:, k]
-        left = carried(np.einsum("mij,gmj->gmi", L[:, :3, :3], turned_v) + L[:, :3, 3], data.p)
+        around = np.swapaxes(turned_v, 0, 1) @ np.swapaxes(L[:, :3, :3], 1, 2)
+        left = carried(np.swapaxes(around, 0, 1) + L[:, :3, 3], data.p)
         return GRID[np.argmin(left)], left.min() / data.noise[0] ** 2
     w = np.einsum("mij,mi->mj", L[:, :3, :3], data.p - L[:, :3, 3])
     s, c = (

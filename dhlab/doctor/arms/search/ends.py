@@ -71,9 +71,10 @@ def _nearer(T, points, p):
     ways, J, off = _ways(T, points), [], []
     for n in (1, 2):
         apart = ways - np.roll(ways, n, 1)
-        J.append(2 * apart[:, :, None] @ (T[:, :3, :3] - np.roll(T[:, :3, :3], n, 0)))
+        turned = T[:, :3, :3] - np.roll(T[:, :3, :3], n, 0)
+        J.append(2 * np.swapaxes(np.swapaxes(apart, 0, 1) @ turned, 0, 1))
         off.append((apart**2).sum(-1) - ((p - np.roll(p, n, 0)) ** 2).sum(-1))
-    J, off = np.concatenate(J, 1)[:, :, 0], np.concatenate(off, 1)
+    J, off = np.concatenate(J, 1), np.concatenate(off, 1)
     H = np.swapaxes(J, 1, 2) @ J
     damping = np.maximum(DAMPING * np.trace(H, axis1=1, axis2=2), np.finfo(float).tiny)
     H += damping[:, None, None] * np.eye(3)
@@ -82,7 +83,7 @@ def _nearer(T, points, p):
 
 def _ways(T, points):
     """Where the arm takes each tool point: (k, m, 3)."""
-    return T[:, :3, 3] + np.einsum("mij,kj->kmi", T[:, :3, :3], points)
+    return T[:, :3, 3] + np.swapaxes(points @ np.swapaxes(T[:, :3, :3], 1, 2), 0, 1)
 
 
 def _kabsch(points, targets):
