@@ -14,7 +14,7 @@ TABLES = [key for key, e in ALL.items() if isinstance(e, Table)]
 VECTORS = [
     key
     for key, e in ALL.items()
-    if isinstance(e, Value) and np.ndim(e.answer(**e.given(1))) == 1 and e.entries
+    if isinstance(e, Value) and e.entries and np.ndim(e.answer(**e.given(1))) == 1
 ]
 TURNS = np.array([180 / np.pi, 1, 1, 180 / np.pi])
 

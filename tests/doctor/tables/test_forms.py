@@ -10,7 +10,9 @@ import yaml
 
 import dhlab as dh
 
-FORMS = yaml.safe_load(Path(__file__).with_name("forms.yaml").read_text(encoding="utf-8"))
+# by libyaml where it is there: every process of a run reads it
+LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+FORMS = yaml.load(Path(__file__).with_name("forms.yaml").read_text(encoding="utf-8"), LOADER)
 MARKS = list("()[]{},;:=|&\\\n\t 0123456789.-+*/°πθα'\"#%<>q")
 
 
