@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...rotations import skew
+
 __all__ = ["Chain", "Around", "about"]
 
 
@@ -93,7 +95,7 @@ def about(p, z, letter, q):
     if letter == "P":
         T[:, :3, 3] = q[:, None] * z
         return T
-    K = np.cross(np.eye(3), z)  # K v = z × v
+    K = skew(z)
     s, c = np.sin(q)[:, None, None], np.cos(q)[:, None, None]
     R = np.eye(3) + s * K + (1 - c) * (K @ K)
     T[:, :3, :3] = R

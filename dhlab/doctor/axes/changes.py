@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ...geometry.lines import across, unit
+from ...rotations import from_rotation_vectors, skew
 
 __all__ = ["Change", "changes_of_axis", "changes_of_end"]
 
@@ -137,7 +137,7 @@ def _moved(chain, x):
 
 def _turned(chain, x):
     end = chain.end.copy()
-    end[:3, :3] = end[:3, :3] @ Rotation.from_rotvec(x).as_matrix()
+    end[:3, :3] = end[:3, :3] @ from_rotation_vectors(x)
     return type(chain)(chain.p, chain.z, chain.letters, end, chain.zero)
 
 
@@ -189,12 +189,12 @@ def _exchanged(v, k):
 def _sideways(z):
     """Two unit vectors (2, 3) across z; along axes of the base where that is possible."""
     x = unit(across(np.eye(3)[np.argmin(abs(z))], z))
-    return np.array([x, np.cross(z, x)])
+    return np.array([x, skew(z) @ x])
 
 
 def _tilted(z, x):
     """z turned by the rotation vector x @ sideways."""
-    return Rotation.from_rotvec(np.asarray(x) @ _sideways(z)).apply(z)
+    return from_rotation_vectors(np.asarray(x) @ _sideways(z)) @ z
 
 
 def _tilt_to(z, w):
