@@ -107,7 +107,7 @@ def _can_be(arm):
     if shapes is not None:
         near = np.abs(shapes - unsigned(arm)).max(axis=1) < 2 * max(ROUNDED)
         known = [known[k] for k in np.flatnonzero(near)]
-    names = {}
+    names: dict[str, list[str]] = {}
     for key, name in known:
         names.setdefault(key, []).append(name)
     return names
