@@ -3,6 +3,7 @@ there.
 """
 
 import json
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,6 +15,12 @@ from dhlab.doctor.arms.protocol import protocol
 from dhlab.doctor.mistakes.faults import faults
 from dhlab.formats.posefile import read_poses
 from dhlab.transform import rot_x, trans
+
+
+@cache
+def planned(name):
+    """The protocol of an arm of the library, worked out once for all tests."""
+    return protocol(dh.load(name))
 
 
 @pytest.mark.slow
@@ -42,8 +49,7 @@ def test_what_the_poses_show(name):
     """Every mistake that moves the point by 5 cm somewhere moves it by what is promised at one of
     the poses.
     """
-    arm = dh.load(name)
-    plan = protocol(arm)
+    arm, plan = dh.load(name), planned(name)
     anywhere = np.random.default_rng(1).uniform(-2, 2, (50, 6))
     for fault in faults(arm):
         far = np.linalg.norm(
@@ -56,8 +62,7 @@ def test_what_the_poses_show(name):
 
 
 def test_a_point_on_the_last_axis_is_said_and_a_pointer_helps():
-    arm = dh.load("ur5e")
-    plan = protocol(arm)
+    arm, plan = dh.load("ur5e"), planned("ur5e")
     assert (
         plan.still == (6,)
         and plan.hidden == ("theta6", "alpha6")
@@ -111,9 +116,8 @@ def test_odd_arms():
 
 
 def test_the_same_poses_every_time_and_plain_values():
-    arm = dh.load("ur5e")
-    plan = protocol(arm)
-    assert np.array_equal(plan.q, protocol(arm).q) and json.loads(json.dumps(plan.to_dict()))[
+    plan = protocol(dh.load("ur5e"))
+    assert np.array_equal(plan.q, planned("ur5e").q) and json.loads(json.dumps(plan.to_dict()))[
         "hidden"
     ] == ["theta6", "alpha6"]
 
