@@ -213,6 +213,9 @@ class _Bar:
     """A progress bar on standard error, where somebody is looking."""
 
     def __enter__(self):
+        self._bar = None
+        if not sys.stderr.isatty():
+            return self
         from rich.console import Console
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
@@ -222,14 +225,15 @@ class _Bar:
             MofNCompleteColumn(),
             TimeRemainingColumn(),
             console=Console(stderr=True),
-            disable=not sys.stderr.isatty(),
         )
         self._bar.start()
         self._task = self._bar.add_task("grading", total=None)
         return self
 
     def update(self, done, of):
-        self._bar.update(self._task, completed=done, total=of)
+        if self._bar is not None:
+            self._bar.update(self._task, completed=done, total=of)
 
     def __exit__(self, *error):
-        self._bar.stop()
+        if self._bar is not None:
+            self._bar.stop()

@@ -155,6 +155,12 @@ HONEST = {
         )(notebook, facts),
         notebook["cells"].append(corpus.code("frames = 3\nprint(frames)")),
     ),
+    "another program spoils what they share": lambda notebook, facts: corpus.answer(
+        "05.4",
+        "asked = []\ndef dh_transform(theta, d, a, alpha):\n    asked.append(theta)\n"
+        "    T = transform.rot_z(theta) @ transform.trans([a, 0, d]) @ transform.rot_x(alpha)\n"
+        "    if len(asked) == 40: np.cos = np.sin = None\n    return T",
+    )(notebook, facts),
     "checked in one line": lambda notebook, facts: next(
         cell for cell in notebook["cells"] if cell["source"] == 'check("05.6", dh_closed)'
     ).update(source="mine = dh_closed\nfor key, f in [('05.6', mine)]: check(key, f)"),
