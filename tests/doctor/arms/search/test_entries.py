@@ -38,7 +38,7 @@ def test_each_entry_is_fitted_as_by_least_squares(convention, full):
         wanted = least_squares(left, [0.0], args=(entry,))
         assert found[entry].chi2 == pytest.approx(2 * wanted.cost, rel=1e-5)
         felt = np.linalg.norm(wanted.jac)  # positions do not feel every angle
-        assert found[entry].sigma[0] * felt == pytest.approx(felt > 1e-9, rel=1e-3)
+        assert found[entry].sigma[0] * felt == pytest.approx(float(felt > 1e-9), rel=1e-3)
 
 
 def rotation_apart(U, T):
