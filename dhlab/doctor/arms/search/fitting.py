@@ -64,10 +64,12 @@ def misfit(arm, data):
     enough to see that a fit is hopeless.
     """
     placed = place_ends(arm, data)
-    chi2 = float((data.residual(placed.forward(data.q)) ** 2).sum())
+    r = data.residual(placed.forward(data.q))
+    chi2 = float((r**2).sum())
     ends = data.base_free + data.tool_free
     if ends == 0 or (ends == 1 and (data.R is None or chi2 > hopeless(data))):
-        return Fit(placed, chi2, ends * (3 if data.R is None and data.tool_free else 6))
+        fitted = ends * (3 if data.R is None and data.tool_free else 6)
+        return Fit(placed, chi2, fitted, left=data.left_by(r))
     flat = ends == 2 and len(data.q) <= FLAT
     return fit(placed, data, (), steps=100 if flat else 15)
 
