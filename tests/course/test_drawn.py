@@ -12,13 +12,13 @@ from dhlab.course import session
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Table, Value
 from dhlab.course.kinds.frames.placed import Frames
-from dhlab.course.kinds.tabled.repaired import Impostor
+from dhlab.course.kinds.tabled.repaired import Impostor, Repair
 from dhlab.view.pictures import tried as module
 
 TABLES = [
     key
     for key, one in exercises().items()
-    if isinstance(one, Table) and not isinstance(one, Impostor)
+    if isinstance(one, Table) and not isinstance(one, (Impostor, Repair))
 ]
 POSES = [key for key, one in exercises().items() if isinstance(one, Value) and one.units == "pose"]
 

@@ -122,6 +122,30 @@ def test_the_place_of_a_single_change_is_told(key):
     assert "right before you changed it" in verdict.headline and verdict.place == "row 2, a"
 
 
+@pytest.mark.parametrize("key", REPAIRS)
+def test_a_zero_with_another_sign_is_told_and_nothing_is_drawn(key):
+    rows = np.array(EX[key].given(0)["rows"])
+    rows[5, 3] *= -1
+    for answer in (rows, rows.tolist()):
+        verdict = EX[key].judge(answer, 0)
+        assert verdict.status == "wrong" and "row 6, α is 0" in verdict.headline
+    rows[4, 3] += 10
+    assert EX[key].judge(rows, 0).status == "wrong" and EX[key].drawn(rows, 0) is None
+
+
+def test_the_circles_say_that_it_is_not_theta_4():
+    story, phases = EX["07.6"].given(0), []
+    for theta_4 in (0, 180):
+        rows = np.array(story["rows"])
+        rows[3, 0] = theta_4
+        arm = dh.Arm(dh.DHTable.standard(rows, angle="deg"))
+        circles = dh.fit_circles(story["sweeps"], story["points"], arm).circles
+        phases.append(abs(np.rad2deg(circles[3].differs["phase"][0])))
+        heights = circles[3].differs["height"][0]
+    assert phases == pytest.approx([0, 180], abs=2) and heights > 0.1
+    assert "turns the arc of joint 4" in EX["07.6"].judge(rows, 0).headline
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("variant", variants(12))
 def test_the_tasks_can_be_solved_by_hand_and_by_the_doctor(variant):
@@ -218,8 +242,14 @@ def test_what_is_no_impostor_fails_and_is_named():
     assert seen >= 20 and named == seen
     slid = np.array(CRANE)
     slid[1, 1], slid[2, 1] = 0.1, 0
-    for same_arm in (flipped(CRANE, 1), slid, whole_turns(CRANE)):
-        assert exercise.judge(same_arm).mistake == "table-taken-as-unique"
+    for same_arm, why in (
+        (flipped(CRANE, 1), "x2 flipped"),
+        (slid, "slid 0.1 m along"),
+        (whole_turns(CRANE), "whole turns"),
+    ):
+        said = exercise.judge(same_arm)
+        assert said.mistake == "table-taken-as-unique" and why in said.why
+    assert "millimetres" in exercise.judge(np.array(CRANE) * [1, 1000, 1000, 1]).headline
     assert exercise.judge(CRANE).status == "not attempted"
     assert "found 2" in str(exercise.judge(CRANE[:2]))
 

@@ -29,6 +29,7 @@ __all__ = [
     "explain_match",
     "offsets_of",
     "story",
+    "turned_by_theta",
     "two_sources",
     "wrong_offsets",
 ]
@@ -144,6 +145,21 @@ def story(rng: np.random.Generator) -> dict[str, Any]:
         "sweeps": sweeps,
         "points": _points(rng, real, sweeps, COARSE),
     }
+
+
+def turned_by_theta(rows: NDArray, **log: Any) -> Mistakes:
+    """θ4 in place of α4: it brings axis 5 to its place, too."""
+    turned = rows.copy()
+    turned[3, 0] = 180
+    yield (
+        "offset-value",
+        Said(
+            "θ4 brings the axis of joint 5 to its place, too, but turns the arc of joint 4 by 180°",
+            why="About that joint's axis, the arc was right as it was handed out.",
+            next="Put θ4 back. Which other number of row 4 tilts the axis of joint 5?",
+        ),
+        turned,
+    )
 
 
 def draw_offsets(rng: np.random.Generator) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from .answers07 import (
     explain_match,
     offsets_of,
     story,
+    turned_by_theta,
     two_sources,
     wrong_offsets,
 )
@@ -84,15 +85,16 @@ EXERCISES = [
         title="Three tables, one joint moved",
         question="Which table draws no arc?",
         options={
-            "reversed": "the one with the reversed axis",
+            "reversed": "the one that missed the cup",
             "random": "the random one",
-            "both": "both the reversed and the random one",
+            "both": "both the one that missed the cup and the random one",
             "none": "all three draw an arc",
         },
         correct="none",
         outcome=(
             "all three draw exact circles. What stands before the joint and what stands behind it"
-            " are constant while only this joint turns, whatever the table says."
+            " are constant while only this joint turns, whatever the table says:"
+            " T = L · Rz(θ5) · M."
         ),
     ),
     Choice(
@@ -128,8 +130,8 @@ EXERCISES = [
             ),
             "nothing": Option(
                 "nothing at all",
-                "It does prove something about the arm: a coupled joint or play would have left the"
-                " circle.",
+                "A test that can fail tells something when it passes. What would take the points"
+                " off the circle?",
                 "joints-coupled",
             ),
         },
@@ -140,6 +142,7 @@ EXERCISES = [
         points=3,
         answer=lambda **log: article(),
         draw=story,
+        mistakes=turned_by_theta,
         nearly="You are nearly there: the angle that is meant is a multiple of 90°.",
         handed_out=lambda rows, **log: rows,
         praise="That was it: z4, drawn with its arrow on the wrong side. Two days.",
@@ -149,8 +152,9 @@ EXERCISES = [
                 " direction? Which is the first whose axis is not?"
             ),
             (
-                "The row between the two axes is to blame, and of its four numbers the one that"
-                " says how the next z axis is tilted."
+                "Row i makes the axis of joint i + 1. Of the four numbers of the guilty row, look"
+                " for the one that tilts this axis and leaves the arc of joint i where it is about its"
+                " own axis."
             ),
         ),
     ),
@@ -165,8 +169,8 @@ EXERCISES = [
         praise="A Puma 560, repaired from six circles.",
         hints=(
             (
-                "Which is the last axis that is neither turned nor shifted? Its row comes before"
-                " the first axis that is."
+                "Which is the first axis that is turned or shifted? Row i makes the axis of joint"
+                " i + 1."
             ),
             (
                 "A lost sign changes a number by twice its size. So what is 180° off was an α of"

@@ -76,10 +76,10 @@ def tried(
         f"Your frames beside {axes}. Marked is what does not fit: {told}.",
         ("frame", "origin (m)", "x axis", "z axis"),
         [_row(_title(name), part) for name, part in frames.items()],
-        "What you placed",
+        "Your frames",
         scene.named(),
     )
-    picture.summary = "What you placed, as a table"
+    picture.summary = "Your frames, as a table"
     return picture
 
 

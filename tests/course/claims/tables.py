@@ -752,7 +752,25 @@ def _right_entry(answer, g, f):
     return changed == _places(f["places"]) and abs(broken[changed[0]] - right[changed[0]]) > 1e-6
 
 
+def _turns_the_arc(answer, g, f):
+    """Axis 5 stands where it must; seen in frame 3, the end is half a turn of joint 4 further."""
+    rows, right = (degrees_of(arm) for arm in arm_of(answer, g))
+    q = np.degrees(some_q(6)[0])
+    fifth = [walk(one[:4], q[:4]) for one in (rows, right)]
+    before = np.linalg.inv(walk(right[:3], q[:3]))
+    turned, asked = (
+        np.arctan2(p[1], p[0]) for p in (before @ walk(x, q)[:, 3] for x in (rows, right))
+    )
+    half = np.isclose(abs(turned - asked), np.pi, atol=1e-6)
+    return np.allclose(*(T[:3, 2:] for T in fifth), atol=1e-6) and bool(half)
+
+
 REPAIR = [
+    (
+        r"(?P<place>row \d, .) is 0, and 0 has no sign to lose",
+        lambda a, g, f: np.array(a, dtype=float)[_places(f["place"])[0]] == 0,
+    ),
+    (r"θ4 brings the axis of joint 5 to its place, too, but turns the arc .+", _turns_the_arc),
     (
         r"(?P<count>\d+) entries are changed, and one change is enough @"
         r" (?P<places>.+) (?:was|were) right before",

@@ -55,6 +55,8 @@ TASKS = [
     (r"The log says that the encoder counts down where q2 grows\.", ("09.10",)),
     (r"A joint with a stop does not turn round: .+", ("09.10",)),
     (r"4096 counts are a whole turn\.", ("09.10",)),
+    (r"Row (?:i|\d) makes the axis of joint (?:i \+ 1|\d)\.", ("07.3", "07.6", "07.8")),
+    (r"About that joint's axis, the arc was right as it was handed out\.", ("07.6",)),
     (r"In Craig's table row 2 leads from axis 1 to axis 2\.", ("09.7",)),
 ]  # fmt: skip
 OF_FRAMES = [  # rules of placing, which tests/placing tries on boards

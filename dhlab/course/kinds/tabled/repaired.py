@@ -10,8 +10,10 @@ import numpy as np
 
 from ....arm import Arm
 from ....doctor import explain_rows
+from ....geometry.equivalence import equivalent
 from ...verdict import RIGHT, Verdict
 from .. import Said, Table, as_arm
+from ..reading import Unreadable, plain
 from .arms import SAME, apart, in_table_units, size
 
 __all__ = ["Repair", "Impostor"]
@@ -30,8 +32,31 @@ class Repair(Table):
     handed_out: Callable
     nearly: str
 
+    def drawn(self, answer: Any, variant: int = 0) -> Any:
+        return None  # the first axis that does not fit is what is asked for
+
+    def unchanged(self, answer: Any, variant: int) -> Verdict:
+        """The Verdict on the table that was handed out; on one in which a 0 was negated."""
+        try:
+            rows = plain(answer)
+        except Unreadable:
+            return super().unchanged(answer, variant)
+        negated = np.argwhere(np.signbit(rows) & (rows == 0))
+        if not len(negated):
+            return super().unchanged(answer, variant)
+        i, k = negated[0]
+        return self.wrong(
+            headline=f"row {i + 1}, {COLUMNS[k]} is 0, and 0 has no sign to lose",
+            next=f"Row {i + 1} makes the axis of joint {i + 2}."
+            if i + 1 < len(rows)
+            else "Row i makes the axis of joint i + 1.",
+        )
+
     def _explained(self, arm, right, q, variant):
         """The Verdict on another arm: which of the changed entries were right before."""
+        known = self.known(arm, q, variant)
+        if known:
+            return known
         broken = as_arm(self.handed_out(**self.given(variant)), right).table
         table = arm.table
         same_kind = (table.convention, table.joints) == (broken.convention, broken.joints)
@@ -98,6 +123,9 @@ class Impostor(Table):
         q = self.poses_at(variant)
         seen, hidden = apart(arm, right, 0 * q[:1]), apart(arm, right, q)
         if max(seen) > SAME:
+            unit = in_table_units(arm, right, 0 * q)
+            if unit:
+                return self.told(*unit)
             finding = explain_rows(arm, right, q)
             return self.wrong(
                 finding and finding.mistake,
@@ -107,13 +135,24 @@ class Impostor(Table):
                 ),
             )
         if max(hidden) < SAME:
-            return self.wrong(
+            return self.told(
                 "table-taken-as-unique",
-                headline="this table passes because it is right: it is the same arm at every q",
-                next="Change a number so that the arm is another one.",
+                Said(
+                    "this table passes because it is right: it is the same arm at every q",
+                    why=_what_is_free(arm, right),
+                    next="Change a number so that the arm is another one.",
+                ),
             )
         return self.say(
             RIGHT,
             f"{self.praise} At q = 0 it cannot be told from the right table; at general q it is up"
             f" to {size(hidden)} off.",
         )
+
+
+def _what_is_free(arm, right):
+    """In what two tables of one arm differ, in words."""
+    choices = "; ".join(choice.message for choice in equivalent(right, arm).differences)
+    if not choices:
+        return "All that differs is whole turns, which change nothing."
+    return f"All that differs is free in a table: {choices}."

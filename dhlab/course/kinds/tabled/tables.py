@@ -15,7 +15,7 @@ from ....doctor.finding import Finding
 from ....geometry.equivalence import equivalent
 from ....printing import listed as joined
 from ....table import DHTable
-from ...verdict import RIGHT, Verdict
+from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from ..drawn import drawn_table
 from ..exercise import Exercise, Said, listed, no_draw, untouched
 from ..functions import CASES
@@ -73,7 +73,17 @@ class Table(Exercise):
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         answer = listed(answer)
-        return super().judge(None if self._unchanged(answer, variant) else answer, variant)
+        if self._unchanged(answer, variant):
+            return self.unchanged(answer, variant)
+        return super().judge(answer, variant)
+
+    def unchanged(self, answer: Any, variant: int) -> Verdict:
+        """The Verdict on the table that was handed out."""
+        return self.say(
+            NOT_ATTEMPTED,
+            "this is the table as it was handed out",
+            next="Change it in the cell above, run that cell, then run this one again.",
+        )
 
     def gaps(self, answer: Any) -> list[str]:
         rows = answer if isinstance(answer, (list, tuple)) else []

@@ -22,6 +22,34 @@ def z4_turned_round(g):
     return wrong_entries(g) == [(3, 3)] and np.isclose(abs(g["rows"] - g["right"]).max(), 180)
 
 
+def axis_of(rows, joint):
+    """Point and direction of a joint's axis, counted from 1, at Q."""
+    T = walk(rows[: joint - 1], Q[: joint - 1])
+    return np.concatenate([T[:3, 3], T[:3, 2]])
+
+
+def row_makes_the_next_axis():
+    """Another row i leaves the axes up to joint i in place, and moves that of joint i + 1."""
+    for i in range(1, 6):
+        rows = np.array(ARTICLE, dtype=float)
+        rows[i - 1] += [10, 0.1, 0.1, 20]
+        left = [near(axis_of(rows, k), axis_of(ARTICLE, k)) for k in range(1, i + 2)]
+        if left != [True] * i + [False]:
+            return False
+    return True
+
+
+def tilts_and_leaves(k):
+    """Whether number k of row 4 tilts axis 5 and leaves joint 4's arc where it is about its axis:
+    seen in frame 3, the angle at which the end stands.
+    """
+    before, other = np.linalg.inv(walk(ARTICLE[:3], Q[:3])), np.array(ARTICLE, dtype=float)
+    other[3, k] += 180
+    ends = [before @ walk(rows, Q) for rows in (ARTICLE, other)]
+    angles = [np.arctan2(T[1, 3], T[0, 3]) for T in ends]
+    return not near(axis_of(other, 5), axis_of(ARTICLE, 5)) and bool(np.isclose(*angles))
+
+
 def lost_a_sign(g):
     """One number is the right one with the other sign: an α of 90° either way, a d or an a."""
     ((i, k),) = wrong_entries(g)
@@ -103,14 +131,17 @@ SAID = {
     "07.6": {
         "That was it: z4": z4_turned_round,
         "Two days": STORY,
-        "The row between the two axes": z4_turned_round,
+        "Row i makes the axis of joint i + 1": always(row_makes_the_next_axis),
+        "Of the four numbers of the guilty row": always(
+            lambda: tilts_and_leaves(3) and not tilts_and_leaves(0)
+        ),
     },
     "07.8": {
         "A Puma 560, repaired from six circles": lambda g: all(
             near((walk(g["right"], q) @ g["pen"])[:3, 3], p, by=0.01)
             for q, p in zip(np.degrees(g["sweeps"]), g["points"])
         ),
-        "Its row comes before the first axis": DO,
+        "Row i makes the axis of joint i + 1": always(row_makes_the_next_axis),
         "A lost sign changes a number by twice": lost_a_sign,
         "So what is 180° off was an α": lost_a_sign,
     },
