@@ -213,7 +213,7 @@ def course_map(lesson: str = "") -> Map:
     Examples
     --------
     >>> course_map("05").to_dict()["05"].of  # exercises of its core
-    7
+    6
     """
     if lesson and lesson not in SITTINGS:
         raise ValueError(

@@ -275,8 +275,8 @@ def test_cells_run_as_in_jupyter():
 def test_only_one_exercise_runs_no_further_than_its_check():
     cells = notebook.read(json.dumps(corpus.solved()).encode(), handed_out_checks())
     assert cells.lesson == "05" and not cells.unplaced
-    assert "05.2" in cells.code[cells.last_for(["05.2"])].ids and cells.last_for([]) is None
-    assert cells.last_for(["05.2"]) < cells.last_for(["05.9"]) < len(cells.code)
+    assert "05.3" in cells.code[cells.last_for(["05.3"])].ids and cells.last_for([]) is None
+    assert cells.last_for(["05.3"]) < cells.last_for(["05.9"]) < len(cells.code)
 
 
 def test_a_level_that_does_not_work_is_said(monkeypatch):

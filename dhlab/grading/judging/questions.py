@@ -69,7 +69,7 @@ def scored(lessons: Collection[str]) -> list[Exercise]:
     Examples
     --------
     >>> [exercise.id for exercise in scored(("05",))][:3]
-    ['05.1', '05.2', '05.3']
+    ['05.1', '05.3', '05.4']
     """
     return [
         e

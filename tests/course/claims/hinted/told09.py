@@ -71,6 +71,7 @@ SAID = {
     "09.2": {
         "Six lines and an end": always(wrist_of_ar4),
         "The lines of joints 4, 5 and 6": always(wrist_of_ar4),
+        "The right thumb along the line": DO,
     },
     "09.5": {
         "The third column": lambda g: near(g["right"], g["T"][:3, 2]),
