@@ -102,7 +102,8 @@ COLUMNS = "theta", "d", "a", "alpha"
 KINDS = {"R": "revolute", "P": "prismatic", "fixed": "fixed"}
 WAIVED = {  # what of a note makes taking as right as asking
     "convention": r"(?:standard|craig|convention)[^.]*(?:right|acceptable)",
-    "length units": r"(?:metres?|mm|length)[^.]*(?:obvious|right|plainly|may be taken)",
+    "length units": r"(?:metres?|mm|length)[^.]*(?:obvious|right|plainly|may be taken)"
+    r"|plainly (?:metres|mm)",
 }
 SCALES = 1e-3, 1e-2, 0.0254, 1.0
 
@@ -116,7 +117,7 @@ def in_one_form(case):
         {"theta_offset": row["theta"], "d": row["d"], "a": row["a"], "alpha": row["alpha"],
          "joint": KINDS[row["joint"]], "sign": sign}
         for row, sign in zip(case["rows"], signs)
-        if not any(isinstance(row[name], str) for name in COLUMNS)  # letters without values
+        if all(isinstance(row[name], int | float) for name in COLUMNS)  # letters have no values
     ]  # fmt: skip
     left = [{"length": "length units", "order": "column order"}.get(w, w) for w in case["unknown"]]
     note = case.get("note") or ""
