@@ -541,3 +541,32 @@ def test_the_lines_of_a_column_make_the_column():
         found = column(lines)
         good = found is not None and np.allclose(found, right, atol=1e-6)
         assert (exercise.judge(list(lines)).status == "right") == good, lines
+
+
+BENT_END = elementary_pose(ARM.table, np.deg2rad([0, 40, -60, 50, 40, 0]))[:3, 3]
+
+
+@pytest.mark.parametrize("key", ["08.2", "08.11"])
+@pytest.mark.parametrize(
+    "end, said",
+    [
+        (lambda frames, T: BENT_END, "p is not among the arguments: it is the end at bent"),
+        (lambda frames, T: T[3, :3], "p is 0"),
+        (lambda frames, T: T[:3, 2], "T_end[:3, 2]"),
+        (lambda frames, T: frames[0][:3, 3], "frames[0], which is frames[-6]"),
+        (lambda frames, T: frames[-2][:3, 3], "frames[4], which is frames[-2]"),
+    ],
+)
+def test_a_lever_to_another_point_is_told_which(key, end, said):
+    def jacobian(frames, T_end, sliding):
+        columns = []
+        for frame, slides in zip(frames, sliding):
+            z, o = frame[:3, 2], frame[:3, 3]
+            v = z if slides else np.cross(z, end(frames, T_end) - o)
+            columns.append([*v, *(0 * z if slides else z)])
+        return np.array(columns).T
+
+    verdict = LESSON[key].judge(jacobian)
+    assert verdict.status == "wrong" and said in verdict.place
+    if verdict.sparing:
+        assert verdict.at_try(1).place == "" and verdict.at_try(2).place

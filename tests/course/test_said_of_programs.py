@@ -120,7 +120,7 @@ JACOBIANS = [  # (exercise, program, what must be said, what must not)
     ("08.2", jacobian(right_column, as_rows), ".T does", "differ"),
     ("08.2", jacobian(right_column, lambda c: np.rad2deg(c).T), "in degrees", "differ"),
     ("08.2", jacobian(right_column, lambda c: np.array(c[:1]).T), "return inside", "Print"),
-    ("08.2", jacobian(column_with_z_for_o), "or z in its place", "end alone, o was"),
+    ("08.2", jacobian(column_with_z_for_o), "or z or a row in its place", "end alone, o was"),
     ("08.2", jacobian(column_by_dot), "np.cross gives three", "count"),
     ("08.2", jacobian(column_about_its_own_z), "z is 0 0 1 for every joint", "another frame"),
     ("08.11", jacobian(column_without_o), "o was not taken off", "pen"),

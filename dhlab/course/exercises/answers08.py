@@ -30,7 +30,8 @@ __all__ = [
 ]
 
 PEN = Said(
-    "the lever does not run to the tip of the pen: ω is right, v is not",
+    "the lever does not run to the tip of the pen",
+    place="v, while ω is right",
     next="Which of the inputs knows of the pen: frames or T_end?",
 )
 OF_THE_AXIS = {  # where the catalogue's title is not the learner's slip, or no sentence
@@ -95,6 +96,11 @@ def wrong_columns(q: list[float]) -> Mistakes:
     J = geometric_jacobian(*seen)
     yield "joint-index-off-by-one", "this is column 2", J[:, 1]
     yield "joint-index-off-by-one", "this is column 4", J[:, 3]
+    yield (
+        "columns-misread",
+        Said("this is row 3 of J", next="J[row, column]: which of the two says which joint?"),
+        J[2],
+    )
     z, o, p = frames[2, :3, 2], frames[2, :3, 3], T_end[:3, 3]
     v, nothing = np.cross(z, p - o), np.zeros(3)
     for mistake, said, upper, lower in (

@@ -153,8 +153,8 @@ EXERCISES = [
             ),
             (
                 "Row i makes the axis of joint i + 1. Of the four numbers of the guilty row, look"
-                " for the one that tilts this axis and leaves the arc of joint i where it is about its"
-                " own axis."
+                " for the one that tilts this axis and leaves the arc of joint i where it is about"
+                " its own axis."
             ),
         ),
     ),

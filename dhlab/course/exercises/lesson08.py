@@ -160,8 +160,8 @@ EXERCISES = [
         praise="A sliding joint among turning ones, and a hand that goes and turns as it was told.",
         hints=(
             (
-                "Frames, end and Jacobian first: joint 3 slides, so its value is in metres and its"
-                " column is another."
+                "The Jacobian of the Stanford arm first, at q_stanford. Joint 3 slides, so its"
+                " column is another; stanford.jacobian knows that."
             ),
             (
                 "Six equations, six unknown speeds: J times the speeds is the hand's velocity, v"

@@ -8,11 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kinds import Function
+from ...doctor.programs.wrong.jacobians import geometric_jacobian
+from ...robots import load
+from ..kinds import Function, Said
 
 __all__ = ["Jacobian"]
 
 NEAR = 1e-9
+IN_T_END = "The end of each call is in T_end: its fourth column."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,6 +24,18 @@ class Jacobian(Function):
     the joints whose columns are, and by v and ω.
     """
 
+    def refine(
+        self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
+    ) -> tuple[str | None, str | Said] | None:
+        """The point to which every lever runs, where it is not the end."""
+        if mistake not in (None, "lever-arm-wrong"):
+            return None
+        for place, end in _other_ends(len(cases[0][0])):
+            if all(_ends_at(end, J, *case) for J, case in zip(answers, cases)):
+                said = "the lever does not run to the end"
+                return "lever-arm-wrong", Said(said, place=place, next=IN_T_END)
+        return None
+
     def parts(
         self, answers: Sequence[NDArray], expected: Sequence[NDArray], cases: Sequence[tuple]
     ) -> str:
@@ -28,6 +43,36 @@ class Jacobian(Function):
         v, omega = off[:, :3].any(), off[:, 3:].any()
         halves = "v and ω are" if v and omega else "v is" if v else "ω is"
         return f"{halves} wrong in {_columns(off.any(axis=1), cases)}"
+
+
+def _ends_at(end, J, frames, T_end, sliding):
+    """Whether a Jacobian is right but for its levers, which run to another point."""
+    T = np.eye(4)
+    T[:3, 3] = end(frames, T_end)
+    return np.allclose(J, geometric_jacobian(frames, T, sliding), rtol=0, atol=NEAR)
+
+
+def _other_ends(many):
+    """(what is said of it, the point) of what is likely to be taken for the end."""
+    bent = load("article-6r").forward(np.deg2rad([0, 40, -60, 50, 40, 0]))[:3, 3]
+    yield (
+        "p is not among the arguments: it is the end at bent, from the cell above",
+        lambda frames, T_end: bent,
+    )
+    yield (
+        "p is 0, as if a row of the pose were taken: [3, :3] holds three zeros",
+        lambda frames, T_end: np.zeros(3),
+    )
+    for k in range(many - 1):
+        yield (
+            f"p is the origin of frames[{k}], which is frames[{k - many}]",
+            lambda frames, T_end, k=k: frames[k, :3, 3],
+        )
+    for k, name in enumerate("xyz"):
+        yield (
+            f"p is T_end[:3, {k}]: its {name} arrow, and no point",
+            lambda frames, T_end, k=k: T_end[:3, k],
+        )
 
 
 def _columns(off, cases):

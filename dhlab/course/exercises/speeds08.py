@@ -90,6 +90,23 @@ def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes
         ),
         np.rad2deg(right),
     )
+    for said, turned in (("deg2rad", np.deg2rad(omega)), ("rad2deg", np.rad2deg(omega))):
+        yield (
+            "angle-unit",
+            Said(
+                f"ω went through {said}: it is given in rad/s, and rad/s are asked",
+                next="Take v and ω as they are given.",
+            ),
+            np.linalg.solve(J, [*v, *turned]),
+        )
+    yield (
+        "wrong-frame-compared",
+        Said(
+            "these speeds fit the Jacobian of the article's arm",
+            next="Which arm is in arm, and which in stanford?",
+        ),
+        _of_the_article(np.where(sliding, q, np.deg2rad(q)), twist),
+    )
     for damping in (0.01, 0.05, 0.1, 0.5):
         yield (
             "damping-taken-for-free",
@@ -129,6 +146,11 @@ def wrong_speeds(q: list[float], v: list[float], omega: list[float]) -> Mistakes
             np.linalg.solve(geometric_jacobian(frames, other, sliding), twist),
         )
     yield from _by_other_jacobians(frames, T_end, sliding, twist)
+
+
+def _of_the_article(q, twist):
+    """Speeds of the arm that has been in memory since the lesson's first cell."""
+    return np.linalg.pinv(load("article-6r").jacobian(q)) @ twist
 
 
 def _by_other_jacobians(frames, T_end, sliding, twist):

@@ -808,6 +808,10 @@ def _memory(answer, g, f):
 COLUMN = [
     (r"(?P<what>.*in memory)", _memory),
     (
+        r"this is row 3 of J",
+        lambda a, g, f: near(a, jacobian_of("article-6r", np.radians(g["q"]))[2]),
+    ),
+    (
         r"this is column (?P<k>\d)",
         lambda a, g, f: near(a, jacobian_of("article-6r", np.radians(g["q"]))[:, int(f["k"]) - 1]),
     ),
@@ -919,6 +923,17 @@ HAND = [
         _speeds(lambda J, t, s, q: near(s, J.T @ t, 5e-3)),
     ),
     (r"this is J times the hand's velocity", _speeds(lambda J, t, s, q: near(s, J @ t, 5e-3))),
+    *(
+        (
+            rf"ω went through {name}: it is given in rad/s, and rad/s are asked",
+            _speeds(lambda J, t, s, q, by=by: _fits(J, np.array([*t[:3], *by(t[3:])]), s)),
+        )
+        for name, by in (("deg2rad", np.radians), ("rad2deg", np.degrees))
+    ),
+    (
+        r"these speeds fit the Jacobian of the article's arm",
+        _speeds(lambda J, t, s, q: _fits(jacobian_of("article-6r", q), t, s)),
+    ),
     (r"all six speeds have the other sign", _speeds(lambda J, t, s, q: _fits(J, -t, s))),
     (r"all six went through rad2deg: .+", _speeds(lambda J, t, s, q: _fits(J, t, np.radians(s)))),
     (

@@ -47,7 +47,7 @@ _ALL = [
     ("cross-product-reversed", "", with_other(levers=lambda frames, p: -levers(frames, p))),
     (
         "lever-arm-wrong",
-        "p of the end alone: o was not taken off, or z in its place",
+        "p of the end alone: o was not taken off, or z or a row in its place",
         with_other(levers=lambda frames, p: 0 * frames[:-1, :3, 3] + p),
     ),
     (

@@ -112,7 +112,8 @@ SAID = {
     },
     "08.9": {
         "A sliding joint among turning ones": moves_the_hand,
-        "Frames, end and Jacobian first": always(slides),
+        "The Jacobian of the Stanford arm first": DO,
+        "Joint 3 slides, so its column": always(slides),
         "Six equations, six unknown speeds": moves_the_hand,
     },
     "08.1": {
