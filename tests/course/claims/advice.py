@@ -116,6 +116,27 @@ def throws_away(e, answer, variant):
     return np.allclose(answer(rows, q), answer(others, q))
 
 
+def differs_by(flips, slid):
+    """The impostor's three rows are the right ones, but for whole turns, these x axes turned over
+    and, where the second origin slid along its axis, a length that one d gives to the next.
+    """
+
+    def holds(e, answer, variant):
+        if e.id != "07.4":
+            return False
+        table = e.right_arm(variant).table
+        rows = np.column_stack([np.degrees(table.theta), table.d, table.a, np.degrees(table.alpha)])
+        for i in flips:
+            rows[i - 1] *= [1, 1, -1, -1]
+            rows[[i - 1, i], 0] += 180
+        off = np.array(answer, dtype=float) - rows
+        off[:, [0, 3]] = (off[:, [0, 3]] + 180) % 360 - 180
+        off[1:, 1] -= off[1, 1] * np.array([1, -1]) * slid
+        return np.allclose(off, 0, atol=1e-6)
+
+    return holds
+
+
 ASSERTED = [
     (r"np\.dot and @ of two vectors give one number, np\.cross gives three\.",
      fact(dot_and_cross)),
@@ -232,7 +253,17 @@ ASSERTED = [
      r" row|range\(1, n\) skips row 0; or the running product is begun anew at each link, and what"
      r" was there is lost)\.", of_chain),
     (r"“.+” would look like this: .+\.|Does symptom \d say that\?", of("07.1")),
-    (r"Each x axis may point either way, and parallel axes may slide: .+", of("07.4")),
+    *(
+        (
+            ("All that differs is free in a table: " if flips or slid else "All that differs is ")
+            + "".join(f"(?{'=' if i in flips else '!'}.*x{i} flipped)" for i in (1, 2))
+            + f"(?{'=' if slid else '!'}.*o2 slid)"
+            + ("[ox].+" if flips or slid else r"whole turns, which change nothing\."),
+            differs_by(flips, slid),
+        )
+        for flips in ((), (1,), (2,), (1, 2))
+        for slid in (False, True)
+    ),
     (r"(In the standard convention joint i turns about the z axis of the frame before|v = ω ×"
      r" r, and r"
      r" runs from the axis to what moves|The end swings about the joint's own axis, so the lever"

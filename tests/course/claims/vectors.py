@@ -1115,7 +1115,13 @@ CLAIMS = {
     "05.5": ORIGIN,
     "05.9": SLIDE,
     "06.3": _of_a_chain(lambda g: (np.array(ARTICLE, dtype=float), np.zeros(6))),
-    "06.10": _of_a_chain(lambda g: (_irb120(), np.asarray(g["q"], dtype=float))),
+    "06.10": [
+        *_of_a_chain(lambda g: (_irb120(), np.asarray(g["q"], dtype=float))),
+        (
+            r"this is the pose of the article's arm, and that of the IRB 120 is asked",
+            lambda a, g, f: near(a, walk(ARTICLE, g["q"])),
+        ),
+    ],
     "07.7": OFFSETS,
     "08.1": COLUMN,
     "08.9": HAND,
