@@ -68,13 +68,14 @@ COPIES = {41: 40, 51: 50}  # who copied from whom; 41 changed the names of thing
 @dataclass
 class Plan:
     """One student: how able, what was planted for each exercise (a status, or the id of a mistake),
-    and the code.
+    and the code; ``drawn`` are the programs before they were rewritten, which several may share.
     """
 
     student: Student
     able: float
     planted: dict = field(default_factory=dict)
     code: dict = field(default_factory=dict)
+    drawn: dict = field(default_factory=dict)
 
 
 def roster(size=60):
@@ -114,9 +115,12 @@ def _answer(plan, exercise, hard, variant, rng):
         isinstance(exercise, Function) and not _programs(exercise)
     ):
         return  # left out
-    plan.planted[exercise.id], plan.code[exercise.id] = (
+    plan.planted[exercise.id], code = (
         _right(exercise, variant, rng) if knows else _wrong(exercise, variant, rng)
     )
+    if isinstance(exercise, Function):
+        plan.drawn[exercise.id], code = code, restyled(code, rng)
+    plan.code[exercise.id] = code
 
 
 def _right(exercise, variant, rng):
@@ -126,7 +130,7 @@ def _right(exercise, variant, rng):
         )
     if isinstance(exercise, Function):
         texts = _programs(exercise)[0]
-        return "right", restyled(texts[rng.integers(len(texts))], rng)
+        return "right", texts[rng.integers(len(texts))]
     if isinstance(exercise, Table):
         return "right", repr(_degrees(exercise.right_arm(variant).table))
     return "right", (
@@ -196,8 +200,7 @@ def _wrong(exercise, variant, rng):
         return mistake, repr(np.asarray(value, dtype=float).tolist())
     if isinstance(exercise, Function):
         texts = _programs(exercise)[1]
-        mistake, text = texts[rng.integers(len(texts))]
-        return mistake, restyled(text, rng)
+        return texts[rng.integers(len(texts))]
     if isinstance(exercise, Table):
         right = exercise.right_arm(variant).table
         versions = [
