@@ -74,6 +74,7 @@ SLIDES = re.compile(
 BACKWARDS = re.compile(
     r"\b(?:joint|axis|motor)[ _]?\d\s*[:=]\s*-\s*(?=[,;\n]|$|1(?![.\d]))"
     r"|\b(?:opposite|negative|reversed?|inverted)\s+(?:\w+\s+)?(?:direction|sense)\b"
+    r"(?!\s+(?:to|from|than|of)\s+(?:\w+\s+){0,2}(?:diagram|figure|drawing|picture|sketch|paper)\b)"
     r"|(?<![\w.])(?:q|theta|joint\w*)\s*\.?\*\s*[\w.(]*\[[\s,1]*-\s*1[\s,\]][^\n]{0,20}",
     re.IGNORECASE,
 )

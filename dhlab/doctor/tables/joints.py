@@ -2,10 +2,13 @@
 that stand for nothing are asked about.
 """
 
+import math
 import re
 
-__all__ = ["by_number", "joints_of", "named_alone", "require_values"]
+__all__ = ["by_number", "joints_of", "named_alone", "require_one_column", "require_values"]
 
+# what turns a joint's value in degrees, or a stroke in mm or cm, into the unit of the table
+FACTORS = {"R": (1.0, math.pi / 180), "P": (1.0, 0.001, 0.01, 0.1, 10.0, 1000.0)}
 MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
 
 
@@ -45,8 +48,39 @@ def joints_of(table, columns, still):
             if held is not None and held is not cell and not held.is_constant:
                 unknown.setdefault(held.letters[0][0], (i + 1, role))
     if unknown:
+        names = ("theta", "d", "a", "alpha")
+        require_one_column(list(zip(*(columns[role] for role in names))), names)
         raise ValueError(_ask(unknown))
     return letters, signs
+
+
+def require_one_column(rows, names=None):
+    """Angles that are variables stand in one column.
+
+    Parameters
+    ----------
+    rows : list of tuple of Cell
+    names : tuple of str, optional
+        What the columns are called; left out, they are counted.
+
+    Raises
+    ------
+    ValueError
+        All rows but one have theirs in the same column.
+    """
+    at = [[k for k, cell in enumerate(row) if cell.variable in ("theta", "q")] for row in rows]
+    places = [ks[0] for ks in at if len(ks) == 1]
+    usual = max(places, key=places.count, default=None)
+    odd = [i for i, ks in enumerate(at) if len(ks) == 1 and ks[0] != usual]
+    if len(odd) != 1 or len(places) < 3 or not rows[odd[0]][usual].is_constant:
+        return
+    of = [names[k] if names else f"number {k + 1}" for k in (usual, at[odd[0]][0])]
+    raise ValueError(
+        f"recognise_table: row {odd[0] + 1}: expected the joint variable in column {of[0]}, as in"
+        f" the other rows, found {rows[odd[0]][at[odd[0]][0]].text!r} in column {of[1]}; about"
+        " which axis does this joint turn? Write its variable into the column of theta, or give the"
+        " joint axes as an axis sheet"
+    )
 
 
 def require_values(table):
@@ -95,7 +129,8 @@ def _require_one(cell, i, letter):
             f" {cell.text!r}; are the joints coupled? Give the value of the letter that is"
             " constant"
         )
-    if abs(cell.letters[0][1]) != 1:
+    factor = abs(cell.letters[0][1])
+    if not any(math.isclose(factor, one, rel_tol=1e-3) for one in FACTORS[letter]):
         raise ValueError(
             f"recognise_table: row {i + 1}: expected the joint variable once, found {cell.text!r};"
             " write it as q, or -q"

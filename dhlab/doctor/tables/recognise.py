@@ -11,7 +11,7 @@ from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
 from ...printing import number
 from .columns import LENGTHS, misplaced
-from .joints import require_values
+from .joints import require_one_column, require_values
 from .readings import QUESTIONS, Reading, readings
 from .scales import UNIT_WORDS
 from .take_apart import take_apart
@@ -157,6 +157,7 @@ def recognise_table(
         return _answer(kept, (*kept[0].notes, *_calibrated(kept[0].arm)), right)
     found = list(readings(table, order, convention, angle, length, right, tidy))
     if not found:
+        require_one_column(table.rows)
         require_values(table)
         raise ValueError(
             "recognise_table: expected two columns of angles and two of lengths, found no order in"

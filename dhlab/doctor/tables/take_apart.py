@@ -12,6 +12,7 @@ from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
 from .evidence.axes import axes_in
 from .evidence.ends import with_ends
+from .evidence.makers import called_convention
 from .evidence.orders import convention_in, defined_in, previous_in
 from .evidence.poses import adds_theta, poses_in
 from .evidence.source import source_of
@@ -203,6 +204,8 @@ def _with_words(table, source):
             table = replace(table, notes=(*table.notes, note))
         elif computed:
             table = replace(table, convention=computed[0], because=computed[1])
+        elif called := called_convention(source.code):
+            table = replace(table, convention=called, because="as the call in the text says")
         elif table.why == "as the comment says" and previous_in(source):
             table = replace(table, convention="craig", because="by the index i-1 in the comment")
         elif source.convention:

@@ -120,3 +120,24 @@ def test_a_unit_in_which_lengths_make_no_arm_is_doubted(said, numbers, units):
         f"standard, all lengths in {said}\ntheta d a alpha\nq1 {first} 0 90\nq2 0 {second} 0\n"
     )
     assert [one.words.split("; ")[-1].split(",")[0] for one in found.readings] == units
+
+
+BY_CALL = (
+    "# Craig version of the parameters\n# d, a, alpha, theta\n"
+    "dh = np.array([[0.1, 0, pi/2, 0], [0, 0.4, 0, 0], [0.05, -0.3, 0, 0]])\nrobot = {}\n"
+)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        'RobotSerial(dh, dh_type="normal")',
+        'Arm(dh, convention="standard")',
+        "Arm(dh, modified=False)",
+        "Robot(dh, DHType.STANDARD)",
+        "make_arm(table=dh, dh_convention=Convention::Standard)",
+    ],
+)
+def test_the_call_that_receives_a_table_says_more_than_a_comment(call):
+    found = recognise_table(BY_CALL.format(call))
+    assert len(found.readings) == 1 and found.arm.table.convention == "standard"

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from ..beside import labelled
 from ..cells import Cell, cell_of
+from ..columns import orders as orders_of
 from ..evidence.orders import order_in
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
@@ -13,9 +14,11 @@ from ..pasted import Pasted
 
 __all__ = ["definitions", "read"]
 
+FACTORED = re.compile(r"\bdhfactor\b", re.IGNORECASE)  # the Robotics Toolbox prints such calls
 CLASS = re.compile(r"\s*class\s+(\w+)")
 JOIN = r"\s*[.*@·]\s*"
-FACTOR = r"(?P<move>(?:t?rot|r|t|transl?)_?[xyz])\s*\((?P<of>[^()]*)\)"
+FACTOR = r"(?:t?rot|r|t|transl?)_?[xyz]\s*\([^()]*\)"
+PARTS = re.compile(r"([a-z_]+)\s*\(([^()]*)\)", re.IGNORECASE)
 MOVES_OF = {"rz": "theta", "tz": "d", "tx": "a", "rx": "alpha"}
 NOT_A_LINK = re.compile(
     r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
@@ -38,11 +41,14 @@ def read(source, nominal=None):
     if not found:
         return None
     (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
-    lines, rows = zip(*found[name, width])
+    lines, rows = zip(*_once(found[name, width]))
     roles, why = orders.get(name), f"as the definition of {name} says"
     if roles is None:
         said = order_in(source)
         roles, why = (said[0], said[2]) if said else (None, "")
+    factored = roles is None and bool(FACTORED.search(source.text))
+    if factored:
+        roles, why = ROLES, "as DHFactor has them"
     if roles is not None and (len(roles) != width or width != 4):
         keep = [k for k, role in enumerate(roles[:width]) if role in (*ROLES, "r", "offset")]
         rows, roles = [tuple(row[k] for k in keep) for row in rows], tuple(roles[k] for k in keep)
@@ -53,9 +59,19 @@ def read(source, nominal=None):
     table = Pasted(
         tuple(tuple(row) for row in rows), roles, why,
         labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
+        convention="standard" if factored else None,
+        because="as DHFactor has it" if factored else "",
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
     return _with_factors(table, name, source)
+
+
+def _once(rows):
+    """The rows without their repetition, where a session prints the same calls again."""
+    half = len(rows) // 2
+    same = [cells for _, cells in rows[:half]] == [cells for _, cells in rows[half:]]
+    moving = any(not cell.is_constant for _, cells in rows for cell in cells)
+    return rows[:half] if same and moving and half > 1 else rows
 
 
 def _with_factors(table, name, source):
@@ -64,34 +80,53 @@ def _with_factors(table, name, source):
     Raises
     ------
     ValueError
-        It is more than one elementary move.
+        It is more than elementary moves, or it is not said in which column one is.
     """
     product = rf"(?<!\w){re.escape(name)}\s*\((?:[^()]|\([^()]*\))*\)"
-    rows, kinds = list(table.rows), list(table.kinds)
-    other = rf"{product}\s*[*@]\s*(?!{re.escape(name)}\b|{FACTOR})(?P<what>[A-Za-z][\w.]*)"
+    behind = rf"{product}(?P<moves>(?:{JOIN}{FACTOR})*)"
+    other = rf"{behind}\s*[*@]\s*(?!{re.escape(name)}\b|{FACTOR})(?P<what>[A-Za-z][\w.]*)"
     if left := re.search(other, source.code, re.IGNORECASE):
         raise ValueError(
             f"recognise_table: the product goes on with {left['what'][:30]} behind the calls of"
             f" {name}; which row is it? Write it as a row without a joint, or leave it out"
         )
-    for pattern, at in ((rf"{FACTOR}{JOIN}{product}", 0), (rf"{product}{JOIN}{FACTOR}", len(rows))):
-        found = re.search(pattern, source.code, re.IGNORECASE)
-        if not found:
-            continue
-        move = re.sub("^trot", "rot", found["move"].lower())
-        value, role = source.value(found["of"]), MOVES_OF.get(move[0] + move[-1])
-        if value is None or value.letters or role is None or table.roles is None:
-            raise ValueError(
-                f"recognise_table: the product has {found['move']}({found['of'][:30]}) beside the"
-                f" calls of {name}; which row is it? Write it as a row without a joint"
-            )
-        still = [cell_of(value, found["of"]) if one == role else Cell(0.0) for one in table.roles]
-        rows.insert(at, tuple(still))
-        kinds.insert(at, "fixed")
+    before = re.search(rf"(?P<moves>(?:{FACTOR}{JOIN})+){product}", source.code, re.IGNORECASE)
+    after = next(
+        (one for one in re.finditer(behind, source.code, re.IGNORECASE) if one["moves"]), None
+    )
+    first, last = (
+        _still(found["moves"] if found else "", table, name, source) for found in (before, after)
+    )
+    rows = (*first, *table.rows, *last)
     if len(rows) == len(table.rows):
         return table
+    kinds = (*("fixed" for _ in first), *table.kinds, *("fixed" for _ in last))
     n = len(rows)
-    return replace(table, rows=tuple(rows), kinds=tuple(kinds), labels=("",) * n, signs=(1,) * n)
+    return replace(table, rows=rows, kinds=kinds, labels=("",) * n, signs=(1,) * n)
+
+
+def _still(moves, table, name, source):
+    """A row without a joint for each elementary move of a product.
+
+    Raises
+    ------
+    ValueError
+        One is no move along or about x or z by a number, or the columns may have several orders.
+    """
+    rows = []
+    for move, of in PARTS.findall(moves):
+        letters = re.sub("^trot", "rot", move.lower())
+        value, role = source.value(of), MOVES_OF.get(letters[0] + letters[-1])
+        place = {one.roles.index(role) for one in orders_of(table, None) if role in one.roles}
+        if value is None or value.letters or len(place) != 1:
+            raise ValueError(
+                f"recognise_table: the product has {move}({of[:30]}) beside the calls of {name};"
+                " which row is it? Write it as a row without a joint"
+            )
+        row = [Cell(0.0)] * len(table.rows[0])
+        row[place.pop()] = cell_of(value, of)
+        rows.append(tuple(row))
+    return rows
 
 
 def definitions(source):

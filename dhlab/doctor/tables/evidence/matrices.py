@@ -14,7 +14,7 @@ from ..language.brackets import Group, cells_in, groups
 from ..language.expressions import NoExpression, evaluate
 from ..language.roles import ROLES, role_of
 
-__all__ = ["LinkMatrix", "link_matrix_in"]
+__all__ = ["INDEX", "LinkMatrix", "in_rows", "link_matrix_in"]
 
 ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
 FUNCTION = re.compile(r"(?:\b\w+\.)?\b(cos|sin)\b\s*\(?")
@@ -99,7 +99,7 @@ def _matrices(code):
     for group in groups(code + _closing(code)):
         if 60 < len(group.text) < 1800:
             flat = len(group.items) in (12, 16)
-            cells = [item.text for item in group.items] if flat else _in_rows(group)
+            cells = [item.text for item in group.items] if flat else in_rows(group)
             if len(cells) in (12, 16):
                 yield cells
     for block in FILLED.findall(code):
@@ -158,7 +158,8 @@ def _closing(code):
     return "".join(reversed(left[-6:]))
 
 
-def _in_rows(group: Group):
+def in_rows(group: Group):
+    """The entries of a matrix in a group, row by row."""
     return [cell for row in _rows(group) for cell in row]
 
 

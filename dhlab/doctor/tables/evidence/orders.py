@@ -5,6 +5,7 @@ or the head of a function; and which matrix its own function computes.
 import re
 
 from ..language.roles import ROLES, role_of, unit_in
+from .products import multiplied_moves
 
 __all__ = [
     "convention_in",
@@ -279,7 +280,10 @@ def convention_in(source):
     for line in re.sub(r"\s*\n\s*(?=[*@])|(?<=[*@])\s*\n\s*", " ", source.text).split("\n"):
         if moves := _of_moves(line):
             return moves, "by the order of the elementary moves in it"
-    return (computed, "by the matrix in it") if computed else None
+    if computed:
+        return computed, "by the matrix in it"
+    multiplied = _by_moves(multiplied_moves(source.code))
+    return (multiplied, "by the product of its own matrices") if multiplied else None
 
 
 def _of_moves(line):

@@ -14,6 +14,7 @@ from ..language.letters import unified
 from ..language.neutral import neutral
 from ..language.restated import restated
 from ..language.roles import role_of
+from .makers import called_convention
 from .matrices import link_matrix_in
 
 __all__ = ["Source", "source_of"]
@@ -152,7 +153,7 @@ def source_of(text, values=None):
         known,
         comments,
         {**{name: said for name, said in known.items() if not is_joint_value(name, said)}, **given},
-        _convention(text),
+        called_convention(code) or _convention(text),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),
     )
