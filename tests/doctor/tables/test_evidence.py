@@ -141,3 +141,72 @@ BY_CALL = (
 def test_the_call_that_receives_a_table_says_more_than_a_comment(call):
     found = recognise_table(BY_CALL.format(call))
     assert len(found.readings) == 1 and found.arm.table.convention == "standard"
+
+
+MATRICES = """a = [0, 0.4, 0]; d = [0.1, 0, 0.2]; alpha = [pi/2, 0, 0]
+R = [[cos(t[i]), -sin(t[i]), 0, 0], [sin(t[i]), cos(t[i]), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+D = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, d[i]], [0, 0, 0, 1]]
+A = [[1, 0, 0, a[i]], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+X = [[1, 0, 0, 0], [0, cos(alpha[i]), -sin(alpha[i]), 0], [0, sin(alpha[i]), cos(alpha[i]), 0],
+     [0, 0, 0, 1]]
+"""
+
+
+@pytest.mark.parametrize(
+    "product, convention",
+    [
+        ("T = R @ D @ A @ X", "standard"),
+        ("L.append(R)\nT = L[i].dot(D).dot(A).dot(X)", "standard"),
+        ("u = np.dot(X, A)\nv = np.dot(u, R)\nT = np.dot(v, D)", "craig"),
+    ],
+)
+def test_a_product_of_the_texts_own_matrices_says_the_convention(product, convention):
+    found = recognise_table(MATRICES + product)
+    assert len(found.readings) == 1 and found.arm.table.convention == convention
+
+
+@pytest.mark.parametrize(
+    "theta",
+    [
+        "[q1*pi/180, q2*pi/180 + pi/2, -q3*pi/180]",
+        "[float(a1)*math.pi/180, float(a2)*math.pi/180 + math.pi/2, -float(a3)*math.pi/180]",
+        "(a1*d2r, a2*d2r + pi/2, -a3/57.29578)",
+    ],
+)
+def test_joint_values_in_degrees_are_joints(theta):
+    lists = "a = [0, 0.4, 0]\nd = [0.1, 0, 0.2]\nalpha = [pi/2, 0, 0]\n# standard\ntheta = "
+    assert recognise_table(lists + theta).arm.table.theta == pytest.approx([0, np.pi / 2, 0])
+
+
+FACTORS = "standard DH: DH(theta, d, a, alpha)\n{}DH(q1, 0.3, 0, -90){}.DH(q2+90, 0, -0.25, 0){}"
+
+
+@pytest.mark.parametrize(
+    "factors, base, tool",
+    [
+        (("", "", ".Rz(-90).Tx(0.1)"), [0, 0, 0], [0, -0.1, 0]),
+        (("Tz(0.5).Rz(90).", "", ""), [0, 0, 0.5], [0, 0, 0]),
+        (("Tz(0.5).", "", ".Rz(-90)"), [0, 0, 0.5], [0, 0, 0]),
+    ],
+)
+def test_moves_at_the_ends_of_a_product_are_base_and_tool(factors, base, tool):
+    arm = recognise_table(FACTORS.format(*factors)).arm
+    assert len(arm) == 2
+    assert arm.base[:3, 3] == pytest.approx(base) and arm.tool[:3, 3] == pytest.approx(tool)
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        (FACTORS.format("", ".Rz(90)", ""), "between two calls of DH"),
+        ("- 1 [90, 0, 0.1, th1]\n- 2 [0, 0.4, 0, th2]\n- 3 [th3, 0.3, 0, 0]", "row 3.*'th3'"),
+        (
+            "| alpha | a | d | theta |\n|--|--|--|--|\n|90|0|0.1|q1|\n|0|0.4|0|q2|\n|q3|0.3|0|0|\n",
+            "row 3.*in column alpha",
+        ),
+        ("[[q1, 0.1, 0, 90], [q2, 0, 0.4, 0], [0, 0, 0.1, q3]]", "row 3.*'q3' in column number 4"),
+    ],
+)
+def test_what_belongs_to_no_row_is_asked_about(text, said):
+    with pytest.raises(ValueError, match=said):
+        recognise_table(text)

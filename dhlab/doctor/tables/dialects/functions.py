@@ -90,6 +90,13 @@ def _with_factors(table, name, source):
             f"recognise_table: the product goes on with {left['what'][:30]} behind the calls of"
             f" {name}; which row is it? Write it as a row without a joint, or leave it out"
         )
+    if within := re.search(
+        rf"{product}{JOIN}({FACTOR}){JOIN}(?:{FACTOR}{JOIN})*{product}", source.code, re.I
+    ):
+        raise ValueError(
+            f"recognise_table: the product has {within[1][:30]} between two calls of {name}; to"
+            " which row does it belong? Write it as a row without a joint"
+        )
     before = re.search(rf"(?P<moves>(?:{FACTOR}{JOIN})+){product}", source.code, re.IGNORECASE)
     after = next(
         (one for one in re.finditer(behind, source.code, re.IGNORECASE) if one["moves"]), None
