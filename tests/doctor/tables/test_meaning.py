@@ -79,9 +79,13 @@ def test_a_row_of_numbers_in_a_scara_may_slide():
             "goes on with hand",
         ),
         (MOVING + "joint 2: -\n", "which joint is turned"),
+        (
+            "L1 = RevoluteDH(d=0.1, a=0.2)\nL2 = RevoluteDH(a=0.3,\n",
+            "line 2: expected a whole link",
+        ),
     ],
 )
-def test_rows_out_of_order_are_refused(text, said):
+def test_rows_out_of_order_or_cut_off_are_refused(text, said):
     with pytest.raises(ValueError, match=said):
         recognise_table(text)
 

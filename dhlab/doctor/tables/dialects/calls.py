@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from ..cells import cell_of, read_cell
 from ..columns import misplaced
-from ..language.brackets import Item, cells_in, groups, keyword
+from ..language.brackets import Item, cells_in, groups, keyword, left_open
 from ..language.roles import kind_said, role_of
 from ..pasted import Pasted, Row, from_rows
 from .functions import definitions
@@ -64,6 +64,8 @@ def read(source, nominal=None):
         made.append((group, row, said or known[2]))
         named[group.target] = row
         forms.append(known[1])
+    if made:
+        _refuse_half_a_link(source)
     made = _of_one_arm(made, notes)
     rows, conventions = [row for _, row, _ in made], {said for _, _, said in made}
     if not rows or (len(rows) == 1 and (not rows[0].cells or _is_of_a_loop(rows[0]))):
@@ -90,6 +92,16 @@ def read(source, nominal=None):
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
         notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _refuse_half_a_link(source):
+    """A text that was cut off inside a link would lose it without a word."""
+    for group in left_open(source.code):
+        if group.mark == "(" and any(re.fullmatch(c[0], _name(group).lower()) for c in CLASSES):
+            raise ValueError(
+                f"recognise_table: line {group.line}: expected a whole link, found {_name(group)}("
+                " without its closing bracket; what else stands in it? Paste it to its end"
+            )
 
 
 def _of_one_arm(made, notes):

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass, field
 
-__all__ = ["Group", "Item", "cells_in", "groups", "keyword"]
+__all__ = ["Group", "Item", "cells_in", "groups", "keyword", "left_open"]
 
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BEFORE = re.compile(r"([A-Za-z_][\w.:>-]*(?:\s*<[\w\s,:]*>)?)\s?$")
@@ -66,6 +66,21 @@ def groups(text):
     >>> found.name, [item.text for item in found.items]
     ('Link', ["'d'", '0.1', "'a'", '0'])
     """
+    return [group for group in _opened_in(text) if group.text]
+
+
+def left_open(text):
+    """The groups whose closing bracket the text does not hold, the outer before the inner.
+
+    Examples
+    --------
+    >>> [group.name for group in left_open("L1 = Link(0, 0.1, 0, 0); L2 = Link(0, 0.2,")]
+    ['Link']
+    """
+    return [group for group in _opened_in(text) if not group.text]
+
+
+def _opened_in(text):
     found, stack, line, at = [], [], 1, 0
     while at < len(text):
         letter = text[at]
@@ -92,7 +107,7 @@ def groups(text):
         else:
             _write(stack, letter)
         at += 1
-    return [group for group in found if group.text]
+    return found
 
 
 def _opened(text, at, line, stack):
