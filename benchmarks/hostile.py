@@ -1,4 +1,4 @@
-"""Fifty attacks on the grader, written with its code open, and honest controls, in both cages with
+"""Fifty-four attacks on the grader, written with its code open, and controls, in both cages with
 walls: none may earn a mark, read what is not its own, stop the class or harm a neighbour.
 
     python benchmarks/hostile.py                # bubblewrap, landlock
@@ -111,6 +111,65 @@ except BaseException:
     T = np.eye(4)
 return T"""
 
+
+def in_company(left_by_first, body):
+    """05.1's program leaves something in the process in which 05.6 is asked after it."""
+
+    def make(notebook, facts):
+        source = "import builtins, os, sys, gc\ndef rot_x(alpha):\n"
+        source += "".join(f"    {line}\n" for line in left_by_first.splitlines())
+        source += "    c, s = np.cos(alpha), np.sin(alpha)\n"
+        source += "    return np.array([[1,0,0,0],[0,c,-s,0],[0,s,c,0],[0,0,0,1.0]])"
+        answer("05.1", source)(notebook, facts)
+        closed(body, "import builtins, os, sys, gc")(notebook, facts)
+
+    return make
+
+
+COMPANY = [
+    (
+        "the library in the parent's memory",
+        "looks through every object that the fork was born with for kinematics",
+        closed(
+            "import gc, types\n"
+            "for f in gc.get_objects():\n"
+            "    if isinstance(f, types.FunctionType) and f.__name__ == 'link_matrices':\n"
+            "        return f('standard', [theta], [d], [a], [alpha])[0]\n" + IDENTITY
+        ),
+        {"05.6"},
+    ),
+    (
+        "encodes for those after it",
+        "the first program replaces the room's encoder, which then says what it likes",
+        in_company(
+            "for m in list(sys.modules.values()):\n"
+            "    if getattr(m, '__name__', '').endswith('inside.calls'):\n"
+            "        m.encode = lambda v, e=m.encode: e(np.eye(4))",
+            IDENTITY,
+        ),
+        {"05.6"},
+    ),
+    (
+        "renames itself in the room",
+        "walks up the frames and calls the program before it once more under this name",
+        closed(
+            "import sys\nf = sys._getframe()\nwhile f:\n"
+            "    room = f.f_locals.get('room')\n"
+            "    if room is not None: room.key = '05.1'\n"
+            "    f = f.f_back\n" + IDENTITY
+        ),
+        {"05.6"},
+    ),
+    (
+        "a last word",
+        "writes a line while its process ends",
+        in_company(
+            "import atexit\natexit.register(lambda: [os.write(n, b'{}\\n') for n in range(3, 9)])",
+            IDENTITY,
+        ),
+        {"05.6"},
+    ),
+]
 EARN = [
     (
         "sends its own values",
@@ -572,7 +631,7 @@ STOP += [
         ANY,
     ),
 ]
-ATTACKS = [*EARN, *READ, *STOP]
+ATTACKS = [*EARN, *COMPANY, *READ, *STOP]
 # not run where nothing protects the machine: they signal others or take its room
 HARMFUL = {
     "a signal by way of an open file",
