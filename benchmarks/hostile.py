@@ -1,4 +1,4 @@
-"""Fifty-four attacks on the grader, written with its code open, and controls, in both cages with
+"""Fifty-five attacks on the grader, written with its code open, and controls, in both cages with
 walls: none may earn a mark, read what is not its own, stop the class or harm a neighbour.
 
     python benchmarks/hostile.py                # bubblewrap, landlock
@@ -112,6 +112,11 @@ except BaseException:
 return T"""
 
 
+RIGHT_FORM = """ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+return np.array([[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st],
+                 [0, sa, ca, d], [0, 0, 0, 1]])"""
+
+
 def in_company(left_by_first, body):
     """05.1's program leaves something in the process in which 05.6 is asked after it."""
 
@@ -166,6 +171,14 @@ COMPANY = [
         in_company(
             "import atexit\natexit.register(lambda: [os.write(n, b'{}\\n') for n in range(3, 9)])",
             IDENTITY,
+        ),
+        {"05.6"},
+    ),
+    (
+        "one guess in company, another alone",
+        "knows that it is asked after 05.1 and answers otherwise when asked again: not closed",
+        in_company(
+            "builtins.seen = 1", f"if not hasattr(builtins, 'seen'): {IDENTITY}\n{RIGHT_FORM}"
         ),
         {"05.6"},
     ),
