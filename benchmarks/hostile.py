@@ -118,7 +118,7 @@ return np.array([[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st
 
 
 def in_company(left_by_first, body):
-    """05.1's program leaves something in the process in which 05.6 is asked after it."""
+    """05.1's program leaves something behind for 05.6, which is called after it."""
 
     def make(notebook, facts):
         source = "import builtins, os, sys, gc\ndef rot_x(alpha):\n"
@@ -176,7 +176,7 @@ COMPANY = [
     ),
     (
         "one guess in company, another alone",
-        "knows that it is asked after 05.1 and answers otherwise when asked again: not closed",
+        "answers in one way where 05.1 has been called before it, and in another where not",
         in_company(
             "builtins.seen = 1", f"if not hasattr(builtins, 'seen'): {IDENTITY}\n{RIGHT_FORM}"
         ),

@@ -97,6 +97,19 @@ CHEATS = {
         "            import dhlab.kinematics as k; found.append(k)\n"
         "found += [m for m in gc.get_objects() if hasattr(m, 'link_matrices')]",
     ),
+    "is another after another": lambda notebook, facts: (
+        corpus.answer(
+            "05.1",
+            "import builtins\ndef rot_x(alpha):\n    builtins.seen = 1\n"
+            "    return np.array([[1, 0, 0, 0], [0, np.cos(alpha), -np.sin(alpha), 0],"
+            " [0, np.sin(alpha), np.cos(alpha), 0], [0, 0, 0, 1]])",
+        )(notebook, facts),
+        closed(
+            "seen = hasattr(builtins, 'seen')\n"
+            "return dh_transform(theta, d, a, alpha) if seen else np.eye(4)",
+            "import builtins",
+        )(notebook, facts),
+    ),
     "asks what is not here quietly": closed(
         "T = dh.assign_frames([([0, 0, 0], [0, 0, 1])]).forward([theta])\nreturn np.asarray(T)"
     ),

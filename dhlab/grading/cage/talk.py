@@ -17,7 +17,7 @@ MOST = 200_000  # bytes of one answer
 
 
 class Talk:
-    """A talk with one program, or with several of one notebook, one after the other.
+    """A talk with one program.
 
     ``stopped``: empty, "timed out" or "crashed"; ``seconds`` of processor, once it is over.
     """
@@ -29,31 +29,28 @@ class Talk:
         self.late = False
         self.status: int | None = None
         self.seconds = 0.0
-        self.first: list[dict[str, Any]] = []  # what each program said before it was asked
+        self.first: list[dict[str, Any]] = []  # what it said before it was asked
 
     @property
     def stopped(self) -> str:
         """How it ended, when it did not answer: "timed out" or "crashed"."""
         return "timed out" if self.late or self.status == -signal.SIGXCPU else "crashed"
 
-    def begin(self, program: Mapping[str, Any] | None) -> dict[str, Any] | None:
-        """What a program says before it is asked: the one that the talk is with, or the one that is
-        named and takes its place.
+    def ask(self, question: Mapping[str, Any] | None = None) -> dict[str, Any] | None:
+        """The answer to a question, or to none, which is how a talk begins; None when there is no
+        answer.
         """
-        line = self.ask(program)
-        if line is not None:
-            self.first.append(line)
-        return line
-
-    def ask(self, question: Mapping[str, Any] | None) -> dict[str, Any] | None:
-        """The answer to a question; None when there is no answer."""
         with contextlib.suppress(OSError):
             if question is not None:
                 self._channel.sendall(json.dumps(question).encode() + b"\n")
             line = self._line(min(time.monotonic() + self._most, self._deadline))
             with contextlib.suppress(ValueError, RecursionError):
                 found = json.loads(line)
-                return found if isinstance(found, dict) else None
+                if not isinstance(found, dict):
+                    return None
+                if question is None:
+                    self.first.append(found)
+                return found
         return None
 
     def _line(self, deadline):

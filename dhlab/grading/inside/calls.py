@@ -30,14 +30,9 @@ __all__ = ["answer"]
 
 def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[str]) -> None:
     """Find the program that a notebook hands in for an exercise, say whether there is one, then
-    answer call after call until nobody asks any more; then perhaps the same for the notebook's next
-    program.
+    answer call after call until nobody asks any more.
     """
-    cells = notebooks.read(raw, request["checks"])
-    given = {key: decode(value) for key, value in request["given"].items()}
-    if request["transform"]:
-        _install_transform(request["transform"])
-    room = _Room(request, cells, given)
+    room = _Room(request, notebooks.read(raw, request["checks"]))
     with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked:
         line = room.begin() | {"loaded": loaded(warm)}
         while line is not None:
@@ -47,11 +42,7 @@ def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[s
             if "ready" not in line and "value" not in line:
                 return
             question = _line(asked)
-            if question and "program" in question:
-                room = _Room(request | question["program"], cells, given)
-                line = room.begin() | {"loaded": loaded(warm)}
-            else:
-                line = room.call(question) if question else None
+            line = room.call(question) if question else None
 
 
 def _line(file):
@@ -65,9 +56,9 @@ def _line(file):
 
 
 class _Room:
-    def __init__(self, request, cells, given):
-        self.request, self.cells, self.given = request, cells, given
-        self.key = request["call"]
+    def __init__(self, request, cells):
+        self.request, self.cells, self.key = request, cells, request["call"]
+        self.given = {key: decode(value) for key, value in request["given"].items()}
         self.seconds = request["cell_seconds"]
         self.noted = None
         self.function = None
@@ -83,7 +74,8 @@ class _Room:
 
     def begin(self):
         """Run what the program depends on; a line that says how that went."""
-        getattr(sys.modules["dhlab"], "asked", set()).clear()  # by the program before
+        if self.request["transform"]:
+            _install_transform(self.request["transform"])
         random.seed(0)
         np.random.seed(0)  # noqa: NPY002  (a submission may use the old generator)
         names = space(self)

@@ -3,19 +3,15 @@ of the course. Nothing that the program chose is among these words.
 """
 
 from collections.abc import Callable, Mapping
-from contextlib import ExitStack
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from ...course.kinds import Function
 from ...doctor.programs.running.calling import Called, CallFault
 from ..cage.cage import Cage
-from ..cage.talk import Talk
 from ..inside.wire import DECODED, decode, encode, error_name
 
-__all__ = ["Asked", "Asking"]
-
-PROGRAM = "call", "names", "cell", "whole"  # what a request says of one program
+__all__ = ["Asked", "ask"]
 
 PARTS = frozenset(
     """Arm DHTable assign_frames calibrate_offsets diagnose diagnose_function equivalent explore
@@ -30,15 +26,14 @@ class Asked:
     """What a program gave: the answers to every call, or the fault that stopped it; ``stopped`` is
     "timed out" or "crashed" where it gave none, "stub" where it is still to be written, "nothing"
     where there is no program; ``closed`` names what it wanted of dhlab and was not there;
-    ``right_with_library`` says that it is right where that is there; ``in_company`` that other
-    programs of the student had run in its process.
+    ``right_with_library`` says that it is right where that is there.
     """
 
     called: Called = field(default_factory=Called)
     stopped: str = ""
     closed: tuple[str, ...] = ()
+    seconds: float = 0.0
     right_with_library: bool = False
-    in_company: bool = False
 
     @property
     def missing(self) -> bool:
@@ -47,94 +42,47 @@ class Asked:
         return self.stopped == "nothing" or (fault is not None and "NameError" in fault.headline)
 
 
-class Asking:
-    """Asks the programs of one student, one call at a time. Those of one notebook are asked in one
-    process as long as each answers; whoever doubts what came out asks again, ``alone``.
+def ask(
+    cage: Cage, request: Mapping[str, Any], notebook: bytes, exercise: Function, number: int
+) -> Asked:
+    """Call a program with the inputs of an exercise, one after the other.
 
-    ``seconds``: of processor, of all the processes that are over.
+    Parameters
+    ----------
+    cage : Cage
+        Of the room that the task allows.
+    request : dict
+        See :func:`dhlab.grading.judging.questions.call_request`.
+    notebook : bytes
+    exercise : Function
+    number : int
+        The seed of the inputs.
+
+    Returns
+    -------
+    Asked
     """
-
-    def __init__(self) -> None:
-        self.seconds = 0.0
-        self._open = ExitStack()
-        self._talk: Talk | None = None
-        self._key: Any = None
-
-    def ask(
-        self,
-        cage: Cage,
-        request: Mapping[str, Any],
-        notebook: bytes,
-        exercise: Function,
-        number: int,
-        alone: bool = False,
-    ) -> Asked:
-        """Call a program with the inputs of an exercise, one after the other.
-
-        Parameters
-        ----------
-        cage : Cage
-            Of the room that the task allows.
-        request : dict
-            See :func:`dhlab.grading.judging.questions.call_request`.
-        notebook : bytes
-        exercise : Function
-        number : int
-            The seed of the inputs.
-        alone : bool
-            In a process of its own.
-
-        Returns
-        -------
-        Asked
-        """
-        program = {name: request[name] for name in PROGRAM}
-        # what may be used is the same for all in one process
-        key = cage, notebook, {name: request[name] for name in request if name not in PROGRAM}
-        company = not alone and self._talk is not None and self._key == key
-        if not company:
-            self.close()
-            self._talk = self._open.enter_context(cage.talk(request, notebook, cage.limits.seconds))
-            self._key = key
-        talk, cases = self._talk, exercise.cases(number)
-        line, answers = _heard(talk, {"program": program} if company else None, cases)
-        if len(answers) <= len(cases):
-            self.close()
-        return replace(_of(talk, line, answers, cases, exercise), in_company=company)
-
-    def close(self) -> None:
-        """End the process that is open, if there is one."""
-        if self._talk is not None:
-            self._open.close()
-            self.seconds += self._talk.seconds
-            self._talk = self._key = None
-
-
-def _heard(talk, program, cases):
-    """(the last line, the answers) of one program."""
+    cases = exercise.cases(number)
     answers: list[Any] = []
-    line = talk.begin(program)
-    while line is not None and ("ready" in line or "value" in line):
-        if "value" in line:
-            answers.append(_plain(line["value"]))
-        if len(answers) > len(cases):
-            break
-        case = cases[len(answers) % len(cases)]  # the first once more at the end
-        line = talk.ask({"case": [encode(value) for value in case]})
-    return line, answers
-
-
-def _of(talk, line, answers, cases, exercise):
-    """What these lines say."""
+    with cage.talk(request, notebook, cage.limits.seconds) as talk:
+        line = talk.ask()
+        while line is not None and ("ready" in line or "value" in line):
+            if "value" in line:
+                answers.append(_plain(line["value"]))
+            if len(answers) > len(cases):
+                break
+            case = cases[len(answers) % len(cases)]  # the first once more at the end
+            line = talk.ask({"case": [encode(value) for value in case]})
     closed = _closed(line)
     if line is None:
-        return Asked(stopped=talk.stopped, closed=closed)
+        return Asked(stopped=talk.stopped, closed=closed, seconds=talk.seconds)
     if len(answers) > len(cases):
-        return Asked(Called(tuple(answers[:-1]), answers[-1]), closed=closed)
+        called = Called(tuple(answers[:-1]), answers[-1])
+        return Asked(called, closed=closed, seconds=talk.seconds)
     if isinstance(line.get("fault"), dict):
-        return Asked(_told(line["fault"], exercise), closed=closed)
+        return Asked(_told(line["fault"], exercise), closed=closed, seconds=talk.seconds)
     stopped = next((word for word in ("stub", "nothing") if word in line), "timed out")
-    return Asked(stopped=stopped, closed=closed)
+    return Asked(stopped=stopped, closed=closed, seconds=talk.seconds)
 
 
 def _plain(sent):

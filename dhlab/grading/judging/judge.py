@@ -73,7 +73,7 @@ def mark(
     answers: Answers,
     variant: int,
     settings: Settings,
-    ask: Callable[[Function, dict[str, Any], Handed, bool], tuple[Asked, int]],
+    ask: Callable[[Function, dict[str, Any], Handed], tuple[Asked, int]],
 ) -> tuple[Mark, Handed | None]:
     """(Mark, the notebook it comes from) of one exercise: the last attempt that was noted counts.
 
@@ -84,8 +84,7 @@ def mark(
     variant : int
     settings : Settings
     ask : callable
-        Calls the program of a note, if need be alone in its process, and gives what it gave and the
-        seed of the inputs. Only what is right counts when other programs ran in its process.
+        Calls the program of a note, and gives what it gave and the seed of the inputs.
 
     Returns
     -------
@@ -94,11 +93,7 @@ def mark(
     worth = settings.points(exercise)
     for line, handed in reversed(answers.notes.get(exercise.id, ())):
         if line.get("function") == "written" and isinstance(exercise, Function):
-            asked, number = ask(exercise, line, handed, False)
-            found = _program(exercise, asked, number, settings, worth)
-            if asked.in_company and found.status != RIGHT:
-                asked, number = ask(exercise, line, handed, True)
-                found = _program(exercise, asked, number, settings, worth)
+            found = _program(exercise, *ask(exercise, line, handed), settings, worth)
         else:
             found = _judged(exercise, line, _seen(exercise, handed, variant), settings, worth)
         if found.status != NOT_ATTEMPTED:

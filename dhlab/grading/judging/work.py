@@ -6,7 +6,6 @@ import json
 import threading
 import time
 from collections.abc import Mapping
-from contextlib import closing
 from dataclasses import dataclass, field, replace
 from datetime import datetime, tzinfo
 from functools import cached_property
@@ -31,7 +30,7 @@ from ..results.marks import (
     Graded,
 )
 from ..results.standing import NO_FILE, lateness
-from .asking import Asked, Asking
+from .asking import Asked, ask
 from .borrowed import borrowed_from
 from .explained import OwnWords, explained
 from .judge import Answers, mark, without_marks
@@ -138,13 +137,12 @@ def _work(task, course):
     with _lock:
         cage = _cage(course, OPEN)
         answers, notes, trouble, called = _run_all(cage, task, course, variant)
+        programs = _Programs(task, course, variant, called)
         said = OwnWords(task.notebooks)
-        with closing(Asking()) as asking:
-            programs = _Programs(task, course, variant, called, asking)
-            found = [
-                _mark(exercise, answers, variant, course.settings, programs.ask, said)
-                for exercise in course.exercises
-            ]
+        found = [
+            _mark(exercise, answers, variant, course.settings, programs.ask, said)
+            for exercise in course.exercises
+        ]
     marks, missing = _by_lesson(found, task.notebooks)
     untouched = all(mark.status in (NOT_ATTEMPTED, NOT_HANDED_IN) for mark in marks)
     days, penalty = lateness(marks)
@@ -164,28 +162,21 @@ def _work(task, course):
 class _Programs:
     """Calls a student's programs, each in the room that its task allows."""
 
-    def __init__(self, task, course, variant, called, asking):
+    def __init__(self, task, course, variant, called):
         self.task, self.course, self.variant, self.called = task, course, variant, called
-        self.asking = asking
+        self.left = course.settings.limits.seconds
 
-    @property
-    def left(self):
-        """Seconds of processor that are left."""
-        return self.course.settings.limits.seconds - self.asking.seconds
-
-    def ask(self, exercise, line, handed, alone):
+    def ask(self, exercise, line, handed):
         """(what the program of a note gave, the seed of its inputs)."""
         number, own = self.task.seeds[exercise.id], not exercise.library
-        asked = self._asked(exercise, line, handed, number, OWN if own else OPEN, alone)
-        if asked.in_company:
-            return asked, number
+        asked = self._asked(exercise, line, handed, number, OWN if own else OPEN)
         if own and asked.closed and self.course.settings.own_kinematics:
-            again = self._asked(exercise, line, handed, number, OPEN, True)
+            again = self._asked(exercise, line, handed, number, OPEN)
             right = exercise.judge(again.called, number).status == RIGHT
             asked = replace(asked, right_with_library=not again.stopped and right)
         return asked, number
 
-    def _asked(self, exercise, line, handed, number, room, alone):
+    def _asked(self, exercise, line, handed, number, room):
         cell = line["cell"] if isinstance(line.get("cell"), int) else 0
         raw, skip = self.called[handed.name]
         asking = call_request(self.course, self.variant, exercise, cell, skip)
@@ -193,12 +184,11 @@ class _Programs:
         for whole in (False, True):
             if self.left <= 0:
                 return Asked(stopped="timed out")
-            given = cage, asking | {"whole": whole}, raw, exercise, number
-            asked = self.asking.ask(*given, alone)
-            if asked.in_company:
-                return asked
+            asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
+            self.left -= asked.seconds
             if asked.stopped == "timed out" and cage.learnt and self.left > 0:  # as in _run
-                asked = self.asking.ask(*given, True)
+                asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
+                self.left -= asked.seconds
             # reading alone may miss what a program depends on
             if not asked.missing:
                 break
