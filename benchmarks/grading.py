@@ -39,7 +39,7 @@ from dhlab.course.exercises import exercises  # noqa: E402
 from dhlab.grading.cage.cage import Cage  # noqa: E402
 from dhlab.grading.exports.nbgrader import export_nbgrader  # noqa: E402
 from dhlab.grading.intake.roster import Student  # noqa: E402
-from dhlab.grading.judging import work  # noqa: E402
+from dhlab.grading.judging import running, work  # noqa: E402
 from dhlab.grading.judging.questions import Course, handed_out_checks, seed  # noqa: E402
 from dhlab.grading.settings import Lesson, Settings  # noqa: E402
 
@@ -343,7 +343,7 @@ def _processor(lesson, files, count):
         outside = time.process_time() - begun
     finally:
         Cage._finish = finish
-        work.close()
+        running.close()
     return f"{graded.points:g} of {graded.of:g}", outside / count, sum(inside) / count
 
 

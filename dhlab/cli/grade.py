@@ -115,7 +115,7 @@ def _in_cage(settings, level):
 
 
 def _tell_plan(planned, as_json):
-    from ..grading.cage.cage import best_level
+    from ..grading.cage.levels import best_level
 
     level = planned.course.settings.cage or best_level()
     if as_json:
@@ -141,7 +141,7 @@ def _plan_data(planned, level):
 
 
 def _plan_text(planned, level):
-    from ..grading.cage.cage import RISKS
+    from ..grading.cage.levels import RISKS
     from ..printing import grid_text
 
     rows = [
@@ -188,7 +188,7 @@ def _when(mine, course):
 
 
 def _summary(results, planned, report, roster):
-    from ..grading.cage.cage import RISKS
+    from ..grading.cage.levels import RISKS
     from ..grading.reports.classreport import headcount
 
     counted = ", ".join(

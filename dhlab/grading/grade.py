@@ -14,7 +14,8 @@ from pathlib import Path
 
 from .intake.roster import Student
 from .judging.questions import Course, seed
-from .judging.work import Handed, Task, close, work
+from .judging.running import close
+from .judging.work import Handed, Task, work
 from .plan import Plan, plan
 from .results.changes import changes
 from .results.decisions import NAME, apply, read_decisions

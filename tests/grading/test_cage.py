@@ -27,7 +27,7 @@ import dhlab as dh
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.running.calling import Called, CallFault, record
-from dhlab.grading.cage import cage, sight, stage
+from dhlab.grading.cage import cage, launch, levels, sight, stage
 from dhlab.grading.inside import demonstrations, notebook
 from dhlab.grading.inside.cells import parsed, run_cell
 from dhlab.grading.inside.clock import TimeLimit
@@ -280,13 +280,13 @@ def test_only_one_exercise_runs_no_further_than_its_check():
 
 
 def test_a_level_that_does_not_work_is_said(monkeypatch):
-    monkeypatch.setattr(cage.shutil, "which", lambda name: "/bin/false")
+    monkeypatch.setattr(launch.shutil, "which", lambda name: "/bin/false")
     with pytest.raises(ValueError, match="expected the cage 'bubblewrap' to work here"):
         cage.Cage("bubblewrap")
 
 
 def test_marks_are_given_in_bubblewrap_unless_another_cage_is_named(monkeypatch):
-    monkeypatch.setattr(cage.shutil, "which", lambda name: "/bin/false")
+    monkeypatch.setattr(launch.shutil, "which", lambda name: "/bin/false")
     with pytest.raises(ValueError, match="expected bubblewrap, .* --cage landlock"):
         cage.Cage()
 
@@ -322,7 +322,7 @@ def test_a_grader_that_is_killed_leaves_nothing(level):
 
 
 def test_the_best_level_is_taken_and_its_risk_is_known():
-    assert cage.best_level() in cage.RISKS and "trust" in cage.RISKS["rlimits"]
+    assert levels.best_level() in levels.RISKS and "trust" in levels.RISKS["rlimits"]
 
 
 FROM_A_FILE = """

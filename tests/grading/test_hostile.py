@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import corpus
 
 from dhlab.grading import grade
-from dhlab.grading.cage import cage
+from dhlab.grading.cage import cage, levels
 from dhlab.grading.reports import publish
 from dhlab.grading.settings import Limits, Settings
 
@@ -193,7 +193,7 @@ def test_the_level_is_told(graded):
     assert {one.cage for one in results.values() if one.status == "graded"} == {
         top.name.rstrip("0123456789")
     }
-    assert results["honest000"].cage in cage.RISKS
+    assert results["honest000"].cage in levels.RISKS
 
 
 def test_every_line_of_the_grades_has_a_status(graded):

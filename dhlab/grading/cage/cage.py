@@ -1,61 +1,34 @@
 """The cage: a warm parent behind bars, from which each submission is forked; what comes out is
 lines of JSON, and a word on how it ended.
-
-Three levels; the first unless another is named, since a mark needs walls that hold:
-
-- **bubblewrap**: its own file system, network, processes and user, with seccomp and limits on top;
-- **landlock**: the same user and processes as the grader, but files restricted by Landlock, calls
-  by seccomp, with limits; its files together are counted every few hundredths of a second;
-- **rlimits**: limits of memory, time and files only. A submission could read what the teacher can
-  read. Said in every report.
 """
 
 import contextlib
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import asdict
 from typing import Any, Self
 
 from ..inside.clock import WAIT
-from ..settings import LEVELS, Limits
+from ..settings import Limits
 from . import stage
-from .folder import Folder, readable_by_others
+from .folder import Folder
+from .launch import launch
 from .listener import Listener, Run, used
-from .sight import OPEN, OWN, hidden, kept, packages, readable_without
+from .sight import OPEN
 from .talk import Talk
 
 try:
     import fcntl
-except ImportError:  # Windows, where best_level says what to do
+except ImportError:  # Windows, where check_system says what to do
     fcntl = None  # type: ignore[assignment]
 
-__all__ = ["Cage", "best_level", "required_level", "RISKS"]
+__all__ = ["Cage", "check_system", "required_level"]
 
-RISKS = {
-    "bubblewrap": (
-        "bubblewrap: submissions see no network, no files but Python's, no processes but their own"
-    ),
-    "landlock": (
-        "Landlock with seccomp: submissions read no files but Python's and the system's, reach no"
-        " network, start no program"
-    ),
-    "rlimits": (
-        "limits only, since neither bubblewrap nor Landlock works here: a hostile submission could"
-        " read the teacher's files and use the network; grade only people you trust, or install"
-        " bubblewrap"
-    ),
-}
-ALWAYS_WARM = tuple(
-    "dhlab dhlab.course dhlab.view numpy.random numpy.typing heapq encodings.utf_8_sig".split()
-)
 AS_NEEDED = ("dhlab.grading.inside.magics",)
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
@@ -92,7 +65,8 @@ class Cage:
         room: str = OPEN,
         lessons: Iterable[str] = (),
     ) -> None:
-        self.level, self.limits = _known(level) or required_level(), limits
+        check_system()
+        self.level, self.limits = level or required_level(), limits
         self.warm = frozenset({*AS_NEEDED, *warm})
         self.room, self.lessons = room, tuple(lessons)
         # of the modules to be warm: those that submissions loaded, and those that are warm by now
@@ -219,11 +193,12 @@ class Cage:
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = Folder()
         self._loaded = set()
-        staged, work = self._folder.staged, self._folder.work
-        stage.stage(staged, self.room)
+        stage.stage(self._folder.staged, self.room)
         self._control, theirs = socket.socketpair()
         with theirs, open(os.path.join(self._folder.path, "errors"), "wb") as errors:
-            command, environment = self._command(staged, work, theirs.fileno(), proc)
+            command, environment = launch(
+                self.level, self.limits, self.room, self._folder, theirs.fileno(), proc
+            )
             self._process = subprocess.Popen(
                 command,
                 pass_fds=[theirs.fileno()],
@@ -238,48 +213,6 @@ class Cage:
         if problem:
             self.close()
         return problem
-
-    def _command(self, staged, work, control, proc):
-        bubblewrap = self.level == "bubblewrap"
-        root = os.geteuid() == 0
-        user = (
-            (2_000_000_000 + os.getpid() % 1_000_000)
-            if root and (bubblewrap or readable_by_others())
-            else None
-        )
-        own_user = user is not None or bubblewrap
-        config = {
-            "control": control,
-            "level": self.level,
-            "work": "/tmp" if bubblewrap else work,
-            "user": user,
-            "own_processes": bubblewrap,
-            "warm": ALWAYS_WARM,
-            "limits": asdict(self.limits) | {"own_user": own_user},
-            "readable": (
-                [*readable_without(self._covered()), staged] if self.level == "landlock" else []
-            ),
-        }
-        command = stage.python_command(stage.INSIDE if bubblewrap else staged, json.dumps(config))
-        if bubblewrap:
-            return (
-                stage.bubblewrap_command(
-                    shutil.which("bwrap") or "bwrap", staged, command, self.limits, proc, self.room
-                ),
-                {},
-            )
-        return command, stage.environment(work)
-
-    def _covered(self):
-        """What Landlock must not let anybody read."""
-        seen = set(kept())
-        foreign = [
-            entry.path
-            for folder in (packages() if self.room == OWN else ())
-            for entry in os.scandir(folder)
-            if entry.path not in seen
-        ]
-        return [*hidden(), *foreign]
 
     def _greeting(self):
         """Empty when the warm parent is ready, otherwise what it says, or what Python printed."""
@@ -317,14 +250,13 @@ def _counted(seconds, begun):
     return max(seconds, (time.monotonic() - begun) / WAIT)
 
 
-def _known(level):
-    """The level itself; ValueError where no level can work."""
+def check_system() -> None:
+    """ValueError where no level can work."""
     if fcntl is None:
         raise ValueError(
             "grade: expected Linux or macOS, found a system that cannot run submissions apart; on"
             " Windows use the Windows Subsystem for Linux"
         )
-    return level
 
 
 def required_level() -> str:
@@ -335,27 +267,11 @@ def required_level() -> str:
     ValueError
         It does not work here; what can be done instead.
     """
-    _known(None)
+    check_system()
     with contextlib.suppress(ValueError), Cage("bubblewrap"):
         return "bubblewrap"
     raise ValueError(
         "grade: expected bubblewrap, in which submissions run closed in, found that it does not"
         " work here; install it (apt install bubblewrap), or, where you know what a submission"
         " could then do, name a weaker cage: --cage landlock or --cage rlimits"
-    )
-
-
-def best_level() -> str:
-    """The strongest level that works here, found by trying; ValueError where there is none."""
-    _known(None)
-    for level in LEVELS:
-        if (level == "bubblewrap" and not shutil.which("bwrap")) or (
-            level == "landlock" and not sys.platform.startswith("linux")
-        ):
-            continue
-        with contextlib.suppress(ValueError), Cage(level):
-            return level
-    raise ValueError(
-        "grade: expected a way to run submissions with limits, found none that works on this"
-        " machine; is it Linux or macOS?"
     )

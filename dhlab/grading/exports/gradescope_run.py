@@ -12,7 +12,7 @@ from typing import Any
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
 from ...formats.files import write_text
-from ..cage.cage import best_level
+from ..cage.levels import best_level
 from ..intake.notebooks import numbers_of
 from ..intake.submissions import submissions
 from ..judging.questions import Course, seed

@@ -2,20 +2,15 @@
 process or on another machine.
 """
 
-import json
 import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime, tzinfo
 from functools import cached_property
-from multiprocessing import util
-from typing import Any
 
 from ...course.kinds import Explain
-from ..cage.cage import Cage
 from ..cage.sight import OPEN, OWN
-from ..cage.stage import library
 from ..intake.notebooks import lessons_of, numbers_of
 from ..own_items import install
 from ..results.marks import (
@@ -25,7 +20,6 @@ from ..results.marks import (
     NOT_ATTEMPTED,
     NOT_HANDED_IN,
     RIGHT,
-    TIMED_OUT,
     UNREADABLE,
     Graded,
 )
@@ -33,23 +27,13 @@ from ..results.standing import NO_FILE, lateness
 from .asking import Asked, ask
 from .borrowed import borrowed_from
 from .explained import OwnWords, explained
-from .judge import Answers, mark, without_marks
-from .questions import (
-    Course,
-    call_request,
-    handed_out_cells,
-    handed_out_checks,
-    named_modules,
-    request,
-)
+from .judge import mark, without_marks
+from .questions import Course, call_request, handed_out_checks
+from .running import cage_of, run_all
 
-__all__ = ["Handed", "Task", "work", "handed_in", "close"]
+__all__ = ["Handed", "Task", "work", "handed_in"]
 
-LARGE = 1_000_000  # bytes of a notebook with pictures; a lesson as handed out has a tenth
-TOGETHER = 2  # times the seconds of a notebook: all those of one student
-AGAIN = 3  # how often a notebook is run again without the cell that ended it
 _lock = threading.Lock()
-_cages: dict[tuple[Any, ...], Cage] = {}
 
 
 @dataclass(frozen=True)
@@ -135,8 +119,8 @@ def _work(task, course):
         status = NOT_ATTEMPTED if task.refused else NOT_HANDED_IN
         return replace(graded, marks=without_marks(course, status))
     with _lock:
-        cage = _cage(course, OPEN)
-        answers, notes, trouble, called = _run_all(cage, task, course, variant)
+        cage = cage_of(course, OPEN)
+        answers, notes, trouble, called = run_all(cage, task, course, variant)
         programs = _Programs(task, course, variant, called)
         said = OwnWords(task.notebooks)
         found = [
@@ -180,7 +164,7 @@ class _Programs:
         cell = line["cell"] if isinstance(line.get("cell"), int) else 0
         raw, skip = self.called[handed.name]
         asking = call_request(self.course, self.variant, exercise, cell, skip)
-        cage = _cage(self.course, room)
+        cage = cage_of(self.course, room)
         for whole in (False, True):
             if self.left <= 0:
                 return Asked(stopped="timed out")
@@ -193,107 +177,6 @@ class _Programs:
             if not asked.missing:
                 break
         return asked
-
-
-def _cage(course, room):
-    """This process's cage for a course, built when it is first needed."""
-    key = (course.settings.cage, course.settings.limits, course.lessons, room)
-    if key not in _cages:
-        if _cages and next(iter(_cages))[:3] != key[:3]:
-            close()
-        warm = [*(library() if room == OPEN else ()), *named_modules(course.lessons)]
-        cells = handed_out_cells(course.lessons)
-        _cages[key] = Cage(course.settings.cage, course.settings.limits, warm, room, cells)
-    return _cages[key]
-
-
-def close() -> None:
-    """Close this process's cage."""
-    for cage in _cages.values():
-        cage.close()
-    _cages.clear()
-
-
-# at the end of this process; unlike atexit in workers too
-util.Finalize(None, close, exitpriority=1)
-
-
-def _run_all(cage, task, course, variant):
-    """Run every notebook; (answers, notes, what kept the whole from being graded: a status or
-    None, of each notebook what its programs are called from: its code, and the cells that were not
-    run).
-    """
-    answers, notes, runs, called = Answers(), [], [], {}
-    seconds = course.settings.limits.seconds
-    left = TOGETHER * seconds
-    for number, (handed, large) in enumerate(_slim(cage, task.notebooks)):
-        notes += large
-        most = min(seconds, left / (len(task.notebooks) - number))
-        run, why, called[handed.name], used = _run(cage, handed, course, variant, answers, most)
-        left -= used
-        runs.append(run)
-        notes += [f"{handed.name}: {note}" for note in why]
-    if any(run.ended == "timed out" for run in runs):
-        return answers, notes, TIMED_OUT, called
-    unread = all(
-        run.cell is None and (run.ended != "done" or "unreadable" in run.lines[-1]) for run in runs
-    )
-    return answers, notes, UNREADABLE if unread else None, called
-
-
-def _slim(cage, notebooks):
-    """(notebook, notes): large ones without their outputs; these are taken out in the cage, where
-    it costs nobody else anything. What is still large then is no notebook, and is cut off.
-    """
-    for handed in notebooks:
-        if len(handed.raw) <= LARGE:
-            yield handed, []
-            continue
-        run = cage.run({"slim": 1, "cell_seconds": 10}, handed.raw, 20)
-        raw = _code(run)
-        told = [] if raw else [f"{handed.name}: large, and not for its outputs: not run"]
-        yield replace(handed, raw=raw or handed.raw[:LARGE]), told
-
-
-def _code(run):
-    """The notebook without what is not code, as it was told before any of it ran; empty where it
-    was not told.
-    """
-    slim = run.lines[0].get("slim") if run.lines else None
-    return json.dumps(slim).encode() if slim else b""
-
-
-def _run(cage, handed, course, variant, answers, most):
-    """Run one notebook for so many seconds at most; a cell that ends the program costs itself, and
-    the rest is run again without it.
-    """
-    skip: set[int] = set()
-    notes, left, raw = [], most, handed.raw
-    while True:
-        run = cage.run(request(course, variant, skip), raw, left)
-        raw = _code(run) or raw
-        left -= run.seconds
-        late = any(line.get("ended") == "timed out" for line in run.lines)
-        if late and cage.learnt and left > 0:
-            continue  # it may have loaded for too long what those after it have loaded for them
-        answers.add(run, handed)
-        broken = [
-            line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)
-        ]
-        if broken:
-            notes.append(broken[0][:200])
-        if (
-            run.ended == "done"
-            or run.cell is None
-            or run.cell in skip
-            or len(skip) == AGAIN
-            or left <= 0
-        ):
-            if run.ended != "done":
-                notes.append(f"stopped: {run.ended}")
-            return run, notes, (raw, sorted(skip)), most - left
-        skip.add(run.cell)
-        notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
 
 
 def _mark(exercise, answers, variant, settings, ask_program, said):

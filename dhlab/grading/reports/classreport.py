@@ -12,7 +12,7 @@ from urllib.parse import quote
 from ...course.exercises import exercises
 from ...doctor import catalogue
 from ...formats.files import write_text
-from ..cage.cage import RISKS
+from ..cage.levels import RISKS
 from ..intake.roster import Student
 from ..results.marks import ERROR, GRADED, MISSING, NOT_ALLOWED, RIGHT, TIMED_OUT, WRONG, Graded
 from ..results.names import marks_stem, page_stem
