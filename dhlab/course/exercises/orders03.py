@@ -15,18 +15,12 @@ from ..kinds import Function, Known, Said
 
 __all__ = [
     "ARGUMENTS",
-    "BOTH_TURNS",
-    "CRAIGS_ALPHA",
-    "CRAIGS_THETA",
+    "CRAIGS_WORDS",
     "CRAIG_ORDERS",
     "CraigsMatrix",
-    "ENTRIES",
-    "INVERTED",
-    "OTHER_ORDER",
     "PUBLISHED",
     "REASONS",
     "SIDES",
-    "STANDARD_ORDER",
     "explain_order",
     "explain_published",
     "explain_reasons",
@@ -141,6 +135,17 @@ INVERTED = Said(
     "this is the inverse of the right matrix",
     next="Where is the new frame, seen from the old one? That is asked, and not the reverse.",
 )
+
+CRAIGS_WORDS = {
+    "craig-rows-in-standard-matrix": STANDARD_ORDER,
+    "order-taken-for-free": OTHER_ORDER,
+    "matrix-entry-mistyped": ENTRIES,
+    "columns-misread": ARGUMENTS,
+    "alpha-sign": CRAIGS_ALPHA,
+    ("row-vector-convention", "the turn about z"): CRAIGS_THETA,
+    ("row-vector-convention", ""): BOTH_TURNS,
+    "pose-inverted": INVERTED,
+}  # 03.3
 
 
 def explain_order(order: list[str]) -> Known | None:
