@@ -1,7 +1,6 @@
 """The text that a function stands in, and the function again with some of the text replaced."""
 
 import ast
-import builtins
 import copy
 import inspect
 import linecache
@@ -9,24 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .calculating import calls_only_known, is_risky, only_calculates
 from .memory import remembering
 
 __all__ = ["CODE", "Edit", "Text", "text_of"]
 
 CODE = "<learner, edited>"  # the name of the file that the edited text would be
-
-# who calls these does more than calculate, and is not called again and again
-RISKY = {
-    "open", "exec", "eval", "compile", "input", "breakpoint", "__import__", "os", "sys", "shutil",
-    "subprocess", "KeyboardInterrupt", "socket", "requests", "urllib", "pathlib", "Path",
-    "threading", "check", "serial",
-}  # fmt: skip
 DEFINITIONS = (ast.FunctionDef, ast.ClassDef)
 ASSIGNMENTS = (ast.Assign, ast.AnnAssign, ast.AugAssign)
-PLAIN = {
-    "numpy", "math", "builtins", "functools", "itertools", "operator", "cmath", "types", "copy",
-    "collections", "dataclasses", "enum", "fractions", "decimal", "typing",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -205,8 +194,8 @@ class Text:
         """Whether a statement of the text only defines or calculates."""
         if isinstance(statement, DEFINITIONS):
             return True
-        return isinstance(statement, ASSIGNMENTS) and all(
-            self._is_known(node.func) for node in ast.walk(statement) if isinstance(node, ast.Call)
+        return isinstance(statement, ASSIGNMENTS) and calls_only_known(
+            statement, self.space, self.defined
         )
 
     @property
@@ -218,24 +207,8 @@ class Text:
             name: defined
             for name, defined in self.defined.items()
             if isinstance(defined, ast.FunctionDef)
-            and (defined in self.blocks or self._only_calculates(defined))
+            and (defined in self.blocks or only_calculates(defined, self.space, self.defined))
         }
-
-    def _only_calculates(self, defined):
-        return not (defined.decorator_list or _is_risky([defined])) and all(
-            self._is_known(node.func) for node in ast.walk(defined) if isinstance(node, ast.Call)
-        )
-
-    def _is_known(self, function):
-        while isinstance(function, (ast.Attribute, ast.Call, ast.Subscript)):
-            function = getattr(function, "value", None) or function.func
-        if not isinstance(function, ast.Name):
-            return True  # a method of a literal
-        name = function.id
-        value = self.space.get(name, getattr(builtins, name, None))
-        home = getattr(value, "__name__", "") if isinstance(value, type(ast)) else ""
-        home = home or getattr(value, "__module__", None) or type(value).__module__
-        return name in self.defined or home.split(".")[0] in PLAIN
 
 
 def _used_by(statement):
@@ -286,7 +259,7 @@ def text_of(f):
         text = Text("".join(lines), _name_of(f, called), called.__globals__)
     except (SyntaxError, ValueError):  # magics of a notebook
         return None
-    return text if text.blocks and not _is_risky(text.blocks) else None
+    return text if text.blocks and not is_risky(text.blocks) else None
 
 
 def _name_of(f, called):
@@ -294,11 +267,3 @@ def _name_of(f, called):
     if called is f and f.__qualname__ == f.__code__.co_name != "<lambda>":
         return f.__name__
     return next((name for name, value in called.__globals__.items() if value is f), "")
-
-
-def _is_risky(blocks):
-    return any(
-        isinstance(node, ast.Name) and node.id in RISKY
-        for block in blocks
-        for node in ast.walk(block)
-    )
