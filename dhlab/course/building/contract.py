@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 
 from ...printing import grid_text
-from . import rules
+from . import exerciserules, rules
 from .faults import refuse_sources
 from .lesson import Lesson
 from .reading import sources
@@ -35,19 +35,19 @@ CONTRACT = {
     "opening": rules.opening,
     "prose": rules.prose,
     "new terms": rules.terms,
-    "checks": rules.checks,
+    "checks": exerciserules.checks,
     "predictions": rules.predictions,
     "misconceptions": rules.misconceptions,
-    "choices": rules.choices,
+    "choices": exerciserules.choices,
     "worked example": rules.worked,
     "why": rules.tag("why"),
     "modify, make": rules.tag("modify", "make"),
-    "low typing": rules.typing,
-    "debugging": rules.debugging,
-    "feedback": rules.feedback,
-    "strength": rules.strength,
+    "low typing": exerciserules.typing,
+    "debugging": exerciserules.debugging,
+    "feedback": exerciserules.feedback,
+    "strength": exerciserules.strength,
     "code": rules.code,
-    "transfer": rules.transfer,
+    "transfer": exerciserules.transfer,
     "close": rules.close,
     "teacher sheet": rules.teacher,
 }

@@ -1,36 +1,27 @@
-"""The lines of the lesson contract: each says whether a Lesson keeps it, and what was found."""
+"""The contract's lines on a lesson's time, text and cells: each says whether a Lesson keeps it, and
+what was found.
+"""
 
 import re
 from collections.abc import Callable
 
 from ...doctor import catalogue
-from ...doctor.programs.explain import WRONG_VERSIONS
-from ...doctor.tables.rows import wrong_tables
-from ..kinds import CASES, UNDECIDED, Choice, Function, Lettered, Order, PreTest, Table
-from ..kinds.frames.placed import MISTAKES, Frames
 from . import reading
 from .lesson import Lesson, library_calls, words
 from .notebooks import lesson_notebook
 
 __all__ = [
-    "checks",
-    "choices",
     "close",
     "code",
-    "debugging",
-    "feedback",
     "misconceptions",
     "opening",
     "practice",
     "predictions",
     "prose",
-    "strength",
     "tag",
     "teacher",
     "terms",
     "time",
-    "transfer",
-    "typing",
     "worked",
 ]
 
@@ -120,21 +111,6 @@ def terms(lesson: Lesson) -> tuple[bool, str]:
     )
 
 
-def checks(lesson: Lesson) -> tuple[bool, str]:
-    """A check soon, then one every few minutes, and each exercise checked."""
-    clock, times = 0.0, []
-    for cell in lesson.cells:
-        clock += lesson.minutes(cell)
-        if cell.cell_type == "code" and cell.source.startswith("check("):
-            times.append(clock)
-    gaps = [round(b - a) for a, b in zip([0, *times], [*times, clock])]
-    complete = set(lesson.called("check")) == set(lesson.exercises)
-    return (
-        len(times) >= 3 and gaps[0] <= 8 and max(gaps[1:]) <= 12 and complete,
-        f"{len(times)} checks, first after {gaps[0]} min, widest gap {max(gaps[1:])} min",
-    )
-
-
 def predictions(lesson: Lesson) -> tuple[bool, str]:
     """Two guesses, each made before it is answered."""
     asked, shown = lesson.called("predict"), lesson.called("reveal")
@@ -163,27 +139,6 @@ def misconceptions(lesson: Lesson) -> tuple[bool, str]:
     )
 
 
-def choices(lesson: Lesson) -> tuple[bool, str]:
-    """Each wrong option is somebody's mistake, and "?" is always offered."""
-    asked = [e for e in lesson.exercises.values() if isinstance(e, (Choice, PreTest))]
-    bad = [
-        e.id
-        for e in asked
-        if not all(
-            option.answer and (option.mistake in catalogue()) == (key != e.correct)
-            for key, option in e.options.items()
-        )
-    ]
-    silent = [
-        e.id
-        for e in lesson.exercises.values()
-        if isinstance(e, Lettered) and f'`"{UNDECIDED}"`' not in lesson.questions.get(e.id, "")
-    ]
-    return not bad and not silent, f"{len(asked)} choices" + "".join(
-        f", {e} has an option without its mistake" for e in bad
-    ) + "".join(f', {e} does not offer "?"' for e in silent)
-
-
 def worked(lesson: Lesson) -> tuple[bool, str]:
     """An example worked in full, then with gaps, then bare; bare may be for practice."""
     order = [
@@ -204,47 +159,6 @@ def tag(*tags: str) -> Callable[[Lesson], tuple[bool, str]]:
         return all(counts.values()), ", ".join(f"{n} {tag}" for tag, n in counts.items())
 
     return rule
-
-
-def typing(lesson: Lesson) -> tuple[bool, str]:
-    """An exercise without typing, in one of the lesson's sittings."""
-    orders = [
-        key
-        for sitting in lesson.sittings
-        for key in sitting.core.called("check")
-        if isinstance(sitting.exercises.get(key), (Order, PreTest))
-    ]
-    return bool(orders), ", ".join(orders)
-
-
-def debugging(lesson: Lesson) -> tuple[bool, str]:
-    """From lesson 03 on, something to repair, in one of the lesson's sittings."""
-    cells = [cell for sitting in lesson.sittings for cell in sitting.core.tagged("debug")]
-    return len(cells) >= (int(lesson.number[:2]) >= 3), f"{len(cells)} cells"
-
-
-def feedback(lesson: Lesson) -> tuple[bool, str]:
-    """Two hints each."""
-    without = [e.id for e in lesson.exercises.values() if len(e.hints) != 2 or not all(e.hints)]
-    return not without, "two hints each" if not without else f"no two hints: {', '.join(without)}"
-
-
-def strength(lesson: Lesson) -> tuple[bool, str]:
-    """Many inputs, and many mistakes known."""
-    known = {
-        e.id: len({m for m, _, _ in WRONG_VERSIONS[e.family]})
-        for e in lesson.exercises.values()
-        if isinstance(e, Function)
-    }
-    known |= {
-        e.id: len({m for m, _, _ in wrong_tables(e.right_arm().table)})
-        for e in lesson.exercises.values()
-        if isinstance(e, Table)
-    }
-    known |= {e.id: len(MISTAKES) for e in lesson.exercises.values() if isinstance(e, Frames)}
-    return CASES >= 20 and all(
-        n >= 10 for n in known.values()
-    ), f"{CASES} inputs; mistakes known: " + ", ".join(f"{key} {n}" for key, n in known.items())
 
 
 def code(lesson: Lesson) -> tuple[bool, str]:
@@ -270,15 +184,6 @@ def code(lesson: Lesson) -> tuple[bool, str]:
     return (
         not faults,
         "; ".join(faults) or f"{len(known)} library names in {len(lesson.code)} cells",
-    )
-
-
-def transfer(lesson: Lesson) -> tuple[bool, str]:
-    """The core's last exercise is on something new."""
-    marked = lesson.core.tagged("transfer")
-    last = [c for c in lesson.core.code if "exercise" in c.metadata][-1:]
-    return bool(marked) and marked[-1:] == last, (
-        "the last exercise" if marked[-1:] == last else "not the last exercise"
     )
 
 
