@@ -3,24 +3,18 @@ or one joint at a time.
 """
 
 import json
-import re
 import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from ..formats.files import read_text
-from ..formats.plainyaml import placed
-from ..formats.posefile import LARGEST as LARGEST_POSES
-from ..units import ANGLE, LENGTH
 from .against import against_arm, axes_of, is_arm, sheet_in
 from .common import arm_of, units_of
 from .doctor_program import diagnose_program
+from .measured import noise_of, units_of_poses
 
 __all__ = ["doctor"]
-
-ANGLES = {**ANGLE, "°": ANGLE["deg"]}
 
 
 def doctor(
@@ -127,7 +121,7 @@ def doctor(
             " says its own, leave it out"
         )
     _check(poses, protocol, sheet, repair, motion, free_base or free_tool)
-    level = _noise(noise)
+    level = noise_of(noise)
     if units:
         units_of(units, "doctor")
     if poses and not motion and is_arm(poses):
@@ -145,10 +139,10 @@ def doctor(
                 f"doctor: expected poses in the base frame and at the end of {arm}, an axis sheet,"
                 " found --free-base or --free-tool; leave them out, the end pose is looked at too"
             )
-        axes_of(axes, poses, _units(units, poses), level, repair, budget, as_json)
+        axes_of(axes, poses, units_of_poses(units, poses), level, repair, budget, as_json)
         return
     model = arm_of(arm)
-    lengths, angles = (None, None) if protocol else _units(units, poses)
+    lengths, angles = (None, None) if protocol else units_of_poses(units, poses)
     if protocol:
         _give_protocol(model, sheet, as_json)
         return
@@ -189,70 +183,6 @@ def _check(poses, protocol, sheet, repair, motion, free):
                 f"doctor: {name}: {file}: expected a new file, found one that exists; choose"
                 " another name"
             )
-
-
-def _units(told, path):
-    """The lengths' and the angles' factor: as told, as a line of the file says, or both alike."""
-    line, written = _written_units(path)
-    if not (told or written):
-        raise ValueError(
-            f"doctor: expected the units of {path}, found none; add --units mm,deg or --units"
-            " m,rad, or a line # units: mm,deg to the file"
-        )
-    stands = (
-        placed(f"{path}: line {line}", lambda: units_of(written, "doctor")) if written else None
-    )
-    units = units_of(told, "doctor") if told else stands
-    if stands and stands != units:
-        raise ValueError(
-            f"doctor: --units: expected the units that {path} names, {written}, found {told}; leave"
-            " --units out, or correct the line in the file"
-        )
-    return units
-
-
-def _written_units(path):
-    """The line of the poses file that names its units, and the units; 0 and "" where none does."""
-    text = read_text(path, "a poses file", LARGEST_POSES)
-    pattern = r"^[ \t]*#.*\bunits:[ \t]*([^;\n]*?)[ \t,]*(?:;|$)"
-    lines = [
-        (text.count("\n", 0, found.start()) + 1, found[1])
-        for found in re.finditer(pattern, text, re.MULTILINE)
-    ]
-    for line, said in lines[1:]:
-        if said != lines[0][1]:
-            raise ValueError(
-                f"{path}: line {line}: expected the units of line {lines[0][0]}, {lines[0][1]},"
-                f" found {said}; leave one of the lines out"
-            )
-    return lines[0] if lines else (0, "")
-
-
-def _noise(text):
-    """(m, rad) or one number from "1mm,0.2deg"; None when nothing was given."""
-    if not text.strip():
-        return None
-    parts = [part.strip() for part in text.split(",")]
-    if len(parts) > 2:
-        raise _bad_noise(text)
-    return tuple(_amount(part, known, text) for part, known in zip(parts, (LENGTH, ANGLES)))
-
-
-def _amount(part, known, text):
-    found = re.fullmatch(r"(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d{1,2}))?\s*([a-z°]+)", part)
-    if not found or found[3] not in known:
-        raise _bad_noise(text)
-    value = float(found[1] + ("e" + found[2] if found[2] else "")) * known[found[3]]
-    if not 0 < value < 10:
-        raise _bad_noise(text)
-    return value
-
-
-def _bad_noise(text):
-    return ValueError(
-        "doctor: --noise: expected a length and perhaps an angle above 0, each with its unit, such"
-        f" as 1mm,0.2deg, found {text!r}"
-    )
 
 
 def _poses(model, path, lengths, angles, noise, free_base, free_tool, budget):

@@ -8,7 +8,7 @@ import pytest
 from terminal import dhlab
 
 import dhlab as dh
-from dhlab.cli.doctor import _noise
+from dhlab.cli.measured import noise_of
 from dhlab.transform import from_xyz_rpy, rot_z, trans
 
 
@@ -160,7 +160,7 @@ def test_errors_are_one_sentence_and_status_2(arguments, words):
     ],
 )
 def test_noise_as_people_write_it(text, value):
-    assert np.allclose(_noise(text), value) and _noise(" ") is None
+    assert np.allclose(noise_of(text), value) and noise_of(" ") is None
 
 
 @pytest.mark.parametrize(
@@ -183,7 +183,7 @@ def test_noise_as_people_write_it(text, value):
 )
 def test_noise_that_says_nothing_is_refused(text):
     with pytest.raises(ValueError, match="--noise"):
-        _noise(text)
+        noise_of(text)
 
 
 def test_wrong_columns(tmp_path):
