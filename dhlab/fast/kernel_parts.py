@@ -1,6 +1,7 @@
 """What the two kernels share: how numba is to compile, where the numbers of a packed chain stand,
 cosine and sine, the chain rule. (On disk numba keeps what it compiled until
-``kernel_one.py`` or ``kernel_many.py`` changes: touch those after a change here.)
+``kernel_one.py`` or ``kernel_many.py`` changes: touch those after a change here or in
+``kernel_block.py``.)
 """
 
 import math
