@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..geometry.lines import nearest_on, tilt
 from ..geometry.procedure.frames import PlacedArm, assign_frames
 from ..geometry.procedure.inputs import axes_from
-from ..geometry.procedure.normals import ROUNDING, Choices, place
+from ..geometry.procedure.normals import Choices, place
 from ..transform import require_pose
 from .finished import placed_arm, pose
-from .geometry import LENGTH, Geometry, geometry
+from .geometry import Geometry
+from .neighbours import comes_first, on_next_line, open_for
 from .rule_origin import judge_origin
 from .rule_x import judge_x
 from .rule_z import judge_z
@@ -41,6 +41,8 @@ class Placement:
     z, o, x : dict
         What is placed so far, by frame: unit vectors (3,) and points (3,) in m, exact where the
         hand was a little off.
+    points : dict
+        By frame, the point (3,) that z was laid through, where its line is open; else None.
     model : PlacedArm
         What ``assign_frames`` makes of the same axes.
 
@@ -92,7 +94,7 @@ class Placement:
         self.z: dict[int, NDArray[np.float64]] = {}
         self.o: dict[int, NDArray[np.float64]] = {}
         self.x: dict[int, NDArray[np.float64]] = {}
-        self._points: dict[int, NDArray[np.float64] | None] = {}
+        self.points: dict[int, NDArray[np.float64] | None] = {}
         self._said: dict[str, Judgement] = {}
 
     def __len__(self) -> int:
@@ -130,12 +132,12 @@ class Placement:
         >>> found.case, found.origin, abs(found.x)
         ('skew', array([0.4, 0. , 0.1]), array([1., 0., 0.]))
         """
-        before = self._comes_first(self._frame(i))
+        before = comes_first(self, self._frame(i))
         if before:
             raise ValueError(
                 f"Placement.choices: frame {i}: what is open depends on {before}; place it first"
             )
-        return self._geometry(i, self.o.get(i))
+        return open_for(self, i, self.o.get(i))
 
     def set_z(self, i: int, direction: ArrayLike, point: ArrayLike | None = None) -> Judgement:
         """Lay z_i along a direction.
@@ -157,7 +159,7 @@ class Placement:
         i = self._frame(i)
         judgement, exact = judge_z(i, self.axes, self.convention, self.reach, direction, point)
         if exact is not None:
-            self.z[i], self._points[i] = exact
+            self.z[i], self.points[i] = exact
             self._keep(judgement)
         return judgement
 
@@ -168,13 +170,13 @@ class Placement:
         -------
         Judgement
         """
-        before = self._comes_first(self._frame(i), "o")
+        before = comes_first(self, self._frame(i), "o")
         if before:
             first = f"Place {before} first: which point is right depends on it."
             return Judgement(f"o{i}", False, "order", first)
-        judgement, exact = judge_origin(self._geometry(i), point)
+        judgement, exact = judge_origin(open_for(self, i), point)
         if exact is not None:
-            self.o[i] = self._on_next_line(i, exact)
+            self.o[i] = on_next_line(self, i, exact)
             self._keep(judgement)
         return judgement
 
@@ -185,10 +187,10 @@ class Placement:
         -------
         Judgement
         """
-        before = self._comes_first(self._frame(i), "x")
+        before = comes_first(self, self._frame(i), "x")
         if before:
             return Judgement(f"x{i}", False, "order", f"Place {before} first: x{i} depends on it.")
-        judgement, exact = judge_x(self._geometry(i, self.o[i]), self.z[i], direction, len(self))
+        judgement, exact = judge_x(open_for(self, i, self.o[i]), self.z[i], direction, len(self))
         if exact is not None:
             self.x[i] = exact
             self._keep(judgement)
@@ -262,54 +264,6 @@ class Placement:
             )
         return int(i)
 
-    def _other(self, i):
-        """The frame whose z line x_i must meet, or None at the free end of the chain."""
-        j = i - 1 if self.standard else i + 1
-        return j if 0 <= j <= len(self) else None
-
-    def _line(self, i):
-        """The line of z_i, or None while only its direction is settled."""
-        k = self.joint(i)
-        if k and self.axes[k - 1].letter == "R":
-            return self.axes[k - 1].p, self.z.get(i, self.axes[k - 1].z)
-        return None if self._points.get(i) is None else (self._points[i], self.z[i])
-
-    def _comes_first(self, i, part=""):
-        """The step that must come before this one of frame i, or "": z before the origin before x,
-        and the other line before both.
-        """
-        if i not in self.z and (part or self._line(i) is None):
-            return f"z{i}"
-        j = self._other(i)
-        if j is not None and self._line(j) is None and not (j in self.z and j in self.o):
-            return f"o{j}" if j in self.z else f"z{j}"
-        return f"o{i}" if part == "x" and i not in self.o else ""
-
-    def _geometry(self, i, o=None):
-        j, line = self._other(i), self._line(i)
-        other = None if j is None else self._line(j) or (self.o[j], self.z[j])
-        z = self.z[i] if line is None else line[1]
-        return geometry(
-            i, (f"z{i}", f"z{j}"), self.reach, z, line, other, anchor=self.o.get(j), o=o
-        )
-
-    def _on_next_line(self, i, o):
-        """The origin of a sliding joint, moved onto the line of the next z where the two are so
-        near that one line is meant.
-        """
-        j = i + 1 if self.standard else i - 1
-        line = self._line(j) if self._line(i) is None and 0 <= j <= len(self) else None
-        if line is None or tilt(line[1], self.z[i]) > ROUNDING:
-            return o
-        p, z = line
-        on = nearest_on(p, z, o)
-        reached = judge_origin(self._geometry(i), on)[1]
-        gap = np.zeros(3) if reached is None else reached - on
-        if abs(z @ gap) > ROUNDING * self.reach:
-            # one row reaches another point of the line, a little further along it
-            on = on + z * (gap @ gap) / (z @ gap)
-        return on if reached is not None and np.linalg.norm(on - o) <= LENGTH * self.reach else o
-
     def _keep(self, judgement):
         """Note a right step; make the others exact again, or put away those that no longer fit."""
         self._said[judgement.step] = judgement
@@ -321,12 +275,12 @@ class Placement:
         if i not in placed:
             return
         exact = None
-        if not self._comes_first(i, letter):
+        if not comes_first(self, i, letter):
             if letter == "o":
-                judgement, exact = judge_origin(self._geometry(i), placed[i])
+                judgement, exact = judge_origin(open_for(self, i), placed[i])
             else:
                 judgement, exact = judge_x(
-                    self._geometry(i, self.o[i]), self.z[i], placed[i], len(self)
+                    open_for(self, i, self.o[i]), self.z[i], placed[i], len(self)
                 )
         if exact is None:
             del placed[i], self._said[f"{letter}{i}"]
