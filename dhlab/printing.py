@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from .transform import to_xyz_rpy
 
 if TYPE_CHECKING:
-    from .arm import Arm
+    from .serialchain import SerialChain
     from .table import DHTable
 
 __all__ = [
@@ -158,7 +158,7 @@ def table_html(
     return grid_html(head, rows, caption or _title(table, length))
 
 
-def arm_text(arm: Arm) -> str:
+def arm_text(arm: SerialChain) -> str:
     """An arm as plain text: name, table, base and tool when they are not the identity, limits."""
     lines = [arm.name] if arm.name else []
     lines.append(table_text(arm.table, _rates(arm)))
@@ -166,7 +166,7 @@ def arm_text(arm: Arm) -> str:
     return "\n".join(lines)
 
 
-def arm_html(arm: Arm) -> str:
+def arm_html(arm: SerialChain) -> str:
     """An arm as HTML for a notebook."""
     caption = f"{arm.name}: {_title(arm.table)}" if arm.name else None
     extras = "".join(f"<p>{escape(line)}</p>" for line in _extras(arm))

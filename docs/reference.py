@@ -45,8 +45,10 @@ def _room(module, names):
 
 
 def _entry(name):
+    """With a class come its methods, and those of ``SerialChain`` with ``Arm``."""
     kind = "class" if inspect.isclass(pkgutil.resolve_name(name)) else "function"
     members = "\n   :members:" if kind == "class" else ""
+    members += "\n   :inherited-members:" if name == "dhlab.Arm" else ""
     return f".. auto{kind}:: {name}{members}"
 
 
