@@ -13,6 +13,10 @@ BIN := .venv/bin
 PYTEST := $(BIN)/python -m pytest --numprocesses logical --dist loadgroup --no-loadscope-reorder
 # bytecode is kept, whatever a shell says: some hundred tests start Python anew
 export PYTHONDONTWRITEBYTECODE :=
+# what Jupyter asks for and runs without, 70 MB: completion that reads code (there is the one that
+# looks at objects, and it is quicker), the debugger, widgets in the classic notebook; and what venv
+# brings before Python 3.12
+SPARED := jedi parso debugpy widgetsnbextension setuptools
 COSTLY := browser or cage or notebook or slow
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
@@ -67,6 +71,7 @@ bench: .venv/test
 # --no-compile: Python compiles a module when it is first used, and most never are
 .venv/lab: .venv/bin/python pyproject.toml constraints.txt
 	$(PIP) --no-compile --editable '.[lab]'
+	$(BIN)/python -m pip uninstall --yes -qq $(SPARED)
 	@touch $@
 
 .venv/test: .venv/bin/python pyproject.toml constraints.txt

@@ -234,3 +234,22 @@ def test_the_lab_without_its_extra_is_one_sentence(python, tmp_path):
         f' "{NAME}[lab]"'
     ]
     assert not (tmp_path / "my-course").exists()
+
+
+@pytest.mark.slow
+def test_jupyter_works_without_what_make_lab_leaves_out():
+    """With these modules out of reach, what the lab starts is still there, and a name completed."""
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    spared = re.search(r"^SPARED := (.+)$", makefile, re.MULTILINE)[1].split()
+    assert {"jedi", "debugpy"} <= set(spared)
+    code = f"""
+import sys
+sys.modules.update(dict.fromkeys({spared}))
+import ipykernel.kernelapp, jupyter_lsp, jupyter_server_terminals, jupyterlab.labapp, nbconvert
+from IPython.core.interactiveshell import InteractiveShell
+shell = InteractiveShell.instance()
+shell.run_cell("import dhlab as dh; arm = dh.load('ur5e'); widget = dh.explore(arm)").raise_error()
+print(shell.complete("arm.table.alph")[1])
+"""
+    told = run([sys.executable, "-c", code])
+    assert ".alpha'" in told.splitlines()[-1]
