@@ -63,6 +63,8 @@ def test_a_page_is_written_out_for_sphinx():
     assert ".. automodule:: dhlab.formats\n" in text
     assert "   dhlab.read_urdf\n" in text
     assert ".. autofunction:: dhlab.read_urdf\n" in text
+    arm = reference.filled_in("```{room} dhlab\ndhlab.Arm\n```\n")
+    assert ".. autoclass:: dhlab.Arm\n   :members:\n   :inherited-members:" in arm, "no forward"
     overview = reference.filled_in("```{rooms}\nfiles\n```\n")
     assert "| [Files](reference/files.md) |" in overview
     assert "`~dhlab.read_urdf`" in overview
