@@ -14,6 +14,7 @@ from dhlab.course.kinds import Function
 from dhlab.doctor.programs.source.foretold import foretold_pairs
 from dhlab.doctor.programs.wrong.branches import branches
 from dhlab.doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
+from dhlab.robots import load
 from dhlab.transform import inverse, rot_x, rot_z, trans_x, trans_z
 
 E = exercises()
@@ -107,6 +108,21 @@ def column_about_its_own_z(i, frames, p, sliding):
     return swung(np.array([0.0, 0.0, 1.0]), p - frames[i][:3, 3], sliding[i])
 
 
+def column_of_the_tool(sign):
+    """The lever is the tool's own step, from the last frame to the end, or the reverse."""
+    return lambda i, frames, p, sliding: swung(
+        frames[i][:3, 2], sign * (p - frames[-1][:3, 3]), sliding[i]
+    )
+
+
+def jacobian_of_a_whole_pose(frames, T_end, sliding):
+    columns, p = [], frames[-1][:3, 3]
+    for frame, slides in zip(frames, sliding):
+        z = frame[:3, 2]
+        columns.append(swung(z, z if slides else T_end - p, slides))
+    return np.array(columns).T
+
+
 def as_rows(cols):
     return np.array(cols).reshape(6, len(cols))
 
@@ -123,6 +139,9 @@ JACOBIANS = [  # (exercise, program, what must be said, what must not)
     ("08.2", jacobian(column_with_z_for_o), "or z or a row in its place", "end alone, o was"),
     ("08.2", jacobian(column_by_dot), "np.cross gives three", "count"),
     ("08.2", jacobian(column_about_its_own_z), "z is 0 0 1 for every joint", "another frame"),
+    ("08.2", jacobian(column_of_the_tool(1)), "the last frame to the end, for every", "differ"),
+    ("08.11", jacobian(column_of_the_tool(-1)), "the end to the last frame, for every", "pen"),
+    ("08.11", jacobian_of_a_whole_pose, "which three numbers of the pose", "lacks"),
     ("08.11", jacobian(column_without_o), "o was not taken off", "pen"),
 ]
 
@@ -178,6 +197,29 @@ def by_chance(T):
     return np.random.default_rng().uniform(-2, 2, (8, 6))
 
 
+ARTICLE_J = load("article-6r").jacobian
+ARTICLE_T = load("article-6r").forward
+NEAR_SINGULAR = np.deg2rad([0, 40, -60, 50, 1, 0])
+
+
+def with_arm(jacobian_too, pose_too):
+    """The loop with ``arm``, which the first cell made, in place of what rows describes."""
+
+    def solve(rows, T_goal, q, damping, steps):
+        for _ in range(steps):
+            frames = np.array(frames_of(rows, q))
+            J = geometric_jacobian(frames, frames[-1], [False] * 6)
+            J, T = ARTICLE_J(q) if jacobian_too else J, ARTICLE_T(q) if pose_too else frames[-1]
+            q = q + damped(J, pose_error(T, T_goal), damping)
+        return q
+
+    return solve
+
+
+def inverse_forgotten(J, e, k):
+    return (J.T @ J + k**2 * np.eye(6)) @ J.T @ e
+
+
 SOLVERS = [
     ("08.4", position_by_the_tool, "the turn is right; the position is", "Rᵀ R"),
     (
@@ -188,9 +230,37 @@ SOLVERS = [
     ),
     ("08.6", loop(lambda J, e, k: damped(J, e, 0.05)), "0.05 in every call", "differ"),
     ("08.6", loop(damped, lambda q, dq: dq), "q = dq forgets", "differ"),
+    ("08.6", loop(inverse_forgotten), "the inverse is missing", "differ"),
+    ("08.6", with_arm(True, False), "the Jacobian is that of the article's arm", "pose"),
+    ("08.6", with_arm(False, True), "the pose is that of the article's arm", "Jacobian is"),
+    ("08.6", with_arm(True, True), "Jacobian and pose are those of the article's arm", "differ"),
+    (
+        "08.6",
+        loop(lambda J, e, k: damped(ARTICLE_J(NEAR_SINGULAR), e, k)),
+        "the damping's cell left in memory",
+        "rows",
+    ),
     ("08.8", by_chance, "draws random numbers", "np.eye(4)"),
     ("08.8", lambda T: np.rad2deg(branches(T)) + 360, "in degrees; radians", "forward"),
 ]
+
+
+@pytest.mark.parametrize("variant", range(2, 5))
+@pytest.mark.parametrize(
+    "nearly",
+    [
+        loop(lambda J, e, k: (J.T @ J + np.eye(6)) @ J.T @ e),
+        loop(lambda J, e, k: J.T @ (J @ J.T) @ e),
+        loop(lambda J, e, k: damped(1.001 * J, e, k)),
+        loop(lambda J, e, k: damped(ARTICLE_J(0 * NEAR_SINGULAR), e, k)),
+        loop(lambda J, e, k: damped(load("ur5e").jacobian(NEAR_SINGULAR), e, k)),
+    ],
+)
+def test_what_is_said_of_one_solver_is_not_said_of_another(nearly, variant):
+    verdict = E["08.6"].judge(nearly, variant)
+    assert verdict.status == "wrong"
+    for said in ("inverse is missing", "the article's arm", "left in memory"):
+        assert said not in str(verdict)
 
 
 @pytest.mark.parametrize("key, f, said, unsaid", SOLVERS)
@@ -259,7 +329,7 @@ def last_alone(rows, q):
 MOVES = [
     ("05.1", of_whole_numbers, "the same whatever goes in", "cut off"),
     ("05.4", all_four, "what they make together", "alone"),
-    ("05.4", with_dots, "no dots left", "4×4"),
+    ("05.4", with_dots, "dots are left in the program", "4×4"),
     ("05.6", called, "made by calling functions", "Right"),
     ("05.7", called, "made by calling functions", "One sign"),
     ("09.8", last_alone, "only the last row's matrix comes out", "begins"),
@@ -282,6 +352,59 @@ def test_what_is_said_of_moves_and_products(key, f, said, unsaid):
 @pytest.mark.parametrize("f", [with_d_for_a, with_theta_for_alpha])
 def test_the_number_that_is_named_is_used_for_the_other(f):
     assert programs.judged(E["05.4"].judge(f, 1), f, "dh_transform")
+
+
+def half_of_the_branches(frames, T_end, sliding):
+    columns = []
+    for frame, slides in zip(frames, sliding):
+        z, o = frame[:3, 2], frame[:3, 3]
+        if slides:
+            columns.append(...)
+        else:
+            columns.append(np.hstack([np.cross(z, T_end[:3, 3] - o), z]))
+    return np.array(columns).T
+
+
+def dots_in_a_column(frames, T_end, sliding):
+    columns = []
+    for frame, slides in zip(frames, sliding):
+        z, o = frame[..., :3, 2], frame[..., :3, 3]
+        columns.append([*z, ..., ..., ...] if slides else [*np.cross(z, T_end[:3, 3] - o), *z])
+    return np.array(columns).T
+
+
+def nothing_where_it_slides(frames, T_end, sliding):
+    columns = []
+    for frame, slides in zip(frames, sliding):
+        z, o = frame[:3, 2], frame[:3, 3]
+        if slides:
+            ...
+        else:
+            columns.append(np.hstack([np.cross(z, T_end[:3, 3] - o), z]))
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("key", ["08.2", "08.11"])
+@pytest.mark.parametrize(
+    "f, line", [(half_of_the_branches, 5), (dots_in_a_column, 4), (nothing_where_it_slides, 5)]
+)
+def test_dots_in_one_branch_are_no_attempt(key, f, line):
+    verdict = E[key].judge(f, 1)
+    assert verdict.status == "not attempted" and verdict.points == 0
+    assert verdict.place == f"line {f.__code__.co_firstlineno + line}"
+
+
+def test_dots_that_choose_entries_are_no_gap():
+    def of_all(frames, T_end, sliding):
+        z, o = frames[:-1, :3, 2], frames[:-1, ..., :3, 3]
+        v = np.where(np.array(sliding)[..., None], z, np.cross(z, T_end[..., :3, 3] - o))
+        return np.vstack([v.T, np.where(sliding, 0, z.T)])
+
+    def reversed_lever(frames, T_end, sliding):
+        return of_all(frames, T_end, sliding)[..., ::-1]
+
+    assert E["08.2"].judge(of_all, 1).status == "right"
+    assert E["08.2"].judge(reversed_lever, 1).status == "wrong"
 
 
 @pytest.mark.parametrize("key, f", [(key, f) for key, f, *_ in JACOBIANS + SOLVERS + MOVES])

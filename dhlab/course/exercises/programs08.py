@@ -2,8 +2,9 @@
 them.
 """
 
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +12,13 @@ from numpy.typing import NDArray
 from ...doctor.programs.wrong.jacobians import geometric_jacobian
 from ...robots import load
 from ..kinds import Function, Said
+from ..verdict import Verdict
 
 __all__ = ["Jacobian"]
 
 NEAR = 1e-9
 IN_T_END = "The end of each call is in T_end: its fourth column."
+POSE_AND_THREE = re.compile(r"shapes \((4,4\) \(3,|3,\) \(4,4)\)")  # T_end - p, or p - T_end
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,12 +27,29 @@ class Jacobian(Function):
     the joints whose columns are, and by v and ω.
     """
 
+    def compare(self, answer: object, variant: int) -> Verdict:
+        verdict = super().compare(answer, variant)
+        if not POSE_AND_THREE.search(verdict.headline):
+            return verdict
+        return replace(
+            verdict,
+            next="A whole pose, 4×4, and three numbers do not go together: which three numbers of"
+            " the pose are its place?",
+        )
+
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
     ) -> tuple[str | None, str | Said] | None:
-        """The point to which every lever runs, where it is not the end."""
+        """Where every lever runs, where that is not from the joint's axis to the end."""
         if mistake not in (None, "lever-arm-wrong"):
             return None
+        for runs, sign in (("last frame to the end", 1), ("end to the last frame", -1)):
+            if all(_along_the_tool(sign, J, *case) for J, case in zip(answers, cases)):
+                return "lever-arm-wrong", Said(
+                    "the lever does not begin on the joint's axis",
+                    place=f"it runs from the {runs}, for every joint",
+                    next="Which point of the joint's own axis is at hand in the loop?",
+                )
         for place, end in _other_ends(len(cases[0][0])):
             if all(_ends_at(end, J, *case) for J, case in zip(answers, cases)):
                 said = "the lever does not run to the end"
@@ -50,6 +70,13 @@ def _ends_at(end, J, frames, T_end, sliding):
     T = np.eye(4)
     T[:3, 3] = end(frames, T_end)
     return np.allclose(J, geometric_jacobian(frames, T, sliding), rtol=0, atol=NEAR)
+
+
+def _along_the_tool(sign, J, frames, T_end, sliding):
+    """Whether a Jacobian is right but for its levers, which are all the step that the tool adds."""
+    lever, z = sign * (T_end[:3, 3] - frames[-1, :3, 3]), frames[:-1, :3, 2]
+    v = np.where(sliding, z.T, np.cross(z, lever).T)
+    return np.allclose(J, np.vstack([v, np.where(sliding, 0, z.T)]), rtol=0, atol=NEAR)
 
 
 def _other_ends(many):

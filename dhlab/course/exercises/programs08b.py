@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...doctor.programs.wrong.branches import branches, in_order
 from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
 from ...doctor.programs.wrong.solvers import chain, damped_step, wrapped
+from ...robots import load
 from ..kinds import Function, Known, Said
 from ..verdict import Verdict
 
@@ -74,6 +75,27 @@ def _stepping(step, onward=lambda q, dq: q + dq):
     return solve
 
 
+def _with_the_articles(jacobian_too, pose_too):
+    """A solver that asks the article's arm, which is in memory, in place of rows."""
+
+    def solve(rows, T_goal, q, damping, steps):
+        arm = load("article-6r")
+        for _ in range(steps):
+            frames = chain(rows, q)
+            J = geometric_jacobian(frames, frames[-1], np.zeros(len(q), dtype=bool))
+            T = arm.forward(q) if pose_too else frames[-1]
+            J = arm.jacobian(q) if jacobian_too else J
+            q = q + damped_step(J, pose_error(T, T_goal), damping)
+        return wrapped(q)
+
+    return solve
+
+
+def _left_in_memory():
+    """The Jacobian of the cell in which the damping is changed."""
+    return load("article-6r").jacobian(np.deg2rad([0, 40, -60, 50, 1, 0]))
+
+
 def _typed_in(number):
     return _stepping(lambda J, e, damping: damped_step(J, e, number))
 
@@ -101,6 +123,41 @@ OTHER_STEPS = (
         "step-not-accumulated",
         Said("q = dq forgets the q before", why="Every step begins where the last one ended."),
         _stepping(damped_step, lambda q, dq: dq),
+    ),
+    (
+        "jacobian-transpose-only",
+        Said(
+            "the inverse is missing: J Jᵀ + λ² 1 is multiplied, where its inverse belongs",
+            why="Where J is large a small step is enough; times J Jᵀ it becomes a large one.",
+            next="np.linalg.solve(A, e) is the inverse of A, times e.",
+        ),
+        _stepping(lambda J, e, damping: J.T @ (J @ J.T + damping**2 * np.eye(len(J))) @ e),
+    ),
+    *(
+        (
+            "another-model",
+            Said(
+                f"{what} of the article's arm, and rows describes another",
+                place=place,
+                why="The name arm, from the first cell, is the article's arm, whatever rows are.",
+                next="What do the helpers chain and jacobian take, and is it at hand in the loop?",
+            ),
+            _with_the_articles(*which),
+        )
+        for what, place, which in (
+            ("the Jacobian is that", "the Jacobian", (True, False)),
+            ("the pose is that", "the pose from which the error is taken", (False, True)),
+            ("Jacobian and pose are those", "the Jacobian, and the pose", (True, True)),
+        )
+    ),
+    (
+        "jacobian-not-renewed",
+        Said(
+            "J is not made in the function: it is the one that the damping's cell left in memory",
+            place="the Jacobian",
+            next="Make J in every turn of the loop, of this turn's frames.",
+        ),
+        _stepping(lambda J, e, damping: damped_step(_left_in_memory(), e, damping)),
     ),
     *(
         (

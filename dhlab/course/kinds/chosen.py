@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from ..verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG, Verdict
+from ..verdict import NOT_ATTEMPTED, RECORDED, RIGHT, Verdict
 from .exercise import untouched
 from .lettered import UNDECIDED, Lettered, Option
 
@@ -47,7 +47,8 @@ class Choice(OneOf):
         if chosen == self.correct:
             return self.say(RIGHT, option.answer, chosen=(chosen,))
         # the option's own words say why
-        return self.say(WRONG, option.answer, mistake=option.mistake, chosen=(chosen,))
+        said = self.wrong(headline=option.answer, chosen=(chosen,))
+        return replace(said, mistake=option.mistake)
 
 
 @dataclass(frozen=True, kw_only=True)

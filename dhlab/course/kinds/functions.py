@@ -14,8 +14,10 @@ from ...doctor.programs.running.answers import answers_in_time
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
 from ...doctor.programs.source.lines import lines_to_change
 from ...doctor.programs.source.precision import single_precision
+from ...printing import listed as joined
 from ...table import COLUMNS
-from ..verdict import NOT_ATTEMPTED, RIGHT, Verdict
+from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
+from .dots import lines_with_dots
 from .exercise import Exercise, Said
 from .kept import kept_apart
 from .titles import IN_DEGREES, OF_LINKS, OF_OTHERS, OF_POSES, OF_PROGRAMS
@@ -79,6 +81,19 @@ class Function(Exercise):
             )
 
     def compare(self, answer: Any, variant: int) -> Verdict:
+        verdict = self._called(answer, variant)
+        gaps = lines_with_dots(answer) if verdict.status == WRONG else []
+        if not gaps:
+            return verdict
+        return self.say(
+            NOT_ATTEMPTED,
+            "dots are left in the program",
+            place=f"line{'s' if len(gaps) > 1 else ''} {joined(map(str, gaps))}",
+            next="Put what belongs there in place of every ...",
+        )
+
+    def _called(self, answer, variant):
+        """The Verdict on what a program gives when it is called."""
         if not callable(answer) and not isinstance(answer, Called):
             return self.wrong(
                 headline=f"expected the function itself, found {type(answer).__name__}",

@@ -105,6 +105,19 @@ def dot_and_cross():
     return np.ndim(np.dot(u, v)) == np.ndim(u @ v) == 0 and np.shape(np.cross(u, v)) == (3,)
 
 
+def inverse_shrinks():
+    """Ten times as large a J makes the damped step smaller, and times J Jᵀ a step larger."""
+    rng = np.random.default_rng(1)
+    J, e, k = rng.normal(size=(6, 6)), rng.normal(size=6), 0.1
+    of = {s: (s * J, s * s * J @ J.T + k**2 * np.eye(6)) for s in (1, 10)}
+    by_inverse, by_product = (
+        [np.linalg.norm(J.T @ step(A)) for J, A in of.values()]
+        for step in (lambda A: np.linalg.solve(A, e), lambda A: A @ e)
+    )
+    solved = np.allclose(np.linalg.solve(of[1][1], e), np.linalg.inv(of[1][1]) @ e)
+    return solved and by_inverse[1] < by_inverse[0] and by_product[1] > by_product[0]
+
+
 def list_of_four(e, answer, variant):
     return np.shape(answer(*e.cases(variant)[0])) == (4, *e.shape)
 
@@ -274,6 +287,10 @@ ASSERTED = [
     (r"(Every step begins where the last one ended|Near a singularity the plain inverse asks for"
      r" enormous joint steps|Everything else needs the frames of this q|The step must go from here"
      r" to the goal)\.", of("08.5", "08.6")),
+    (r"The name arm, from the first cell, is the article's arm, whatever rows are\.",
+     of("08.6")),
+    (r"(Where J is large a small step is enough; times J Jᵀ it becomes a large one|"
+     r"np\.linalg\.solve\(A, e\) is the inverse of A, times e)\.", fact(inverse_shrinks)),
     (r"In a call or a formula one name stands where another is meant\.", program),
     (r"T_ab and T_ba are both poses between the same two frames\.|The subscripts say which one is"
      r" asked\.", fact(arrows_are_columns)),
