@@ -1,10 +1,6 @@
 """What lesson 08's second sitting draws, what is right, and what the wrong answers are told: pose
-errors, steps of the loop, and any q that reaches a pose.
+errors and steps of the loop.
 """
-
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,23 +8,18 @@ from numpy.typing import NDArray
 from ...doctor.programs.wrong.products import product
 from ...robots import load
 from ...rotations import from_rotation_vectors, rotation_vectors
-from ..kinds import Known, Mistakes, Said, Value
-from ..verdict import Verdict
+from ..kinds import Known, Said
 from .answers08 import general, random_pose
 
 __all__ = [
     "EARLY",
     "STEPS",
-    "Reaches",
-    "a_way_to",
     "draw_reachable",
     "draw_task",
     "draw_two_poses",
-    "draw_ur5e",
     "explain_steps",
     "in_other_axes",
     "in_the_tools_axes",
-    "wrong_ways",
 ]
 
 FRAME = Said(
@@ -149,96 +140,3 @@ def explain_steps(lines: list[str]) -> Known | None:
             "q = q + dq comes last", why="There is no dq to add before it has been made."
         )
     return "jacobian-not-renewed", Said("dq comes too early", why="It needs e and J.")
-
-
-CUP_Q = np.deg2rad([30, 60, -80, -30, 40, 0])  # of the article's arm
-
-
-def draw_ur5e(rng: np.random.Generator) -> dict[str, Any]:
-    """A pose of the UR5e well away from its singularities."""
-    arm = load("ur5e")
-    while True:
-        q = np.deg2rad(rng.choice([-70, -40, 25, 55, 80], 6))
-        if arm.manipulability(q) > 0.03:
-            return {"T": np.where(abs(T := arm.forward(q)) < 1e-12, 0, T).tolist()}
-
-
-def a_way_to(T: list[list[float]]) -> NDArray:
-    """One q that reaches the pose; every other one counts as well."""
-    return load("ur5e").solve(T).q[0]
-
-
-def wrong_ways(T: list[list[float]]) -> Mistakes:
-    """Some of each kind; :class:`Reaches` finds the others by where they lead."""
-    for q in load("ur5e").solve(T).q[:3]:
-        yield "degrees-for-radians", "q is in degrees, and radians are asked", np.rad2deg(q)
-        yield (
-            "only-position-checked",
-            "the hand is there, turned otherwise",
-            q + np.array([0, 0, 0, 0, 0, 0.5]),
-        )
-
-
-@dataclass(frozen=True, kw_only=True)
-class Reaches(Value):
-    """Joint values of the UR5e, in radians: right when its end comes to the pose, to a millimetre
-    and a tenth of a degree, whichever branch it is.
-    """
-
-    def expected(self, variant: int) -> NDArray[np.float64]:
-        """As many numbers as are asked; which of them are right, the pose says."""
-        return np.zeros(len(load("ur5e")))
-
-    def is_right(self, array: NDArray, expected: NDArray, given: Mapping[str, Any]) -> bool:
-        metres, degrees = _off(array, np.array(given["T"]))
-        return metres <= 1e-3 and degrees <= 0.1
-
-    def _compared(self, array: NDArray, expected: NDArray, given: Any, answer: Any) -> Verdict:
-        if self.is_right(array, expected, given):
-            return self.right()
-        T_goal = np.array(given["T"])
-        metres, degrees = _off(array, T_goal)
-        at_radians = _off(np.deg2rad(array), T_goal)
-        if at_radians[0] <= 1e-3 and at_radians[1] <= 0.1:
-            return self.wrong(
-                "degrees-for-radians",
-                place=Said("these are degrees, and q is in radians", next="np.deg2rad(q)."),
-            )
-        if np.allclose(load("article-6r").forward(array), T_goal, atol=1e-3):
-            return self.wrong(
-                headline="this q brings the article's arm to the pose, and the UR5e is asked",
-                next="Your loop goes by the rows that it is given: hand it ur5e.table.rows.",
-            )
-        cup = load("article-6r").forward(CUP_Q)
-        if np.allclose(load("ur5e").forward(array), cup, atol=1e-3):
-            return self.wrong(
-                headline="this q brings the UR5e to the cup, and another pose is asked",
-                next="Hand T_task to your loop.",
-            )
-        words = f"the hand is {_short(1000 * metres)} mm and {_short(degrees)}° away from the pose"
-        if metres <= 1e-3:
-            return self.wrong(
-                "only-position-checked",
-                place=Said(words, next="The position is right. What of the orientation?"),
-            )
-        if degrees <= 0.1:
-            return self.wrong(
-                headline=words, next="The orientation is right. What of the position?"
-            )
-        return self.wrong(
-            headline=words,
-            next="Did your loop get ur5e.table.rows and T_task? Make more steps, or start"
-            " elsewhere.",
-        )
-
-
-def _off(q, T_goal):
-    """(metres, degrees) from the end of the UR5e at q to a pose."""
-    T = load("ur5e").forward(q)
-    turn = np.linalg.norm(rotation_vectors(T_goal[:3, :3] @ T[:3, :3].T))
-    return float(np.linalg.norm(T[:3, 3] - T_goal[:3, 3])), float(np.rad2deg(turn))
-
-
-def _short(x):
-    """A number in three digits, without a power of ten where it is large."""
-    return f"{x:.0f}" if x >= 100 else f"{x:.3g}" if x >= 1e-3 else "0"

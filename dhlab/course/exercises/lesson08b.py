@@ -9,18 +9,15 @@ from ..kinds import Choice, Function, Option, Order, Prediction, Said
 from .answers08b import (
     EARLY,
     STEPS,
-    Reaches,
-    a_way_to,
     draw_reachable,
     draw_task,
     draw_two_poses,
-    draw_ur5e,
     explain_steps,
     in_other_axes,
     in_the_tools_axes,
-    wrong_ways,
 )
 from .programs08b import MISREAD, OTHER_STEPS, Program
+from .reaches08b import Reaches, a_way_to, draw_ur5e, several_ways, wrong_ways
 
 __all__ = ["EXERCISES"]
 
@@ -197,11 +194,13 @@ EXERCISES = [
         draw=draw_ur5e,
         answer=a_way_to,
         mistakes=wrong_ways,
+        misshapen=several_ways,
         entries=tuple(f"joint {i}" for i in range(1, 7)),
-        praise="A q that reaches the pose. There are others, and each of them counts.",
+        praise="It reaches the pose, and no joint turns far.",
         hints=(
-            "Your loop asks for nothing but rows: give it ur5e.table.rows and a bent start.",
-            "Not there yet? Make more steps, or begin at another start, and ask ur5e.forward.",
+            "Your loop asks for nothing but rows and a start: give it ur5e.table.rows. Where does"
+            " the arm stand?",
+            "Not there yet? Make more steps, and put the q that comes out into ur5e.forward.",
         ),
     ),
     Choice(

@@ -49,6 +49,7 @@ TASKS = [
     (r"The hand is where stanford\.forward puts it at your q\.", ("08.9",)),
     (r"After q = q \+ dq, the frames, the Jacobian and the error are others\.", ("08.6",)),
     (r"np\.deg2rad\(q\)\.", ("08.13",)),
+    (r"A whole turn is 2π: take it off as often as it fits\.", ("08.13",)),
     (r"A joint turns by the right hand\.", ("09.2", "09.4")),
     (r"dh\.assign_frames takes metres, .+", ("09.4",)),
     (r"The doctor spoke of a standard row 5\.", ("09.3",)),

@@ -988,11 +988,44 @@ def _away(answer, g):
     return 1000 * np.linalg.norm(T[:3, 3] - goal[:3, 3]), np.degrees(turn)
 
 
+def _turns(q, g):
+    """How far each joint is from where it stands, degrees."""
+    return np.abs(np.degrees(np.asarray(q, dtype=float)) - g["q_now"])
+
+
+FAR = r"joint (?P<joint>\d) would turn by (?P<by>\d+)°, and 45° is the most"
+
+
+def _too_far(whole):
+    def holds(a, g, f):
+        turns, k = _turns(a, g), int(f["joint"]) - 1
+        left = np.abs((turns + 180) % 360 - 180)
+        return (
+            near(_away(a, g), [0, 0], 0.2)
+            and turns[k] == max(turns)
+            and abs(turns[k] - int(f["by"])) <= 0.5
+            and (max(left) <= 45) == whole
+        )
+
+    return holds
+
+
 REACHED = [
     (
         r"these are degrees, and q is in radians",
         lambda a, g, f: near(_away(np.radians(a), g), [0, 0], 0.2),
     ),
+    (
+        r"these are (?P<n>\d+) q, and one is asked @ (?P<near>\d+|none) of them reach(es)? the pose"
+        r" with no joint turned further than 45°",
+        lambda a, g, f: (
+            len(a) == int(f["n"])
+            and [near(_away(q, g), [0, 0], 0.2) and max(_turns(q, g)) <= 45 for q in a].count(True)
+            == int(f["near"].replace("none", "0"))
+        ),
+    ),
+    (r"the pose is right, but whole turns are left in q @ " + FAR, _too_far(whole=True)),
+    (r"the pose is right, but on another branch than the near one @ " + FAR, _too_far(whole=False)),
     (
         r"the hand is (?P<mm>[\d.e+-]+) mm and (?P<deg>[\d.e+-]+)° away from the pose",
         lambda a, g, f: np.allclose(
