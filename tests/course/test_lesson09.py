@@ -5,7 +5,6 @@ dresses, wrong ones named; the post-test.
 import json
 import re
 import warnings
-from dataclasses import replace
 from itertools import permutations
 from xml.etree import ElementTree
 
@@ -18,13 +17,14 @@ import dhlab as dh
 from dhlab.course import report
 from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.answers09 import AR4, PIPER
+from dhlab.course.exercises.answers09 import PIPER
+from dhlab.course.exercises.sheet09 import six_axes
 from dhlab.doctor.tables.rows import wrong_tables
 from dhlab.formats.axisfile import AxisSheet
 from dhlab.robots.examples import FOLDER, example
 from dhlab.transform import from_xyz_rpy
 from dhlab.view.explorer.placing import axes_of
-from tests.oracles import CHAINS, chain_disagreement, chain_joints, chain_pose, elementary_pose
+from tests.oracles import CHAINS, chain_joints, chain_pose, elementary_pose
 
 FILES = {"ur5e": "ur5e", "ar4": "ar4_mk3", "piper": "piper_2025"}
 
@@ -88,10 +88,8 @@ def test_an_unknown_file_is_one_sentence():
         example("../robots/ur5e.yaml")
 
 
-def test_the_sheets_are_the_arms():
-    ar4, piper = (exercises()[key].right_arm() for key in ("09.2", "09.4"))
-    distance, angle = chain_disagreement(ar4, "ar4_mk3")
-    assert distance < 1e-5 and angle < 2e-5
+def test_the_pipers_sheet_is_the_arm():
+    piper = exercises()["09.4"].right_arm()
     for q in np.random.default_rng(4).uniform(-2, 2, (20, 6)):
         wanted = chain_pose(
             chain_joints("piper_2025"), q
@@ -104,8 +102,6 @@ def test_the_sheets_are_the_arms():
 
 def test_the_lessons_sheets_are_the_exercises():
     text = reading.sources(["09"])[0].read_text(encoding="utf-8")
-    for point, z in AR4[0][:4]:
-        assert str((list(point), list(z)))[1:-1] in text
     assert (
         "wrist = np.array([-34.52, 0, 205.36])" in text
         and "([-282.4, 0, 161.62], [0, 1, 0])" in text
@@ -126,25 +122,53 @@ def test_the_measured_poses_are_the_chain_with_the_stated_noise():
     assert (np.abs(np.sin(2 * q)) > np.sin(np.deg2rad(15))).all(), "no zeros and no right angles"
 
 
-def ar4_axes():
-    return [*AR4[0]], AR4[1]
-
-
-def test_the_ar4_passes_in_any_description():
-    axes, end = ar4_axes()
+@pytest.mark.parametrize("variant", variants(12))
+def test_the_ar4_passes_in_any_description(variant):
+    exercise = exercises()["09.2"]
+    given = exercise.given(variant)
+    axes, end = six_axes(**given), given["end"]
     elsewhere = [([*np.add(point, np.multiply(0.3, z))], np.multiply(5, z)) for point, z in axes]
     right = [
         dh.assign_frames(axes, end=end),
         dh.assign_frames(elsewhere, end=end),
         dh.assign_frames(axes, end=end, convention="craig"),
-        replace(dh.load("ar4"), source=""),
         dh.assign_frames(axes, end=end, x_signs={3: -1}, z_signs={2: -1}),
     ]
-    assert all(
-        exercises()["09.2"].judge(arm, variant).status == "right"
-        for arm in right
-        for variant in range(3)
+    assert all(exercise.judge(arm, variant).status == "right" for arm in right)
+    assert exercise.judge(dh.load("ar4"), variant).mistake == "another-model"
+    flange_5 = [*axes[:4], (end[:3, 3], axes[4][1]), axes[5]]
+    verdict = exercise.judge(dh.assign_frames(flange_5, end=end), variant)
+    assert verdict.headline == "axis 5 goes through the flange"
+
+
+@pytest.mark.parametrize("variant", variants(12))
+def test_the_ar4_moves_as_its_sheet_says(variant):
+    """The right arm, moved joint by joint: which way the hand goes, by plain geometry."""
+    exercise = exercises()["09.2"]
+    given, arm = exercise.given(variant), exercise.right_arm(variant)
+    hand, flange = given["hand"], given["end"][:3, 3]
+    small = 0.01 * np.eye(6)
+    zero, *moved = (
+        elementary_pose(arm.table, q, arm.sign) for q in np.vstack([0 * small[:1], small])
     )
+    zero, *moved = (arm.base @ T @ arm.tool for T in (zero, *moved))
+    np.testing.assert_allclose(zero, given["end"], atol=1e-9)
+    (x, y, _), (a, b, _) = moved[0][:3, 3], flange
+    assert b * x - a * y > 0, "joint 1 counts clockwise from above"
+    rise = moved[4][2, 3] - flange[2]
+    up = {"as the hand nods up": 1, "as the hand nods down": -1}[given["q5 grows"]]
+    assert rise == pytest.approx(up * hand * np.sin(0.01))
+    # who faces the flange looks along −x: y points to the right, z up
+    thumb = moved[5][:3, :3] @ zero[:3, :3].T @ [0, 0, 1]
+    left = {"anticlockwise": 1, "clockwise": -1}[given["q6 grows"]]
+    assert -thumb[1] == pytest.approx(left * np.sin(0.01))
+    np.testing.assert_allclose(moved[5][:3, 3], flange, atol=1e-9)
+
+
+def test_lengths_and_senses_of_the_sheet_are_everybodys_own():
+    sheets = [exercises()["09.2"].given(variant) for variant in range(40)]
+    assert len({str(sheet["axes"]) for sheet in sheets}) > 35
+    assert len({(sheet["q5 grows"], sheet["q6 grows"]) for sheet in sheets}) == 4
 
 
 def test_the_piper_passes_in_any_description():
@@ -163,7 +187,7 @@ def test_the_piper_passes_in_any_description():
 def test_wrong_axes_fail_and_are_named(key):
     exercise, seen, named = exercises()[key], 0, set()
     q = exercise.poses_at(0)
-    for mistake, place, arm in exercise.mistakes():
+    for mistake, place, arm in exercise.mistakes(**exercise.given(0)):
         if np.allclose(arm.forward(q), exercise.right_arm().forward(q), atol=1e-9):
             continue
         verdict = exercise.judge(arm)

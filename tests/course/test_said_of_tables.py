@@ -5,7 +5,8 @@ import pytest
 from claims import judged
 
 from dhlab.course.exercises import exercises
-from dhlab.course.exercises.answers09 import AR4, MAKERS, PIPER
+from dhlab.course.exercises.answers09 import MAKERS, PIPER
+from dhlab.course.exercises.sheet09 import six_axes
 from dhlab.course.kinds import Table
 from dhlab.doctor.programs.wrong.products import product
 from dhlab.geometry.procedure.frames import assign_frames
@@ -54,6 +55,9 @@ def test_a_slip_of_units_and_one_number_more_are_told_as_two(factors, said):
     verdict = E["04.5"].judge(rows.tolist())
     assert said in verdict.headline and "; and one number " in verdict.headline
     assert verdict.place == "row 2, a, once that is put right"
+
+
+AR4 = six_axes(**E["09.2"].given(0)), E["09.2"].given(0)["end"]
 
 
 def sheet(key, change):

@@ -15,20 +15,7 @@ from ...table import DHTable
 from ...transform import from_xyz_rpy
 from ..kinds import Mistakes, Said
 
-__all__ = ["AR4", "MAKERS", "PIPER", "unrepaired", "wrong_axes", "wrong_piper"]
-
-# joint axes at the zero pose, (point in m, direction), and the flange's pose there
-AR4 = (
-    [
-        ([0, 0, 0.16977], [0, 0, -1]),
-        ([0.0642, 0, 0.16977], [0, 1, 0]),
-        ([0.0642, -0.007, 0.47477], [0, 1, 0]),
-        ([0.28683, -0.007, 0.47477], [1, 0, 0]),
-        ([0.28683, -0.007, 0.47477], [0, 1, 0]),
-        ([0.32783, -0.007, 0.47477], [1, 0, 0]),
-    ],
-    from_xyz_rpy([0.32783, -0.007, 0.47477], [0, np.pi / 2, 0]),
-)
+__all__ = ["MAKERS", "PIPER", "unrepaired", "wrong_axes", "wrong_piper"]
 
 ALONG = np.array(
     [np.cos(np.deg2rad(5)), 0, np.sin(np.deg2rad(5))]
@@ -36,6 +23,7 @@ ALONG = np.array(
 
 WRIST = np.array([-0.03452, 0, 0.20536])
 
+# joint axes at the zero pose, (point in m, direction), and the flange's pose there
 PIPER: Any = (
     [
         ([0, 0, 0.123], [0, 0, 1]),

@@ -12,7 +12,7 @@ from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
 from ..kinds.tabled.copied import Copied
 from ..kinds.tabled.sheets import OfAxes
 from .answers03 import COPIED
-from .answers09 import AR4, MAKERS, PIPER, unrepaired, wrong_axes, wrong_piper
+from .answers09 import MAKERS, PIPER, unrepaired, wrong_piper
 from .bench09 import draw_bench, misread_bench, reading
 from .posttest09 import (
     THROWN_AWAY,
@@ -26,6 +26,7 @@ from .posttest09 import (
     misread_rows,
     reversed_product,
 )
+from .sheet09 import draw_sheet, of_six, wrong_sheets
 
 __all__ = ["EXERCISES"]
 
@@ -68,8 +69,9 @@ EXERCISES = [
         id="09.2",
         title="Two axes of an AR4",
         points=2,
-        answer=lambda: assign_frames(AR4[0], end=AR4[1]),
-        mistakes=lambda: wrong_axes(*AR4),
+        draw=draw_sheet,
+        answer=of_six,
+        mistakes=wrong_sheets,
         praise="Six lines and an end: the arm is known.",
         hints=(
             "Joint 5 nods the hand: about which line? Joint 6 spins it: about which? The right"

@@ -877,6 +877,19 @@ def _thousand(points, end):
     return holds
 
 
+def _fifth_through(step):
+    """Axis 5 has its direction, and goes through the point so many hands beyond the flange."""
+
+    def holds(answer, g, f):
+        arm, right = arm_of(answer, g)
+        mine, ours = lines(arm, np.zeros(6)), lines(right, np.zeros(6))
+        end, u = np.asarray(g["end"]), ours[4, :3]
+        ours[4, 3:] = np.cross(end[:3, 3] + step * g["hand"] * end[:3, 2], u)
+        return np.allclose(mine, ours, atol=1e-7)
+
+    return holds
+
+
 BOTH_JOINTS = r"joints (?P<one>\d) and (?P<other>\d)"
 SHEET = [
     (rf"the lines of {BOTH_JOINTS} have changed places", _two_axes(lambda a, b: [b, a])),
@@ -888,6 +901,12 @@ SHEET = [
     ),
     (r"this arm was loaded: it says where its numbers come from", lambda a, g, f: bool(a.source)),
     (r"these are joint axes, not yet an arm", lambda a, g, f: np.shape(a[0]) == (2, 3)),
+    (
+        r"this is the AR4 of the library, and yours has other lengths",
+        lambda a, g, f: same(arm_of(a, g)[0], dh.load("ar4")) and not same(*arm_of(a, g)),
+    ),
+    (r"axis 5 goes through the flange", _fifth_through(0)),
+    (r"axis 5 goes through a point as far before the flange as .+ is behind", _fifth_through(1)),
     (r"the direction of joint (?P<joint>\d) is (?P<slip>reversed|another one)", _axis_slip),
     (r"axis (?P<joint>\d) goes through the point that axis \d was given(?P<slip>)", _axis_slip),
     (r"the [xyz] of the point on axis (?P<joint>\d) has the other sign(?P<slip>)", _axis_slip),

@@ -2,26 +2,30 @@
 
 import numpy as np
 
-from dhlab.course.exercises.answers09 import AR4, unrepaired
+from dhlab.course.exercises.answers09 import unrepaired
 
 from .. import facts
 from ..chosen import OPTIONS, Q, article
 from ..facts import how
-from ..reasons import DO, NAMES, STORY, always, is_pose, near, on
+from ..reasons import DO, NAMES, STORY, always, is_pose, near
+from ..tables import lines
 from ..vectors import ARTICLE, walk
 
 COUNTS = 4096
 
 
-def wrist_of_ar4():
-    """The lines of joints 4, 5 and 6 have one point; 5 is across the forearm, 6 along the tool."""
-    axes, end = AR4
-    centre = axes[4][0]
+def wrist_of_ar4(g):
+    """Of the right arm the lines of joints 4, 5 and 6 meet as far behind the flange as is given; 5
+    is across the forearm, 6 along the tool.
+    """
+    arm, end = g["exercise"].right_arm(g["variant"]), g["end"]
+    found = lines(arm, np.zeros(6))
+    centre = end[:3, 3] - g["hand"] * end[:3, 2]
     return (
-        len(axes) == 6
-        and all(on(axis, centre) for axis in axes[3:])
-        and np.isclose(np.dot(axes[4][1], axes[3][1]), 0)
-        and near(axes[5][1], np.asarray(end)[:3, 2])
+        len(found) == 6
+        and all(near(np.cross(centre, line[:3]), line[3:]) for line in found[3:])
+        and np.isclose(found[4][:3] @ found[3][:3], 0)
+        and near(np.abs(found[5][:3]), np.abs(end[:3, 2]))
     )
 
 
@@ -69,8 +73,8 @@ def at_the_stop(g):
 SAID = {
     "09.1": {"That is the way through": STORY, "A doctor needs a patient": NAMES},
     "09.2": {
-        "Six lines and an end": always(wrist_of_ar4),
-        "The lines of joints 4, 5 and 6": always(wrist_of_ar4),
+        "Six lines and an end": wrist_of_ar4,
+        "The lines of joints 4, 5 and 6": wrist_of_ar4,
         "The right thumb along the line": DO,
     },
     "09.5": {
