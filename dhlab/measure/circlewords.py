@@ -206,12 +206,19 @@ def report_text(report: CircleReport) -> str:
     return "\n".join([*parts, *_sentences(report)])
 
 
+def _unbroken(cells):
+    """Cells whose numbers stay on one line, however narrow the screen."""
+    return [cell.replace(" ", "\u00a0") for cell in cells]
+
+
 def report_html(report: CircleReport) -> str:
     """A report as HTML for a notebook."""
     compared = list(_compared(report))
-    tables = grid_html(HEADINGS, _rows(report), "Measured circles")
+    tables = grid_html(HEADINGS, map(_unbroken, _rows(report)), "Measured circles")
     if compared:
         tables += grid_html(
-            COMPARED, compared, "Measured minus the model's (± one standard deviation)"
+            COMPARED,
+            map(_unbroken, compared),
+            "Measured minus the model's (± one standard deviation)",
         )
     return tables + "".join(f"<p>{escape(sentence)}</p>" for sentence in _sentences(report))

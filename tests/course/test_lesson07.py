@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab.course import simulator
+from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.answers06 import ARTICLE
 from dhlab.course.exercises.answers07 import CRANE, PUMA
@@ -446,3 +447,9 @@ def test_without_pybullet_the_simulator_says_none_and_with_it_says_nothing(tmp_p
         check=True,
     )
     assert absent.stdout.strip() == "True"
+
+
+def test_the_right_table_stands_nowhere_in_the_lesson_before_the_cup_is_solved():
+    (path,) = reading.sources(["07"])
+    before, found, _ = path.read_text(encoding="utf-8").partition(':exercise: "07.6"')
+    assert found and "article-6r" not in before and "right =" not in before

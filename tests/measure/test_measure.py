@@ -2,6 +2,8 @@
 noise against those put in.
 """
 
+import re
+
 import numpy as np
 import pytest
 from draws import few
@@ -121,6 +123,15 @@ def test_words_name_the_place():
     assert "look at row 2, at the rows behind it" in words([(2, 2, 0.45)], 2)
     assert "a and alpha of the rows up to 2" in words([(1, 1, 0.2)], 2, "craig")
     assert "agrees" in words([(4, 1, 0), (2, 1, 0.1)], 2)
+
+
+def test_the_numbers_of_a_cell_stay_on_one_line_on_a_narrow_screen():
+    q = np.vstack([sweep(4), sweep(6)])
+    points = article().forward(q)[:, :3, 3] + 1e-4 * rng.normal(size=(len(q), 3))
+    shown = fit_circles(q, points, article())._repr_html_()
+    cells = re.findall(r"<td>(.*?)</td>", shown)
+    assert any("±" in cell for cell in cells) and any(cell.count(".") == 3 for cell in cells)
+    assert not [cell for cell in cells if " " in cell]
 
 
 def test_joint_6_draws_no_circle_and_an_arc_proves_nothing():
