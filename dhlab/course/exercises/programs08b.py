@@ -128,6 +128,7 @@ OTHER_STEPS = (
         "jacobian-transpose-only",
         Said(
             "the inverse is missing: J Jᵀ + λ² 1 is multiplied, where its inverse belongs",
+            place="the step dq",
             why="Where J is large a small step is enough; times J Jᵀ it becomes a large one.",
             next="np.linalg.solve(A, e) is the inverse of A, times e.",
         ),
