@@ -11,6 +11,7 @@ from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
 from .evidence.axes import axes_in
+from .evidence.ending import require_whole
 from .evidence.ends import with_ends
 from .evidence.makers import called_convention
 from .evidence.orders import convention_in, defined_in, previous_in
@@ -114,6 +115,7 @@ def _read(source, nominal, length):
         elif read in (keyed.read, numbered.read) and found is not None:
             found = _drawn(source, len(found.rows)) or found
         if found is not None:
+            require_whole(source)
             if not isinstance(found, Pasted):
                 return found
             later = READERS[READERS.index(read) + 1 :]

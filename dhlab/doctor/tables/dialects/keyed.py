@@ -68,10 +68,23 @@ def read(source, nominal=None):
     held = set.union(*map(set, rows))
     if "alpha" not in held or not held & {"a", "d"}:
         return None
+    _require_whole(rows)
     return from_rows(
         [Row(one, kind, label) for one, kind, label in zip(rows, kinds, labels)],
         why="as the names beside them say",
     )
+
+
+def _require_whole(rows):
+    """The last row has the names that every other one has: the text was not cut off in it."""
+    left = [
+        role for role in NAMES if role not in rows[-1] and all(role in one for one in rows[:-1])
+    ]
+    if left and len(rows) > 2:
+        raise ValueError(
+            f"recognise_table: expected {' and '.join(left)} in the last row as in the others,"
+            " found a shorter one; was the text cut off there? Give all its numbers"
+        )
 
 
 def _said(line):

@@ -9,7 +9,7 @@ from ..evidence.orders import order_in, order_of_names
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
 from .grid import NoRows, from_grid, header, units_of
-from .spaced import is_cell, spaced_cells, under_names
+from .spaced import is_cell, require_whole_row, spaced_cells, under_names
 
 __all__ = ["read"]
 
@@ -247,6 +247,7 @@ def _table_only(grid):
         rows.pop()
     if not rows:
         return [grid[k] for k in heads]
+    require_whole_row(grid, rows[-1])
     kept = [grid[k] for k in range(heads[0] + 1, rows[0]) if units_of(grid[k][1])] if heads else []
     for k in range(rows[0], rows[-1] + 1):
         if k in rows:

@@ -8,7 +8,7 @@ from ..cells import cell_or_none
 from ..evidence.orders import names_in_a_row
 from ..language.brackets import cells_in
 
-__all__ = ["is_cell", "spaced_cells", "under_names"]
+__all__ = ["is_cell", "require_whole_row", "spaced_cells", "under_names"]
 
 PHRASE = re.compile(  # the gap in link length, joint angle
     r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
@@ -50,6 +50,18 @@ def is_cell(cell):
     if found is None:
         return False
     return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
+
+
+def require_whole_row(grid, last):
+    """The text does not end with the beginning of one more row."""
+    (where, cells), (below, rest) = grid[last], grid[-1]
+    follows = last == len(grid) - 2 and int(below.split()[1]) == int(where.split()[1]) + 1
+    if follows and 0 < len(rest) < len(cells) and all(map(is_cell, (rest[0], *rest[1:-1]))):
+        raise ValueError(
+            f"recognise_table: {below}: expected as many cells as in the rows before, {len(cells)},"
+            f" found {' '.join(rest)[:40]!r} at the end of the text; what else stands in this row?"
+            " Paste it to its end"
+        )
 
 
 def under_names(texts):

@@ -1,0 +1,42 @@
+"""A text that was cut off within a row is refused: what it has lost is not read as nothing."""
+
+import pytest
+
+from dhlab import recognise_table
+
+ROWS = (("q1", 0.42, 0.06, "-pi/2"), ("q2", 0.0, 0.31, "0"), ("q3", 0.03, 0.045, "-pi/2"))
+WRITTEN = {
+    "rows": "dh = [  # standard: theta, d, a, alpha\n"
+    + ",\n".join(f"  [{t}, {d}, {a}, {al}]" for t, d, a, al in ROWS),
+    "links": "L = [\n"
+    + ",\n".join(f"  RevoluteDH(d={d}, a={a}, alpha={al})" for _, d, a, al in ROWS),
+    "calls": "def dh(theta, d, a, alpha): # standard\n"
+    + "\n".join(f"T{i} = dh({t}, {d}, {a}, {al})" for i, (t, d, a, al) in enumerate(ROWS)),
+    "table": "standard DH\ni | theta | d | a | alpha\n"
+    + "\n".join(f"{i} | {t} | {d} | {a} | {al}" for i, (t, d, a, al) in enumerate(ROWS, 1)),
+    "pages": "standard DH\ni  theta  d  a  alpha\n"
+    + "\n".join(f"{i}  {t}  {d}  {a}  {al}" for i, (t, d, a, al) in enumerate(ROWS, 1)),
+    "names": "# standard DH\n"
+    + "\n".join(f"- theta: {t}\n  d: {d}\n  a: {a}\n  alpha: {al}" for t, d, a, al in ROWS),
+}
+
+
+@pytest.mark.parametrize("form", WRITTEN)
+def test_a_text_is_refused_when_it_ends_within_a_row(form):
+    text = WRITTEN[form]
+    last = text.rindex("0.03")
+    for at in (last + 4, last + 6, text.rindex("0.045") + 6):
+        with pytest.raises(ValueError, match="recognise_table: "):
+            recognise_table(text[:at])
+
+
+@pytest.mark.parametrize("form", WRITTEN)
+def test_a_whole_text_is_read(form):
+    closing = "\n]" if form in ("rows", "links") else ""
+    found = recognise_table(WRITTEN[form] + closing)
+    assert [len(reading.arm) for reading in found.readings] == [3]
+
+
+def test_a_link_matrix_that_is_cut_off_behind_the_rows_takes_nothing_from_them():
+    text = WRITTEN["rows"] + "]\ndef link(t, d, a, al):\n  return np.array([[cos(t), -sin(t)*cos(al"
+    assert len(recognise_table(text).arm) == 3
