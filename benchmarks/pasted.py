@@ -3,7 +3,8 @@
 The folder holds ``NN.txt`` with what somebody pastes and ``NN.yaml`` with the truth:
 ``convention``, ``rows`` (theta_offset, d, a, alpha in radians and metres, joint, sign),
 ``must_ask`` what the text leaves open, ``may_ask`` what may be asked, ``accept`` other right
-readings. Poses are compared, at random joint values, with a product that shares nothing with dhlab.
+readings, ``kind`` or ``form`` what it is in words. Poses are compared, at random joint values,
+with a product that shares nothing with dhlab.
 
 A second form of truth is read too: rows of ``theta``, ``d``, ``a``, ``alpha`` and ``joint`` (R, P,
 fixed), ``signs``, ``unknown`` what the text leaves open, and a ``note`` that says where taking the
@@ -25,6 +26,7 @@ import yaml
 
 import dhlab as dh
 
+NUMBERS = "theta_offset", "d", "a", "alpha"
 TOLERANCE = 1e-4  # of the arm's size: the truth of a few forms is written with rounded angles
 ASKS = {
     "convention": "For which matrix",
@@ -69,7 +71,7 @@ def truths(case):
     where either will do.
     """
     for one in (case, *case.get("accept", ())):
-        if any(row["d"] is None for row in one["rows"]):
+        if any(row[name] is None for row in one["rows"] for name in NUMBERS):
             continue
         both = one["convention"] not in ("standard", "craig")
         for convention in ("standard", "craig") if both else (one["convention"],):
@@ -171,7 +173,7 @@ def main():
         worst = max(worst, time.process_time() - start)
         counts[verdict] += 1
         if verdict != "right" or options.show:
-            print(f"{path.stem} {case['form']}: {verdict}: {said}\n")
+            print(f"{path.stem} {case.get('form') or case.get('kind')}: {verdict}: {said}\n")
     n = sum(counts.values())
     print(f"{n} texts, {counts['right'] / max(n, 1):.0%} read right")
     print(", ".join(f"{counts[name]} {name}" for name in ("right", "needless", "wrong", "unread")))

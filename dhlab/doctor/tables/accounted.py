@@ -11,7 +11,10 @@ from .columns import MOST_TURNS, orders
 from .dialects.arrays import arrays_in
 from .language.roles import role_of
 
-__all__ = ["counts_in", "joints_said", "require_accounted", "same_arm", "speaks_of_sliding"]
+__all__ = [
+    "counts_in", "holds", "joints_said", "repeats", "require_accounted", "same_arm",
+    "speaks_of_sliding",
+]  # fmt: skip
 
 NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
@@ -136,7 +139,8 @@ def require_accounted(table, source, others=()):
         _require_sliding(table, source)
     _require_senses(table, source)
     for other in others:
-        if other.roles and len(other.rows) >= len(table.rows) > 1 and not same_arm(table, other):
+        same = same_arm(table, other) or repeats(other, table)
+        if other.roles and len(other.rows) >= len(table.rows) > 1 and not same:
             raise ValueError(
                 f"recognise_table: expected one table, found two of {len(table.rows)} and"
                 f" {len(other.rows)} rows with different numbers; which one is meant? Leave the"
@@ -263,6 +267,19 @@ def same_arm(one, other):
     """
     both = one.roles is not None and other.roles is not None
     return all(kinds[0] == kinds[1] for kinds in zip(_numbers(one, both), _numbers(other, both)))
+
+
+def holds(table, other):
+    """Whether all numbers of another table are in a table, in whatever order, unit and scale."""
+    both = table.roles is not None and other.roles is not None
+    pairs = zip(_numbers(table, both), _numbers(other, both))
+    return all(not theirs - own for own, theirs in pairs)
+
+
+def repeats(longer, found):
+    """Whether rows are others once more."""
+    rows, once = ([[c.value for c in row] for row in table.rows] for table in (longer, found))
+    return rows == once * (len(rows) // len(once))
 
 
 def _numbers(table, with_twists):

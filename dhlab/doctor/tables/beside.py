@@ -11,6 +11,7 @@ from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joi
 from .language.words import KINDS
 
 __all__ = [
+    "APART",
     "DASH",
     "explained",
     "labelled",

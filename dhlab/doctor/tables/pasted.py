@@ -19,7 +19,8 @@ class Pasted:
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
     ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
     speaks of, ``poses`` the lists that it calls joint values, ``adds`` whether it says that theta
-    is added to them, ``slides`` whether it speaks of a joint that slides.
+    is added to them, ``slides`` whether it speaks of a joint that slides; ``lines`` the
+    first and the last line of the rows, where it is known.
     """
 
     rows: tuple
@@ -40,6 +41,7 @@ class Pasted:
     poses: tuple = ()
     adds: bool = False
     slides: bool = False
+    lines: tuple = ()
     notes: tuple = ()
 
 

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .accounted import counts_in, require_accounted, speaks_of_sliding
-from .beside import with_added
+from .accounted import counts_in, holds, repeats, require_accounted, speaks_of_sliding
+from .beside import APART, with_added
+from .columns import misplaced, orders
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid, header
@@ -16,6 +17,7 @@ from .evidence.ends import with_ends
 from .evidence.makers import called_convention
 from .evidence.orders import convention_in, defined_in, previous_in
 from .evidence.poses import adds_theta, poses_in
+from .evidence.several import require_one_value
 from .evidence.source import source_of
 from .language.comments import uncommented
 from .language.expressions import key
@@ -42,6 +44,7 @@ LISTS_READ = (
     universal.read,
     arrays.read,
 )  # these give lists beside the columns a meaning themselves
+FEWEST = 3  # rows of a second arm
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
 
@@ -126,9 +129,53 @@ def _read(source, nominal, length):
             if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
                 table = with_lists(table, source)
             table = with_ends(with_added(table, source), source)
+            require_one_value(table, source)
+            _require_one_table(table, source)
             require_accounted(table, source, _tables(later, source))
             return table
     raise AssertionError  # the last reader answers or raises
+
+
+def _require_one_table(table, source):
+    """No second table stands in the rest of the text.
+
+    Raises
+    ------
+    ValueError
+        One does, with other numbers.
+    """
+    first, last = table.lines or (0, 0)
+    text, code = source.text.split("\n"), source.code.split("\n")
+    if not 0 < first <= last <= len(code) or len(text) != len(code):
+        return
+    empty = [re.sub(r"[^()\[\]{}]", " ", line) for line in code[first - 1 : last]]
+    try:
+        rest = source_of("\n".join([*text[: first - 1], *empty, *text[last:]]))
+    except ValueError:
+        return
+    other = next(_tables(READERS, rest), None)
+    if other is None or len(other.rows) < FEWEST or not other.lines:
+        return
+    above = [line for line in rest.text.split("\n")[: other.lines[0] - 1] if re.search(r"\w", line)]
+    apart = other.roles is None and above and APART.search(above[-1])  # of other numbers
+    if not apart and _is_a_table(other) and not holds(table, other):
+        raise ValueError(
+            f"recognise_table: expected one table, found two: lines {first} to {last} and lines"
+            f" {other.lines[0]} to {other.lines[1]}; which one is meant? Leave the other out"
+        )
+
+
+def _is_a_table(table):
+    """Whether rows are an arm's beyond doubt: columns that are named, lengths and angles."""
+    found = next(iter(orders(table, None)), None) if table.rows else None
+    if found is None:
+        return False
+    if [cell.value for cell in table.rows[-1]] == [0, 0, 0, 1]:
+        return False  # a pose
+    columns = {role: [row[k] for row in table.rows] for k, role in enumerate(found.roles)}
+    twists = [cell for cell in columns.get("alpha", ()) if cell.value]
+    lengths = [c for role in ("d", "a") for c in columns.get(role, ()) if c.value or c.letters]
+    return bool(twists and lengths) and not misplaced({"alpha": columns["alpha"]})
 
 
 def _lacks_values(table):
@@ -156,7 +203,7 @@ def _larger(found, source):
     named = keyed.read(source) if alone or found.why == "as their names say" else None
     if named is None and (alone or found.form.startswith("calls")):
         named = _read_or_none(numbered.read, source)
-    if named is not None and len(named.rows) > len(found.rows):
+    if named is not None and len(named.rows) > len(found.rows) and not repeats(named, found):
         return named
     try:
         other = lines.read(source)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ..cells import cell_of, read_cell
 from ..columns import misplaced
+from ..evidence.several import apart, in_parts
 from ..language.brackets import Item, cells_in, groups, keyword, left_open
 from ..language.roles import kind_said, role_of
 from ..pasted import Pasted, Row, from_rows
@@ -66,7 +67,7 @@ def read(source, nominal=None):
         forms.append(known[1])
     if made:
         _refuse_half_a_link(source)
-    made = _of_one_arm(made, notes)
+    made = _of_one_arm(made, notes, source.code)
     rows, conventions = [row for _, row, _ in made], {said for _, _, said in made}
     if not rows or (len(rows) == 1 and (not rows[0].cells or _is_of_a_loop(rows[0]))):
         return None
@@ -86,6 +87,7 @@ def read(source, nominal=None):
         )  # fmt: skip
     return from_rows(
         rows,
+        lines=(made[0][0].line, made[-1][0].line + made[-1][0].text.count("\n")),
         why="as their names say",
         form=forms[0],
         convention=said or None,
@@ -104,7 +106,7 @@ def _refuse_half_a_link(source):
             )
 
 
-def _of_one_arm(made, notes):
+def _of_one_arm(made, notes, code):
     """The links without one that is made again under its name, as programs do it.
 
     Raises
@@ -119,6 +121,8 @@ def _of_one_arm(made, notes):
     places = [
         place if re.search(r"\d", place) else f"{place} {k}" for k, place in enumerate(places)
     ]
+    parts = apart([(group.line, row) for group, row, _ in made], code)
+    in_parts(parts, lambda row: sorted((k, cell.value) for k, cell in row.cells.items()), "links")
     again = [place for place, times in Counter(places).items() if times > 1]
     if len(again) > 1 or sum(times > 1 for times in lists.values()) > 1:
         what = f"{again[0]} and {again[1]} made twice" if len(again) > 1 else "two lists of links"

@@ -8,6 +8,7 @@ from ..beside import labelled
 from ..cells import Cell, cell_of
 from ..columns import orders as orders_of
 from ..evidence.orders import order_in
+from ..evidence.several import apart, in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
 from ..pasted import Pasted
@@ -41,7 +42,9 @@ def read(source, nominal=None):
     if not found:
         return None
     (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
-    lines, rows = zip(*_once(found[name, width]))
+    parts = apart([(line, (line, cells)) for line, cells in found[name, width]], source.code)
+    made = in_parts(parts, _numbers, f"calls of {name}") or _once(found[name, width])
+    lines, rows = zip(*made)
     roles, why = orders.get(name), f"as the definition of {name} says"
     if roles is None:
         said = order_in(source)
@@ -59,11 +62,17 @@ def read(source, nominal=None):
     table = Pasted(
         tuple(tuple(row) for row in rows), roles, why,
         labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
+        lines=(min(lines), max(lines)),
         convention="standard" if factored else None,
         because="as DHFactor has it" if factored else "",
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
     return _with_factors(table, name, source)
+
+
+def _numbers(row):
+    """What a call says but for its joint's variable."""
+    return [cell.value for cell in row[1]]
 
 
 def _once(rows):

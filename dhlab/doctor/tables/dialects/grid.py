@@ -95,8 +95,10 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         The order of the columns where something else than a heading says it.
     """
     said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
+    lines: list = []
     taken = False
     for where, cells in grid:
+        lines += [int(word) for word in where.split() if "line" in where and word.isdigit()]
         head = header(cells) if not rows else None
         if head:
             roles, heads, said = head
@@ -139,6 +141,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
         labels, kinds, signs, form=form, notes=notes,
+        lines=(min(lines), max(lines)) if lines else (),
     )  # fmt: skip
     table = _even(table)
     named = source.convention if source else ""

@@ -5,6 +5,7 @@ YAML, what simulators print.
 import re
 
 from ..cells import cell_of
+from ..evidence.several import in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import kind_said, role_of
 from ..pasted import Row, from_rows
@@ -137,7 +138,7 @@ def _pairs(line, source):
 
 def in_groups(source):
     """The Pasted table of dictionaries and structures, one a row; None without two of them."""
-    rows = []
+    rows, arms = [], {}
     found = groups(source.code)
     said = dict(source.comments)
     for group in found:
@@ -163,8 +164,11 @@ def in_groups(source):
         if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
             _require_read(group, row)
             rows.append(row)
+            arms.setdefault(_list_of(group), []).append(row)
     if len(rows) < 2:
         return None
+    parts = {name: one for name, one in arms.items() if len(one) > 1}
+    rows = in_parts(parts, lambda row: sorted(_values(row)), "rows") or rows
     if all("r" in row and "a" not in row for row in rows):
         rows = [
             {("a" if role == "r" else role): cell for role, cell in row.items()} for row in rows
@@ -175,6 +179,18 @@ def in_groups(source):
         [Row(row, kind, label) for row, kind, label in zip(rows, kinds, labels)],
         why="as their names say",
     )
+
+
+def _list_of(group):
+    """Name and line of the list in which a row stands; it may have a name of its own in it."""
+    outer = group.outer
+    if outer is not None and len(outer.items) == 1 and outer.outer is not None:
+        outer = outer.outer
+    return f"{outer.target} of line {outer.line}".strip() if outer else ""
+
+
+def _values(row):
+    return ((role, cell.value) for role, cell in row.items() if role in NAMES)
 
 
 def _require_read(group, row):

@@ -39,7 +39,8 @@ def read(source, nominal=None):
         elif role is None and value is not None:
             unknown.setdefault(name, {}).setdefault(int(index), (value, text.strip()))
         elif role in NAMES:
-            found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
+            held = found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
+            _require_one(role, int(index), held, (value, text.strip()))
     if "a" not in found and "r" in found:
         found["a"] = found.pop("r")
     other, twists = (
@@ -82,6 +83,17 @@ def read(source, nominal=None):
         because="since a and alpha are counted from 0, d from 1" if convention else "",
         notes=notes,
     )
+
+
+def _require_one(role, index, first, again):
+    """A number is given once, or twice the same."""
+    (one, text), (other, later) = first, again
+    constant = not (one.letters or other.letters) and role not in ("theta", "offset")
+    if constant and abs(one.number - other.number) > 1e-9:
+        raise ValueError(
+            f"recognise_table: expected one {role}{index}, found {text[:20]} and {later[:20]}; are"
+            " these two arms, or which one counts? Leave the other out"
+        )
 
 
 def _twists(unknown):

@@ -133,8 +133,8 @@ def _require_one(matrices):
     """Two tables by their names, dh_left and dh_right, are two arms: nobody can say which."""
     tables: dict = {}
     for group, rows in matrices:
-        if len(rows) > 1 and re.search(r"dh|table|param", group.target.lower()):
-            tables.setdefault(str([cells for _, cells in rows]), (group.target, len(rows[0][1])))
+        if len(rows) > 1 and re.search(r"dh|table|param", _target(group)):
+            tables.setdefault(str([cells for _, cells in rows]), (_target(group), len(rows[0][1])))
     widths = [width for _, width in tables.values()]
     if len(tables) > 1 and len(set(widths)) == 1:
         names = ", ".join(name for name, _ in tables.values())
