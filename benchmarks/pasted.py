@@ -70,7 +70,7 @@ def truths(case):
     """Every table that is right: the truth and what is accepted beside it, in both conventions
     where either will do.
     """
-    for one in (case, *case.get("accept", ())):
+    for one in (case, *(case.get("accept") or ())):
         if any(row[name] is None for row in one["rows"] for name in NUMBERS):
             continue
         both = one["convention"] not in ("standard", "craig")

@@ -206,7 +206,10 @@ def _require_zeros(table, source):
 
 def _named_zero(source, table):
     """The zeros that the text names and no row has."""
+    own = any(role in ("theta", "offset") for role in table.roles)
     for name in BY_NAME.findall(source.code):
+        if own and "." in name and name.split(".")[-1] not in arrays_in(source):
+            continue  # dh.theta_offset of a row is its column theta
         if not _is_zero(name, source):
             return f"{name} added to joint angles"
     used = " ".join(cell.text for row in table.rows for cell in row)

@@ -55,7 +55,13 @@ def unwritten(table, columns, right):
     ]
     if fixed or n < 2:
         return [_fixed(fixed)]
-    found = _among_moving(table, columns, moves) if any(moves) else _by_labels(table, labels, right)
+    if 0 < 2 * sum(moves) < n:  # where most are numbers, theta is 0 and not without a joint
+        found = _by_labels(table, labels, right)
+        found += [one for one in _among_moving(table, columns, moves) if one not in found]
+    elif any(moves):
+        found = _among_moving(table, columns, moves)
+    else:
+        found = _by_labels(table, labels, right)
     return _counted(found, table, moves)
 
 

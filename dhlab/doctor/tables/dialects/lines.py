@@ -204,14 +204,19 @@ def _named_one_a_line(lines):
     words = [line for _, line in lines]
     if len(words) < 8 or any("|" in word or len(spaced_cells(word, True)) > 1 for word in words):
         return None
-    for first in range(len(words)):
-        for width in (5, 6, 4):
-            cells = words[first : first + width]
-            if not header(cells) or any(is_cell(cell) for cell in cells):
-                continue
-            rest = range(first, len(words) - width + 1, width)
-            return [(f"line {lines[at][0]}", words[at : at + width]) for at in rest]
-    return None
+    windows = [(first, width) for first in range(len(words)) for width in (5, 6, 4)]
+    heads = {}
+    for first, width in windows:
+        cells = words[first : first + width]
+        long = any(is_cell(cell) or len(cell.split()) > MOST_WORDS for cell in cells)
+        if not long and (head := header(cells)):
+            known = len(set(ROLES) & set(head[0]))
+            heads[first, width] = -known, head[0][1:].count(None), first
+    if not heads:
+        return None
+    first, width = min(heads, key=heads.get)
+    rest = range(first, len(words) - width + 1, width)
+    return [(f"line {lines[at][0]}", words[at : at + width]) for at in rest]
 
 
 def _table_only(grid):

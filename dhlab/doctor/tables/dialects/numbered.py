@@ -29,8 +29,12 @@ def read(source, nominal=None):
     found: dict = {}
     unread: dict = {}
     unknown: dict = {}
-    for name, index, text in _named(source.code):
+    named = [*_named(source.code)]
+    names = {name for name, *_ in named}
+    for name, index, text in named:
         role = source.role(name)
+        if name.isupper() and name.lower() in names:
+            role = None  # A1 beside a1 is another parameter
         value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
         if text.strip().startswith("[") or re.match(r"\s*(?:\w+\.)?symbols\b", text):
             continue  # A12 = [ … is a matrix

@@ -9,7 +9,8 @@ from ..language.brackets import cells_in
 __all__ = ["with_ends"]
 
 SET = re.compile(
-    r"(?:\.|,\s*['\"]?|^\s*)\b(tool|base)\b['\"]?\s*[=,]\s*(?!=)([A-Za-z][\w.]*)\s*\(\s*\[?([^()\[\]\n]*)",
+    r"(?:\.|,\s*['\"]?|^\s*)\b(tool|base)\b['\"]?\s*[=,]\s*(?!=)([A-Za-z][\w.]*)\s*\(\s*\[?([^()\[\]\n]*)"
+    r"[\])]*(\s*[*@][^\n;]*)?",
     re.MULTILINE,
 )
 PRINTED = re.compile(  # as the toolboxes print it
@@ -29,7 +30,12 @@ def with_ends(table, source):
     A translation along x and z is a row without a joint; of anything else a note says that it is
     not in the rows.
     """
-    found = SET.findall(source.code) if table.form else []
+    found = [
+        (end, made, f"{inside}){more.strip()}" if more else inside)
+        for end, made, inside, more in SET.findall(source.code) if table.form
+    ]  # fmt: skip
+    last = {end: k for k, (end, *_) in enumerate(found)}  # a program may set an end again
+    found = [found[k] for k in last.values() if not found[k][1].lower().startswith("eye")]
     for end, t, rpy in PRINTED.findall(source.text):
         found.append((end.lower(), "SE3" if not re.search(r"[1-9]", rpy) else f"rpy {rpy}, t", t))
     for name in MATRIX.findall(source.code):

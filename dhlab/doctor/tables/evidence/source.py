@@ -7,7 +7,13 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from ..language.assigned import assigned_in, from_zero, is_joint_value
+from ..language.assigned import (
+    assigned_in,
+    from_zero,
+    is_joint_value,
+    listed_in,
+    without_overwritten,
+)
 from ..language.comments import without_comments
 from ..language.expressions import NoExpression, evaluate, key
 from ..language.letters import unified
@@ -140,9 +146,11 @@ def source_of(text, values=None):
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     code = neutral(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code))
-    code = from_zero(_two_families(code))
+    code = without_overwritten(from_zero(_two_families(code)))
     known = assigned_in(code)
     _require_apart(code)
+    for name, value in listed_in(code).items():
+        known.setdefault(name, value)
     for _, comment in comments:
         for name, value in assigned_in(comment).items():
             known.setdefault(name, value)

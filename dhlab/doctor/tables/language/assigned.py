@@ -5,18 +5,59 @@ import re
 from .brackets import cells_in
 from .expressions import NoExpression, evaluate, key
 
-__all__ = ["DEFINED", "assigned_in", "from_zero", "is_joint_value"]
+__all__ = [
+    "DEFINED",
+    "assigned_in",
+    "from_zero",
+    "is_joint_value",
+    "listed_in",
+    "without_overwritten",
+]
 
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
     r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
     r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
 )
+# the cells of a table that says what letters are
+LETTER = re.compile(r"(?:alpha|theta|[adlhr])_?\{?\d+\}?", re.IGNORECASE)
+NUMBER = re.compile(r"[-+]?\d*\.?\d+\s*(?:mm|cm|m|deg|°|rad)?")
+UNIT = re.compile(r"[\[(]?(?:mm|cm|m|deg|rad)[\])]?")
+# a number under a name, alone in its line; and where the order of lines is no order of time
+PLAIN = re.compile(r"\s*([A-Za-z_]\w*)\s*=\s*[-+*/.\deE() \t]+;?\s*")
+BEGINS = re.compile(
+    r"\s*(?:(?:async\s+)?def|class|function|func|fn|if|elif|else|for|while|switch|case|end|try|with)\b"
+    r"|[^=]*[{}]"
+)
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
     r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
     r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
 )
+
+
+def without_overwritten(code):
+    """The code without values that are overwritten before anything uses them: ``L1 = 0.057`` where
+    ``L1 = 1`` follows, and nothing names L1 nor begins anew between.
+
+    Examples
+    --------
+    >>> without_overwritten("L1 = 2\\nL2 = 3\\nL1 = 4\\nd = L1")
+    '\\nL2 = 3\\nL1 = 4\\nd = L1'
+    """
+    lines = code.split("\n")
+    held: dict = {}
+    for k, line in enumerate(lines):
+        if BEGINS.match(line):
+            held = {}
+        found = PLAIN.fullmatch(line)
+        for name in {*re.findall(r"[A-Za-z_]\w*", line)} & set(held):
+            at = held.pop(name)
+            if found and found[1] == name and len(re.findall(rf"\b{name}\b", line)) == 1:
+                lines[at] = ""
+        if found:
+            held[found[1]] = k
+    return "\n".join(lines)
 
 
 def assigned_in(text):
@@ -40,6 +81,26 @@ def assigned_in(text):
     for name, items in LISTED.findall(text):
         for k, item in enumerate(cells_in(items)):
             known.setdefault(key(f"{name}[{k}]"), item.strip())
+    return known
+
+
+def listed_in(text):
+    """What tables of names and numbers say, one name and one number a row: ``| d1 | 0.089 | m |``.
+
+    Examples
+    --------
+    >>> listed_in("| Base height | d1 | 0.089 | m |\\n| 1 | 0 | d1 | q1 |")
+    {'d1': '0.089 m'}
+    """
+    known: dict = {}
+    for line in text.split("\n"):
+        cells = [cell.strip(" *`$") for cell in re.split(r"[|\t]", line)]
+        names = [cell for cell in cells if LETTER.fullmatch(cell)]
+        numbers = [cell for cell in cells if NUMBER.fullmatch(cell)]
+        if len(names) == len(numbers) == 1 and cells.index(names[0]) < cells.index(numbers[0]):
+            unit = next((cell.strip("[]()") for cell in cells if UNIT.fullmatch(cell)), "")
+            measured = numbers[0] if re.search(r"[a-z]", numbers[0]) else f"{numbers[0]} {unit}"
+            known.setdefault(key(names[0]), measured.strip())
     return known
 
 

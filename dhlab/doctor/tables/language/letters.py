@@ -21,7 +21,7 @@ SAME = str.maketrans(
         **dict.fromkeys("│┃║｜", "|"),
         **dict.fromkeys("πΠϖ", "pi"),
         **dict.fromkeys("θϑΘϴѳѲөӨɵƟᶿ", "theta"),
-        **dict.fromkeys("α⍺ɑⲁ", "alpha"),
+        **dict.fromkeys("α⍺ɑⲁ∝", "alpha"),
         "Δ": "delta",
         "δ": "delta",
         "σ": "sigma",
@@ -128,6 +128,8 @@ def _from_tex(text):
 def _gap(match):
     """A space where a TeX name would run into the next letters."""
     after = match.string[match.end() : match.end() + 1]
+    if after.isdigit() and match[1] in ("theta", "alpha"):  # theta1 is a name
+        return ""
     return " " if re.match(r"[A-Za-z0-9]", after) or (after == "\\" and len(match[1]) == 3) else ""
 
 
