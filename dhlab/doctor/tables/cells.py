@@ -92,13 +92,30 @@ def read_cell(text, known=None):
             " holds one value"
         )
     try:
-        return cell_of(evaluate(_trimmed(unified(text)), known), text.strip())
+        written = _trimmed(unified(text))
+        return cell_of(_once(written, evaluate(written, known)), text.strip())
     except NoExpression:
         shown = text.strip() if len(text.strip()) <= 40 else text.strip()[:37] + "…"
         expected = "a number, a multiple of pi, or a joint variable such as q2 - 90"
         raise ValueError(
             f"expected {expected}, found {shown!r}; write it as one of these"
         ) from None
+
+
+def _once(written, value):
+    """The Value of a cell; the zero of its variable counts once where the text says that of the
+    variable which the row says itself: ``q2: theta2 - pi/2`` beside ``q2 - pi/2``.
+    """
+    if not value.letters or not value.number:
+        return value
+    try:
+        own = evaluate(written)
+    except NoExpression:  # a letter of which a root is taken
+        return value
+    names = {kind_of_letter(letter) for letter in own.letters}
+    if not names or names - {"theta", "q"} or not own.number:
+        return value
+    return own if abs(value.number - 2 * own.number) < 1e-9 else value
 
 
 @lru_cache(KEPT)

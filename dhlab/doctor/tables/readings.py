@@ -15,7 +15,7 @@ from .columns import orders, snapped
 from .evidence.poses import theta_meanings
 from .joints import joints_of
 from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
-from .still import unwritten
+from .still import on_one_axis, unwritten
 
 __all__ = ["QUESTIONS", "Reading", "readings"]
 
@@ -68,15 +68,17 @@ def readings(table, order, convention, angle, length, right, tidy):
         columns = _with_own_units(columns, table.units)
         if table.zeros:
             columns["offset"] = _zeros(columns, table.zeros)
-        choices = product(
-            _conventions(table, columns, convention, found),
-            angle_units(table, columns, angle),
-            length_units(table, columns, length),
-            unwritten(table, columns, right),
-            theta_meanings(table, columns),
-        )
-        for choice in choices:
-            yield _reading(table, columns, found, choice, tidy)
+        silent = unwritten(table, columns, right)
+        for said in _conventions(table, columns, convention, found):
+            choices = product(
+                [said],
+                angle_units(table, columns, angle),
+                length_units(table, columns, length),
+                on_one_axis(table, columns, said[0], silent),
+                theta_meanings(table, columns),
+            )
+            for choice in choices:
+                yield _reading(table, columns, found, choice, tidy)
 
 
 def _with_own_units(columns, units):

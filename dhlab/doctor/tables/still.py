@@ -6,7 +6,9 @@ import re
 
 from .joints import by_number, named_alone
 
-__all__ = ["unwritten"]
+__all__ = ["on_one_axis", "unwritten"]
+
+FEWEST = 4  # rows, of which one may be no joint
 
 BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\w+")
 # 6->T, 3-E, or T alone below rows that are counted
@@ -63,6 +65,29 @@ def unwritten(table, columns, right):
     else:
         found = _by_labels(table, labels, right)
     return _counted(found, table, moves)
+
+
+def on_one_axis(table, columns, convention, found):
+    """What is found, and before it the rows at the ends that would turn about the axis of the joint
+    beside them, as no arm has it: they are a base or a flange.
+    """
+    n = len(table.rows)
+    if n < FEWEST or n in table.joints or any(table.kinds) or () not in found:
+        return found
+    flat = [not any(_said(columns[role][i]) for role in ("a", "alpha")) for i in range(n)]
+    numbers = [columns["theta"][i].is_constant and columns["d"][i].is_constant for i in range(n)]
+    first = 0 if convention == "standard" else 1  # the row whose a and alpha part joints 1 and 2
+    last = n - 2 if convention == "standard" else n - 1
+    ends = [0] if flat[first] and numbers[0] and numbers[1] else []
+    ends += [n - 1] if flat[last] and numbers[-1] and numbers[-2] else []
+    labels = [str(label).lower() for label in table.labels or ("",) * n]
+    ends = [i for i in ends if not OF_JOINTS.search(labels[i])]
+    more = [_fixed(ends), *(_fixed([i]) for i in ends)] if ends else []
+    return [*dict.fromkeys(one for one in more if one not in found), *found]
+
+
+def _said(cell):
+    return cell.value or cell.letters
 
 
 def _fixed(rows):

@@ -242,7 +242,7 @@ def _table_only(grid):
         long = width and len(grid[k][1]) == width and _is_row(["", *grid[k][1][1:]], width)
         if k - 1 in rows and k not in rows and long and here == before + 1:
             rows = sorted([*rows, k])
-    rows = _without_what_follows(rows, grid) if len(heads) == 1 else rows
+    rows = _without_what_follows(rows, grid) if len(heads) < 2 else rows
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
         raise ValueError(
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
