@@ -22,7 +22,8 @@ def with_lists(table, source):
     """
     n = len(table.rows)
     for name, values in arrays_in(source).items():
-        role = "sign" if SIGN.search(name.lower()) else role_of(name)[0]
+        signs = SIGN.search(name.lower()) or _are_signs(name, values, source)
+        role = "sign" if signs else role_of(name)[0]
         if len(values) != n or "home" in name.lower() or any(v.letters for v, _ in values):
             continue
         if role == "sign" and set(table.signs) <= {1}:
@@ -32,6 +33,14 @@ def with_lists(table, source):
         if role == "offset" and any(cell.value for cell in cells) and not _held(table, cells, name):
             table = replace(table, zeros=cells, notes=(*table.notes, f"{name} is added to theta"))
     return table
+
+
+def _are_signs(name, values, source):
+    """Whether numbers are 1 and -1, and the program multiplies by them."""
+    if {value.number for value, _ in values} != {1.0, -1.0}:
+        return False
+    index = r"(?:[\[(]\w+[\])])?"
+    return bool(re.search(rf"\b{name}{index}\s*\.?\*|\*\s*{name}\b", source.code))
 
 
 def _held(table, cells, name):

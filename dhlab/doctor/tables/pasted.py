@@ -19,8 +19,10 @@ class Pasted:
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
     ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
     speaks of, ``poses`` the lists that it calls joint values, ``adds`` whether it says that theta
-    is added to them, ``slides`` whether it speaks of a joint that slides; ``lines`` the
-    first and the last line of the rows, where it is known.
+    is added to them, ``slides`` whether it speaks of a joint that slides, ``scaled``
+    whether its program takes thousandths, ``replaced`` whether that puts the joints' values in the
+    place of theta, ``lines`` the first and the last line of the rows,
+    where it is known.
     """
 
     rows: tuple
@@ -41,6 +43,8 @@ class Pasted:
     poses: tuple = ()
     adds: bool = False
     slides: bool = False
+    scaled: bool = False
+    replaced: bool = False
     lines: tuple = ()
     notes: tuple = ()
 

@@ -11,6 +11,7 @@ from .columns import LENGTHS, snapped
 
 __all__ = [
     "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units", "reached",
+    "takes_thousandths",
     "units_by_size",
 ]  # fmt: skip
 
@@ -99,11 +100,28 @@ def length_units(table, columns, given):
             if not table.length or said != table.length
             else "as the text says"
         )
-        if said == "mm" and longest < TOY and any(SCALED.search(cell.text) for cell in cells):
-            return [("m", "by the factor in the cells")]
+        scaled = any(SCALED.search(cell.text) for cell in cells)
+        if said == "mm" and longest < TOY and (scaled or table.scaled):
+            return [("m", f"by the factor in the {'cells' if scaled else 'program'}")]
+        if said == "m" and table.scaled and "mm" in _better(said, sizes):
+            return [("mm", "by the factor in the program")]
         doubt = f"though the text says {UNIT_WORDS[said]}"
         return [*((unit, doubt) for unit in _better(said, sizes)), (said, why)]
-    return [(unit, reached(sizes, unit)) for unit in units_by_size(sizes)]
+    found = units_by_size(sizes)
+    if len(found) > 1 and "mm" in found and table.scaled and longest >= TOY:
+        return [("mm", "by the factor in the program")]
+    return [(unit, reached(sizes, unit)) for unit in found]
+
+
+def takes_thousandths(code):
+    """Whether a program divides by 1000, or multiplies by what does.
+
+    Examples
+    --------
+    >>> takes_thousandths("T[0, 3] = a / 1000"), takes_thousandths("t = 1000")
+    (True, False)
+    """
+    return bool(SCALED.search(code))
 
 
 def _better(said, sizes):

@@ -24,6 +24,8 @@ from .language.expressions import key
 from .language.letters import unified
 from .lists import with_lists
 from .pasted import Pasted
+from .scales import takes_thousandths
+from .uses import with_uses
 
 __all__ = ["take_apart"]
 
@@ -131,6 +133,7 @@ def _read(source, nominal, length):
             table = with_ends(with_added(table, source), source)
             require_one_value(table, source)
             _require_one_table(table, source)
+            table = with_uses(table, source)
             require_accounted(table, source, _tables(later, source))
             return table
     raise AssertionError  # the last reader answers or raises
@@ -280,4 +283,5 @@ def _with_sayings(table, source):
         poses=poses_in(source),
         adds=adds_theta(source),
         slides=speaks_of_sliding(source),
+        scaled=takes_thousandths(source.code),
     )

@@ -58,6 +58,8 @@ def theta_meanings(table, columns):
     """ "zeros", "pose" or both, the likelier first."""
     cells = columns["theta"]
     values = [cell.value for cell in cells]
+    if table.replaced:
+        return ["pose", "zeros"]
     odd = {round(abs(value), 3) for value in values if _is_odd(value)}
     if not odd or table.form or not all(cell.is_constant for cell in cells):
         return ["zeros"]

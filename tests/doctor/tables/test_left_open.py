@@ -1,0 +1,73 @@
+"""What a table does not say of its rows and its letters, and where the text says it elsewhere."""
+
+import numpy as np
+import pytest
+
+from dhlab import recognise_table
+
+CRAIG = "modified DH\nalpha | a | theta | d\n{}"
+FOUR = "0 | 0 | 0 | 0.33\n-90 | 0 | 0 | 0\n0 | 0.4 | 0 | 0\n90 | 0 | 0 | 0.1\n"
+
+
+def test_a_last_row_on_the_axis_of_the_joint_before_it_may_be_a_flange():
+    found = recognise_table(CRAIG.format(FOUR + "0 | 0 | 0 | 0.2\n"))
+    assert found.open == ("row",)
+    assert [len(reading.arm) for reading in found.readings] == [4, 5]
+    flange = found.readings[0].arm
+    assert np.allclose(flange.forward(np.zeros(4))[:3, 3], found.arm.frames(np.zeros(4))[-1][:3, 3]
+                       + 0.2 * found.arm.frames(np.zeros(4))[-1][:3, 2])  # fmt: skip
+
+
+def test_rows_whose_axes_differ_are_joints():
+    assert [len(r.arm) for r in recognise_table(CRAIG.format(FOUR)).readings] == [4]
+
+
+def test_a_text_that_says_how_many_joints_there_are_is_not_asked():
+    text = CRAIG.format(FOUR + "0 | 0 | 0 | 0.2\n") + "\nof a 5-DOF arm"
+    assert [len(reading.arm) for reading in recognise_table(text).readings] == [5]
+
+
+def test_one_variable_among_numbers_leaves_the_other_rows_their_joints():
+    rows = "0 | 0 | 0 | 0.33\n-90 | 0 | q2 - 90 | 0\n0 | 0.4 | 0 | 0\n90 | 0.1 | 0 | 0\n"
+    found = recognise_table(CRAIG.format(rows))
+    assert found.open == ("row",) and len(found.arm) == 4
+
+
+def test_a_table_of_names_and_numbers_gives_the_letters_their_values():
+    rows = "| q1 | d1 | 0 | 90 |\n| q2 | 0 | a2 | 0 |\n"
+    text = (
+        "| what | symbol | value | unit |\n|--|--|--|--|\n| base | d₁ | 89.2 | mm |\n"
+        "| arm | $a_2$ | 0.425 | m |\n\nstandard DH\n| theta | d | a | alpha |\n|--|--|--|--|\n"
+    )
+    arm = recognise_table(text + rows).arm
+    assert np.allclose([arm.table.d[0], arm.table.a[1]], [0.0892, 0.425])
+
+
+def test_a_value_that_is_overwritten_before_it_is_used_does_not_count():
+    rows = "# standard: theta, d, a, alpha\ndh = [[q1, L1, 0, 90], [q2, 0, 0.3, 0]]\n"
+    assert recognise_table(f"L1 = 0.1\nL1 = 0.2\n{rows}").arm.table.d[0] == 0.2
+    with pytest.raises(ValueError, match="which one counts"):
+        recognise_table(f"if small:\n    L1 = 0.1\nelse:\n    L1 = 0.2\n{rows}")
+
+
+def test_capital_and_small_letters_are_two_parameters():
+    text = "{A0: 0, a0: 0, d1: 0.75, A1: -pi/2, a1: 0.35, d2: 0, A2: 0, a2: 1.25, d3: 0}"
+    arm = recognise_table(text).arm
+    assert arm.table.convention == "craig"
+    assert np.allclose(arm.table.rows[:, 1:], [[0.75, 0, 0], [0, 0.35, -np.pi / 2], [0, 1.25, 0]])
+
+
+def test_the_last_tool_that_a_program_sets_counts():
+    links = "R = SerialLink([0 0.3 0 pi/2; 0 0 0.4 0])\n"
+    product = "R.tool = transl(0.08, 0, 0) * trotz(-pi/2) * transl(0.04, 0, 0);\n"
+    assert "not in the rows" in str(recognise_table(links + product))
+    found = recognise_table(links + product + "R.tool = eye(4)\n")
+    assert "tool" not in str(found) and np.allclose(found.arm.tool, np.eye(4))
+
+
+def test_the_field_of_a_row_that_is_added_is_its_own_column():
+    text = (
+        "// craig, [theta_offset, d, a, alpha]\nrows = {{0.0, 0.3, 0, 0}, {0.0, 0, 0.1, 1.5708}};\n"
+        "double theta = q + dh.theta_offset;\n"
+    )
+    assert len(recognise_table(text).arm) == 2
