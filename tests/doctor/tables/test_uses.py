@@ -17,6 +17,7 @@ def rows(second="0", scale=1, unit=""):
     return head + "\n".join(held) + "\n])\n"
 
 
+HEAD = "# standard: theta, d, a, alpha\ndh = "
 DEFINED = "def dh(theta, d, a, alpha):\n    pass\n"
 REPLACED = (
     f"{DEFINED}for i in range(4):\n    T = T @ dh(q[i], DH[i][1], DH[i][2], DH[i][3])\n",
@@ -58,7 +59,7 @@ def test_ones_and_minus_ones_by_which_joints_are_multiplied_are_senses():
 
 
 def test_a_comment_that_gives_another_length_is_asked_about():
-    text = "d1 = 0.42  # {} mm\n# standard: theta, d, a, alpha\ndh = [[q1, d1, 0, 90], [q2, 0, 1, 0]]\n"
+    text = f"d1 = 0.42  # {{}} mm\n{HEAD}[[q1, d1, 0, 90], [q2, 0, 1, 0]]\n"
     with pytest.raises(ValueError, match=r"line 1: the program has d1 = 0\.42.*which one"):
         recognise_table(text.format(520))
     assert recognise_table(text.format(420)).arm.table.d[0] == 0.42
