@@ -46,6 +46,7 @@ LISTS_READ = (
     universal.read,
     arrays.read,
 )  # these give lists beside the columns a meaning themselves
+OF_ANGLES = re.compile(r"\b(?:cos|sin)[df]?(?:\s*[({]|theta|alpha)")
 FEWEST = 3  # rows of a second arm
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
@@ -134,7 +135,8 @@ def _read(source, nominal, length):
             require_one_value(table, source)
             _require_one_table(table, source)
             table = with_uses(table, source)
-            require_accounted(table, source, _tables(later, source))
+            others = () if _lacks_values(table) else _tables(later, source)
+            require_accounted(table, source, others)
             return table
     raise AssertionError  # the last reader answers or raises
 
@@ -235,6 +237,11 @@ def _read_or_none(read, source):
 
 def _with_words(table, source):
     """What the words of the text and its own functions add to what the dialect says."""
+    if len(table.rows) == 1 and not table.form and OF_ANGLES.search(source.code):
+        raise ValueError(
+            "recognise_table: expected the rows of a table, found a link matrix and one row; is it"
+            " the last row of the matrix? Paste the rows of all links"
+        )
     if not (table.roles or any(cell.value or cell.letters for row in table.rows for cell in row)):
         raise ValueError(
             "recognise_table: expected a table, found zeros only, as of an arm that stands at"

@@ -26,6 +26,7 @@ SUBTRACTED = re.compile(
     re.IGNORECASE,
 )
 TURNED = re.compile(r"-\s*[A-Za-z]\w*(?:[\[(][^\])\n]*[\])]|(?:\.|->)\w+)*")
+PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 MEASURED = re.compile(r"(?<![\w.])(\d+\.?\d*)\s*(?:mm|cm|m)\b(?!\s*/)")
 NAMED = re.compile(r"\s*(?:[\w*]+\s+)*([A-Za-z_]\w*)\s*=\s*([^;,=#]+)")
 
@@ -45,6 +46,11 @@ def with_uses(table, source):
         One question: what else the program does, and whether it counts.
     """
     told = _of_calls(source) if not table.form else {}
+    if told.get("lying"):
+        raise ValueError(
+            f"recognise_table: the program takes {told['lying'][:60]} for one link, a parameter"
+            " from each row; which column is which link? Write a row for each link"
+        )
     if told.get("turned"):
         raise ValueError(
             f"recognise_table: the program takes {told['turned'][:40]} of each row, with a minus,"
@@ -88,6 +94,9 @@ def _of_calls(source):
         others = [text for text, role in zip(texts, roles) if role in ("d", "a", "alpha")]
         if re.fullmatch(ONE, angle) and not own and any("[" in one or "(" in one for one in others):
             found.setdefault("replaced", f"{call.name}({angle}, …)")
+        at = [PLACE.fullmatch(text) for text in texts]
+        if all(at) and len({one[2] for one in at if one}) == 1 < len({one[1] for one in at if one}):
+            found.setdefault("lying", ", ".join(texts))
         turned = next((one for one in others if TURNED.fullmatch(one)), None)
         if turned:
             found.setdefault("turned", turned)

@@ -71,3 +71,23 @@ def test_the_field_of_a_row_that_is_added_is_its_own_column():
         "double theta = q + dh.theta_offset;\n"
     )
     assert len(recognise_table(text).arm) == 2
+
+
+def test_a_range_of_indices_gives_every_row_its_number():
+    text = (
+        "% standard\nDH.alpha(1) = pi/2; DH.alpha(2) = 0; DH.alpha(3) = 0;\nDH.a(1:3) = 0.2;\n"
+        "DH.d(1) = 0.1; DH.d(2:3) = 0;\nDH.theta(1) = 0; DH.theta(2:3) = pi;\n"
+    )
+    table = recognise_table(text).arm.table
+    assert table.a.tolist() == [0.2] * 3 and table.theta.tolist() == [0, np.pi, np.pi]
+
+
+def test_the_last_row_of_a_link_matrix_is_no_table():
+    matrix = (
+        "T = [cos(t) -sin(t)*cos(b) sin(t)*sin(b) a*cos(t);\n"
+        "     sin(t) cos(t)*cos(b) -cos(t)*sin(b) a*sin(t);\n"
+        "     0 sin(b) cos(b) d;\n     0 0 0 1]\n"
+    )
+    for text in (matrix, matrix.replace("0 0 0 1]", "zeros(1, 3) 1]")):
+        with pytest.raises(ValueError, match="recognise_table: expected"):
+            recognise_table("% standard DH, a alpha d theta\n" + text)

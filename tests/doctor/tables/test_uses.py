@@ -77,3 +77,9 @@ def test_the_factor_of_the_program_settles_the_unit(text, unit):
     found = recognise_table(text)
     assert len(found.readings) == 1 and abs(found.arm.table.d[0] - 0.42) < 1e-12
     assert unit is None or unit in str(found)
+
+
+def test_a_matrix_whose_rows_are_parameters_is_asked_about():
+    text = f"{DEFINED}j = np.array([[0.4, 0, 0.1], [0, 0.3, 0], [90, 0, 90], [0, 0, 0]])\n"
+    with pytest.raises(ValueError, match=r"j\[0, 0\], j\[1, 0\].*which column is which link\?"):
+        recognise_table(rows() + DEFINED + "T = dh(j[0, 0], j[1, 0], j[2, 0], j[3, 0])\n" + text)

@@ -116,6 +116,8 @@ def read(source, nominal=None):
             " other numbers; paste one of them"
         )
     n = len(by_role["alpha"])
+    if len(by_role.get("theta", ())) != n and len(by_role["d"]) == len(by_role["a"]) == n:
+        by_role.pop("theta", None)  # where the joints stand, or some of them
     short = [
         role
         for role in ("theta", "d", "a", "alpha", "offset")

@@ -21,6 +21,8 @@ CELL = re.compile(
     r"\b([A-Za-z_]+)\s*[\[(](?:[01]\s*(?:,|\]\s*\[)\s*(?=\d+\s*[\])]))?(\d+)(?:\s*(?:,|\]\s*\[)\s*[01])?"
     r"\s*[\])]\s*=\s*([^;\n=]+)"
 )
+# MATLAB's a(1:6) = 0
+SLICE = re.compile(r"(?<![\w.])([A-Za-z_][\w.]*)\((\d):(\d)\)\s*=(?!=)\s*([^;,\n=\[]+)")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 
 
@@ -132,6 +134,9 @@ def _named(code):
     """(name, index, text) of every assignment with one number in its name, wherever it stands."""
     for match in CELL.finditer(code):
         yield match[1], match[2], match[3]
+    for name, first, last, text in SLICE.findall(code):
+        for index in range(int(first), int(last) + 1):
+            yield _name(name), str(index), text
     defined = ((name, text.split("//")[0]) for name, text in DEFINED.findall(code))
     for path, text in (*PATH.findall(code), *defined):
         numbers = re.findall(r"\d+", path)
