@@ -2,17 +2,17 @@
 extra rows; where two readings fit, both.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
-from ...printing import number
 from .columns import LENGTHS, misplaced
 from .joints import require_one_column, require_values
 from .readings import QUESTIONS, Reading, readings
+from .recognised import Recognised
 from .scales import UNIT_WORDS
 from .take_apart import take_apart
 
@@ -20,79 +20,6 @@ __all__ = ["Reading", "Recognised", "recognise_table"]
 
 MOST_READINGS = 24
 TRIES = 60  # random configurations among which the one that tells the readings apart best is taken
-
-
-@dataclass(frozen=True)
-class Recognised:
-    """The answer of :func:`recognise_table`.
-
-    Parameters
-    ----------
-    readings : tuple of Reading
-        Most likely first; with ``right=`` only those that are the right arm, unless none is.
-    questions : tuple of str
-        What a person has to say to leave one reading.
-    tell_apart : array (n,) or None
-        A configuration, radians and metres, at which the readings' end points differ most; None
-        with one reading.
-    poses : array (readings, 4, 4) or None
-        The end poses there.
-    notes : tuple of str
-        Patterns worth a look: degrees among radians, lengths all positive.
-    open : tuple of str
-        The names of the questions, in their order: "order", "convention", "angle", "length", "row",
-        "form".
-    matches : bool or None
-        Whether the first reading is equivalent to ``right``; None without it.
-
-    Examples
-    --------
-    >>> import dhlab as dh
-    >>> found = dh.recognise_table("0 0.1 0 90\\n0 0 0.4 0")
-    >>> len(found.readings) > 1, len(found.questions) > 0, found.matches
-    (True, True, None)
-    """
-
-    readings: tuple
-    questions: tuple = ()
-    tell_apart: np.ndarray | None = None
-    poses: np.ndarray | None = None
-    notes: tuple = ()
-    matches: bool | None = None
-    open: tuple = ()
-
-    @property
-    def arm(self):
-        """The most likely reading's arm."""
-        return self.readings[0].arm
-
-    def __str__(self):
-        lines = [
-            (
-                f"Read as {self.readings[0].words}."
-                if len(self.readings) == 1
-                else f"{len(self.readings)} readings fit{_joints(self.readings)}:"
-            )
-        ]
-        if len(self.readings) > 1:
-            lines += [f"  {k}. {reading.words}" for k, reading in enumerate(self.readings, 1)]
-        lines += [f"  Assumed: {text}" for text in self.readings[0].assumptions] + [
-            f"  Note: {text}" for text in self.notes
-        ]
-        lines += [f"  Question: {text}" for text in self.questions]
-        if self.tell_apart is not None:
-            lines.append(
-                "  Telling: measure at q = "
-                + ", ".join(number(v, 4) for v in self.tell_apart)
-                + " (rad, m): "
-                + "; ".join(
-                    f"{k}. ({', '.join(number(v, 3) for v in pose[:3, 3])}) m"
-                    for k, pose in enumerate(self.poses, 1)
-                )
-            )
-        return "\n".join(lines)
-
-    __repr__ = __str__
 
 
 def recognise_table(
@@ -165,13 +92,6 @@ def recognise_table(
         )
     kept = _different(found)[:MOST_READINGS]
     return _answer(kept, (*table.notes, *_notes(table, kept)), right)
-
-
-def _joints(readings):
-    """How many joints the arm has, where all readings agree."""
-    counts = {len(reading.arm) for reading in readings}
-    n = counts.pop()
-    return "" if counts else f", each with {n} joint{'s' if n > 1 else ''}"
 
 
 def _equivalent(right, readings):

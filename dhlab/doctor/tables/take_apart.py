@@ -10,12 +10,14 @@ from .beside import APART, with_added
 from .columns import misplaced, orders
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
-from .dialects.grid import NoRows, from_grid, header
+from .dialects.grid import NoRows, from_grid
+from .dialects.heading import header
 from .evidence.axes import axes_in
+from .evidence.conventions import convention_in, defined_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
 from .evidence.makers import called_convention
-from .evidence.orders import convention_in, defined_in, previous_in
+from .evidence.orders import previous_in
 from .evidence.poses import adds_theta, poses_in
 from .evidence.several import require_one_value
 from .evidence.source import source_of

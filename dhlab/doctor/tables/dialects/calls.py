@@ -6,12 +6,13 @@ import re
 from collections import Counter
 from dataclasses import replace
 
-from ..cells import cell_of, read_cell
+from ..cells import cell_of
 from ..columns import misplaced
 from ..evidence.several import apart, in_parts
-from ..language.brackets import Item, cells_in, groups, keyword, left_open
+from ..language.brackets import Item, cells_in, groups, left_open
 from ..language.roles import kind_said, role_of
 from ..pasted import Pasted, Row, from_rows
+from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
 
 __all__ = ["read"]
@@ -29,7 +30,6 @@ CLASSES = (
     (r"link", ROBOTICS_TOOLBOX, "", "theta d a alpha sigma offset"),
 )
 OLD_LINK = "alpha a theta d sigma offset"
-FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
 # DH(i,:), DH(i,2), dh[i][2]: one call makes all links
 OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
@@ -215,11 +215,11 @@ def _row(group, name, known, source, notes, number):
     cells, said, limits, sign, kind, label = {}, "", None, 1, "", ""
     order = OLD_LINK if name == "link" and known[0] == "link" else known[3]
     items = [item.text for item in group.items]
-    pairs, loose = _pairs(items)
+    pairs, loose = pairs_in(items)
     for key, text in pairs:
         role = role_of(key)[0]
         if key.lower() in ("qlim", "bounds", "limits"):
-            limits = _limits(text, source)
+            limits = limits_in(text, source)
         elif key.lower() == "flip":
             sign = -1 if text.lower() in ("true", "1") else 1
         elif key.lower() in ("mdh", "modified"):
@@ -231,7 +231,7 @@ def _row(group, name, known, source, notes, number):
         elif key.lower() in ("sigma", "jointtype", "type", "joint_type"):
             kind = "P" if text.strip("'\"").lower()[:1] in ("p", "1") else "R"
         elif role in NAMED and not (role == "r" and text[:1] in "[("):  # a centre of mass
-            cells[role] = _cell(text, source, number, role)
+            cells[role] = cell_in(text, source, number, role)
     for text in loose:
         word = text.strip("'\"").lower()
         if word == "prismatic":
@@ -243,12 +243,12 @@ def _row(group, name, known, source, notes, number):
         elif text[:1] in "[{":
             numbers = {**source.assigned, **source.known}  # no variables: the toolbox has its own
             known_here = replace(source, known=numbers) if known[1] == ROBOTICS_TOOLBOX else source
-            cells.update(_by_order(cells_in(text.strip("[]{}")), order, known_here, number))
+            cells.update(by_order(cells_in(text.strip("[]{}")), order, known_here, number))
     numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
     if not cells and len(numbers) >= 3 and known[0] == "link":
         return None, ""  # somebody's own class: the toolbox takes names or one vector
     if not cells and len(numbers) >= 3 and order:
-        cells.update(_by_order(numbers, order, source, number))
+        cells.update(by_order(numbers, order, source, number))
     if not cells and group.items and not pairs:
         return None, ""
     if not cells and not pairs and known[0] == "link":
@@ -261,52 +261,6 @@ def _row(group, name, known, source, notes, number):
     if "r" in cells:
         cells["a"] = cells.pop("r")
     return Row(cells, kind, label, sign, limits), said
-
-
-def _pairs(items):
-    """(name, text) of what is named, as keywords or as MATLAB's pairs; and the rest."""
-    pairs, loose, at = [], [], 0
-    while at < len(items):
-        text = items[at]
-        named = keyword(text) if text[:1] not in "'\"[" else None
-        word = re.fullmatch(r"['\"](\w+)['\"]", text)
-        if named:
-            pairs.append(named)
-        elif word and at + 1 < len(items) and word[1].lower() not in FLAGS:
-            pairs.append((word[1], items[at + 1]))
-            at += 1
-        else:
-            loose.append(text)
-        at += 1
-    return pairs, loose
-
-
-def _by_order(texts, order, source, number):
-    if not 4 <= len(texts) <= 6 and not (order.startswith("d") and len(texts) == 3):
-        raise ValueError(
-            f"recognise_table: link {number}: expected four to six numbers, found {len(texts)};"
-            " write theta, d, a, alpha or name them"
-        )
-    return {role: _cell(text, source, number, role) for role, text in zip(order.split(), texts)}
-
-
-def _cell(text, source, number, role):
-    try:
-        return read_cell(text.strip(" '\""), source.known)
-    except ValueError as error:
-        raise ValueError(f"recognise_table: link {number}, {role}: {error}") from None
-
-
-def _limits(text, source):
-    """(low, high) of "[-pi, pi]" or "[-120 120]*deg"; None when it is something else."""
-    found = re.match(r"[\[({](.*)[\])}]\s*(\*.*)?$|np\.\w+\(\[(.*)\]\)", text.strip(), re.DOTALL)
-    if not found:
-        return None
-    parts = cells_in(found[1] or found[3] or "")
-    values = [source.value(f"({part}){found[2] or ''}") for part in parts]
-    if len(values) != 2 or any(value is None or value.letters for value in values):
-        return None
-    return tuple(cell_of(value) for value in values)
 
 
 def _ignore_theta(cells, kind, known, notes, number):

@@ -8,7 +8,8 @@ from ..cells import read_cell
 from ..evidence.orders import order_in, order_of_names
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
-from .grid import NoRows, from_grid, header, units_of
+from .grid import NoRows, from_grid
+from .heading import header, units_of
 from .spaced import is_cell, require_whole_row, spaced_cells, under_names
 
 __all__ = ["read"]

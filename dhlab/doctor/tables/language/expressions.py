@@ -6,7 +6,18 @@ A value is affine in the letters it holds: ``q2 + pi/2`` is pi/2 plus 1 · q2.
 
 import math
 import re
-from dataclasses import dataclass, field
+
+from .values import NoExpression, Value, added, in_unit, multiplied
+from .vocabulary import (
+    CALLED,
+    CONSTANTS,
+    FUNCTIONS,
+    INVERSE,
+    JOINT_VALUES,
+    PLAIN,
+    TO_RADIANS,
+    UNITS,
+)
 
 __all__ = ["NoExpression", "Value", "evaluate", "key"]
 
@@ -16,80 +27,6 @@ TOKEN = re.compile(
     r"|(?P<name>[A-Za-z_][A-Za-z_0-9]*(?:(?:\.|::|->)[A-Za-z_]\w*)*)|(?P<deg>°)|(?P<quote>'')"
     r"|(?P<op>\*\*|[-+*/^()\[\],]))"
 )
-HALF = math.pi / 2
-CONSTANTS = {
-    **dict.fromkeys(("pi", "m_pi", "kpi", "const_pi"), math.pi),
-    **dict.fromkeys(("m_pi_2", "pi_2", "half_pi", "halfpi", "pi_half", "frac_pi_2"), HALF),
-    **dict.fromkeys(("m_pi_4", "pi_4", "frac_pi_4"), math.pi / 4),
-    "frac_pi_3": math.pi / 3,
-    "frac_pi_6": math.pi / 6,
-    **dict.fromkeys(("tau", "two_pi"), 2 * math.pi),
-    **dict.fromkeys(
-        "deg2rad d2r dtr deg_to_rad deg_2_rad degtorad to_rad torad rad_per_deg degree_to_rad"
-        " degrees_to_radians deg2radians radians_per_degree".split(),
-        math.pi / 180,
-    ),
-}
-UNITS = {
-    **dict.fromkeys(("deg", "degs", "degree", "degrees", "grad"), "deg"),
-    **dict.fromkeys(("rad", "rads", "radian", "radians"), "rad"),
-    **dict.fromkeys(("mm", "millimeter", "millimeters", "millimetre", "millimetres"), "mm"),
-    **dict.fromkeys(("cm", "centimeters", "centimetres"), "cm"),
-    **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), "m"),
-    **dict.fromkeys(("in", "inch", "inches"), "in"),
-}
-TO_RADIANS = (
-    "deg2rad radians rad d2r torad to_rad toradians to_radians degtorad deg_to_rad deg_2_rad dtor"
-    " degrees_to_radians radian deg"
-).split()
-PLAIN = (
-    "float float64 float32 double int rational integer s sympify mpf n number sym sp_float"
-    " nsimplify"
-).split()
-FUNCTIONS = {
-    "sqrt": math.sqrt,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "sind": lambda degrees: math.sin(math.radians(degrees)),
-    "cosd": lambda degrees: math.cos(math.radians(degrees)),
-    "c": math.cos,
-    "s": math.sin,
-    "abs": abs,
-    "fabs": abs,
-    "hypot": math.hypot,
-}
-INVERSE = {
-    **dict.fromkeys(("atan", "arctan"), math.atan),
-    **dict.fromkeys(("atan2", "arctan2"), math.atan2),
-    **dict.fromkeys(("asin", "arcsin"), math.asin),
-    **dict.fromkeys(("acos", "arccos"), math.acos),
-}
-
-
-CALLED = {*TO_RADIANS, *PLAIN, *FUNCTIONS, *INVERSE, "degrees", "rad2deg", "r2d"}
-# arrays of joint values, as MATLAB indexes them: q(1), jA(1), config(1)
-JOINT_VALUES = re.compile(r"q\w{0,3}|th|theta\w{0,3}|ja?|joints?|angles?|conf\w*|phi|jointangles?")
-
-
-class NoExpression(Exception):
-    """The text is not in the grammar."""
-
-
-@dataclass(frozen=True)
-class Value:
-    """``number`` plus the letters, each with its factor; ``unit`` is the one that the text names,
-    "rad" also where pi stands in it.
-    """
-
-    number: float
-    letters: dict = field(default_factory=dict)
-    unit: str = ""
-
-    def times(self, factor, unit=""):
-        """This, factor times."""
-        letters = {name: factor * share for name, share in self.letters.items() if factor * share}
-        return Value(factor * self.number, letters, self.unit or unit)
 
 
 def key(name):
@@ -177,7 +114,7 @@ class _Parser:
         value = self.product()
         while self.peek() in (("op", "+"), ("op", "-")):
             sign = 1.0 if self.take()[1] == "+" else -1.0
-            value = _added(value, self.product().times(sign))
+            value = added(value, self.product().times(sign))
         self.depth -= 1
         return value
 
@@ -189,7 +126,7 @@ class _Parser:
                 self.take()
                 if self.peek()[1] in (None, "+", "-", ")", ",") and value.letters:
                     continue  # q1* marks the joint variable
-                value = _multiplied(value, self.power())
+                value = multiplied(value, self.power())
             elif (kind, mark) == ("op", "/"):
                 self.take()
                 below = self.power()
@@ -198,9 +135,9 @@ class _Parser:
                 value = value.times(1 / below.number)
             elif kind == "deg" or (kind == "name" and self._is_unit(mark)):
                 self.take()
-                value = _in_unit(value, "deg" if kind == "deg" else UNITS[mark.lower()])
+                value = in_unit(value, "deg" if kind == "deg" else UNITS[mark.lower()])
             elif kind == "name" or ((kind, mark) == ("op", "(") and not value.letters):
-                value = _multiplied(value, self.power())
+                value = multiplied(value, self.power())
             else:
                 return value
 
@@ -312,37 +249,3 @@ class _Parser:
         if low in FUNCTIONS:
             return Value(float(FUNCTIONS[low](*numbers)))
         raise NoExpression
-
-
-def _in_unit(value, unit):
-    """``90 deg``: the number keeps the unit; ``(0.1 m) deg`` is no expression."""
-    if value.unit == unit:
-        return value
-    if value.unit:
-        raise NoExpression
-    return Value(value.number, value.letters, unit)
-
-
-def _added(a, b):
-    if {a.unit, b.unit} == {"rad", "deg"}:
-        a, b = _radians(a), _radians(b)
-    if a.unit and b.unit and a.unit != b.unit:
-        raise NoExpression
-    letters = dict(a.letters)
-    for name, share in b.letters.items():
-        letters[name] = letters.get(name, 0.0) + share
-    letters = {name: share for name, share in letters.items() if share}
-    return Value(a.number + b.number, letters, a.unit or b.unit)
-
-
-def _radians(value):
-    return Value(math.radians(value.number), value.letters, "rad") if value.unit == "deg" else value
-
-
-def _multiplied(a, b):
-    if a.letters and b.letters:
-        raise NoExpression
-    a, b = (b, a) if b.letters else (a, b)
-    if a.unit and b.unit and {a.unit, b.unit} != {"rad"}:
-        raise NoExpression
-    return a.times(b.number, b.unit)
