@@ -3,18 +3,13 @@ joints there are, what is added to joint angles, lists of as many numbers, a sec
 """
 
 import re
-from collections import Counter
 
-import numpy as np
-
-from .columns import MOST_TURNS, orders
+from .alike import repeats, same_arm
+from .columns import is_a_table
 from .dialects.arrays import arrays_in
 from .language.roles import role_of
 
-__all__ = [
-    "counts_in", "holds", "joints_said", "repeats", "require_accounted", "same_arm",
-    "speaks_of_sliding",
-]  # fmt: skip
+__all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
 
 NUMBERS = {
     word: k for k, word in enumerate("one two three four five six seven eight nine".split(), 1)
@@ -140,7 +135,12 @@ def require_accounted(table, source, others=()):
     _require_senses(table, source)
     for other in others:
         same = same_arm(table, other) or repeats(other, table)
-        if other.roles and len(other.rows) >= len(table.rows) > 1 and not same:
+        if (
+            len(other.rows) >= len(table.rows) > 1
+            and other.roles
+            and is_a_table(other)
+            and not same
+        ):
             raise ValueError(
                 f"recognise_table: expected one table, found two of {len(table.rows)} and"
                 f" {len(other.rows)} rows with different numbers; which one is meant? Leave the"
@@ -261,38 +261,4 @@ def _is_zero(name, source):
     value = source.value(name)
     return role_of(name)[0] in ("d", "a") or (
         value is not None and not value.letters and not value.number
-    )
-
-
-def same_arm(one, other):
-    """Whether two tables of a text hold the same numbers, in whatever order, unit and scale: the
-    lengths, and the twists where both say which column these are.
-    """
-    both = one.roles is not None and other.roles is not None
-    return all(kinds[0] == kinds[1] for kinds in zip(_numbers(one, both), _numbers(other, both)))
-
-
-def holds(table, other):
-    """Whether all numbers of another table are in a table, in whatever order, unit and scale."""
-    both = table.roles is not None and other.roles is not None
-    pairs = zip(_numbers(table, both), _numbers(other, both))
-    return all(not theirs - own for own, theirs in pairs)
-
-
-def repeats(longer, found):
-    """Whether rows are others once more."""
-    rows, once = ([[c.value for c in row] for row in table.rows] for table in (longer, found))
-    return rows == once * (len(rows) // len(once))
-
-
-def _numbers(table, with_twists):
-    """The lengths of a table, by the longest of them, and its twists in radians, or nothing."""
-    roles = table.roles or next((found.roles for found in orders(table, None)), ())
-    cells = [(cell, role) for row in table.rows for cell, role in zip(row, roles) if cell.value]
-    lengths = [abs(cell.value) for cell, role in cells if role in ("d", "a", "r")]
-    longest = max(lengths, default=1.0)
-    twists = [abs(cell.value) for cell, role in cells if role == "alpha" and with_twists]
-    return (
-        Counter(round(length / longest, 4) for length in lengths),
-        Counter(round(np.deg2rad(v) if v > MOST_TURNS else v, 3) for v in twists),
     )

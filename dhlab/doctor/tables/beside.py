@@ -29,6 +29,9 @@ ENUMERATED = re.compile(  # JointType::Static
 OF_ONE = re.compile(  # types(3) = 'P', joint_type[2] = "prismatic"
     r"\b\w*type\w*([(\[])(\d)[)\]]\s*=\s*['\"](r|p|revolute|prismatic)['\"]", re.IGNORECASE
 )
+SMALL = re.compile(  # type = ['r', 'r', 'p']
+    r"\w*(?:type|joint|kind)\w*\s*=\s*[\[{(]((?:\s*['\"][rp]['\"]\s*,?)+)[\]})]"
+)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -218,6 +221,7 @@ def with_types(table, source):
     letters = re.findall(rf"['\"]([RP]{{{len(table.rows)}}})['\"]", source.code)
     listed = re.findall(r"[\[{(]((?:\s*['\"][RP]['\"]\s*,?)+)[\]})]", source.code)
     letters += [joined for one in listed if (joined := re.sub(r"[^RP]", "", one))]
+    letters += [re.sub(r"[^rp]", "", one).upper() for one in SMALL.findall(source.code)]
     typed = [KINDS[one.lower()] for one in ENUMERATED.findall(source.code)]
     single = {
         int(k) - (mark == "("): KINDS[kind.lower()] for mark, k, kind in OF_ONE.findall(source.code)

@@ -7,8 +7,12 @@ import numpy as np
 
 from .cells import Cell
 
-__all__ = ["IMPLIED", "MOST_TURNS", "ROLES", "Order", "orders", "misplaced", "snapped"]
+__all__ = [
+    "IMPLIED", "MOST_TURNS", "ROLES", "Order", "is_a_table", "orders", "misplaced",
+    "snapped",
+]  # fmt: skip
 
+NAMED = ("as the header", "as their names", "as the names")  # why columns have their roles
 IMPLIED = Cell(0.0, (("theta", 1.0),), text="theta")  # the variable of rows that do not show it
 
 # who writes his columns so, the most common first
@@ -79,7 +83,7 @@ def orders(table, given):
 
 def _is_contradicted(table, named):
     """Whether a program or a comment calls a column of multiples of π a length."""
-    written = table.why.startswith(("as the header", "as their names", "as the names"))
+    written = table.why.startswith(NAMED)
     roles = named[0].roles
     if written or table.form or len(named) > 1 or set(roles) != set(ROLES):
         return False
@@ -159,6 +163,23 @@ def _might_be_degrees(column):
         and not any(cell.unit in LENGTHS for cell in column)
         and 10 < max(values) <= 360
     )
+
+
+def is_a_table(table):
+    """Whether rows are an arm's beyond doubt: columns that are named, lengths and angles."""
+    found = next(iter(orders(table, None)), None) if table.rows else None
+    if found is None:
+        return False
+    if [cell.value for cell in table.rows[-1]] == [0, 0, 0, 1]:
+        return False  # a pose
+    columns = {role: [row[k] for row in table.rows] for k, role in enumerate(found.roles)}
+    twists = [cell for cell in columns.get("alpha", ()) if cell.value]
+    lengths = [c for role in ("d", "a") for c in columns.get(role, ()) if c.value or c.letters]
+    turns = [cell.value for cell in twists if not (cell.value % 90 == 0 or snapped(cell.value)[1])]
+    named = table.roles is not None and table.why.startswith(NAMED)
+    if turns and not named:
+        return False
+    return bool(twists and lengths) and not misplaced({"alpha": columns["alpha"]})
 
 
 def misplaced(columns):

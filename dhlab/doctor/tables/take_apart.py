@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from .accounted import counts_in, holds, repeats, require_accounted, speaks_of_sliding
-from .beside import APART, with_added
-from .columns import misplaced, orders
+from .accounted import counts_in, require_accounted, speaks_of_sliding
+from .alike import holds, repeats
+from .beside import APART, with_added, with_types
+from .columns import is_a_table
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid
@@ -129,11 +130,13 @@ def _read(source, nominal, length):
             later = READERS[READERS.index(read) + 1 :]
             if _lacks_values(found):  # rows of numbers say more than rows of names
                 others = _tables(later, source)
-                found = next((one for one in others if not _lacks_values(one)), found)
+                n = (len(found.rows), len(found.rows) + 1)
+                whole = (one for one in others if not _lacks_values(one) and len(one.rows) in n)
+                found = next(whole, found)
             table = _with_words(found, source)
             if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
                 table = with_lists(table, source)
-            table = with_ends(with_added(table, source), source)
+            table = with_ends(with_added(with_types(table, source), source), source)
             require_one_value(table, source)
             _require_one_table(table, source)
             table = with_uses(table, source)
@@ -165,24 +168,11 @@ def _require_one_table(table, source):
         return
     above = [line for line in rest.text.split("\n")[: other.lines[0] - 1] if re.search(r"\w", line)]
     apart = other.roles is None and above and APART.search(above[-1])  # of other numbers
-    if not apart and _is_a_table(other) and not holds(table, other):
+    if not apart and is_a_table(other) and not holds(table, other):
         raise ValueError(
             f"recognise_table: expected one table, found two: lines {first} to {last} and lines"
             f" {other.lines[0]} to {other.lines[1]}; which one is meant? Leave the other out"
         )
-
-
-def _is_a_table(table):
-    """Whether rows are an arm's beyond doubt: columns that are named, lengths and angles."""
-    found = next(iter(orders(table, None)), None) if table.rows else None
-    if found is None:
-        return False
-    if [cell.value for cell in table.rows[-1]] == [0, 0, 0, 1]:
-        return False  # a pose
-    columns = {role: [row[k] for row in table.rows] for k, role in enumerate(found.roles)}
-    twists = [cell for cell in columns.get("alpha", ()) if cell.value]
-    lengths = [c for role in ("d", "a") for c in columns.get(role, ()) if c.value or c.letters]
-    return bool(twists and lengths) and not misplaced({"alpha": columns["alpha"]})
 
 
 def _lacks_values(table):

@@ -91,3 +91,11 @@ def test_the_last_row_of_a_link_matrix_is_no_table():
     for text in (matrix, matrix.replace("0 0 0 1]", "zeros(1, 3) 1]")):
         with pytest.raises(ValueError, match="recognise_table: expected"):
             recognise_table("% standard DH, a alpha d theta\n" + text)
+
+
+def test_a_list_of_types_in_small_letters_says_which_joint_slides():
+    text = (
+        "% standard\nalpha = [0 0 0 0];\na = [0.2 0.45 0.72 0];\nd = [0.21 0 0 0];\n"
+        "type = ['r','r','r','p'];\n"
+    )
+    assert recognise_table(text).arm.table.joints == "RRRP"

@@ -76,3 +76,11 @@ def test_a_letter_of_the_rows_that_has_two_values_is_asked_about():
     with pytest.raises(ValueError, match=r"0\.1 in line 1 and 0\.2 in line 4; which one"):
         recognise_table(f"L1 = 0.1\n{rows}L1 = 0.2\n")
     assert len(recognise_table(f"L1 = 100\n{rows}L1 = L1 / 1000\n").arm) == 2
+
+
+def test_another_matrix_of_four_columns_is_no_second_arm():
+    links = "% standard\nL1 = 0.1;\nL(1) = Link([0 L1 0 pi/2]);\nL(2) = Link([0 0 0.3 0]);\n"
+    faces = "R = SerialLink(L);\nfaces = [1 2 3 4; 5 6 7 8; 1 2 6 5; 2 3 7 6];\n"
+    assert len(recognise_table(links + faces).arm) == 2
+    with pytest.raises(ValueError, match="L1 has no value"):
+        recognise_table(links.replace("L1 = 0.1;\n", "") + faces)

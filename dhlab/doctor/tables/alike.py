@@ -1,0 +1,43 @@
+"""Whether two tables of one text are one arm: the same numbers, in whatever order, unit and scale."""
+
+from collections import Counter
+
+import numpy as np
+
+from .columns import MOST_TURNS, orders
+
+__all__ = ["holds", "repeats", "same_arm"]
+
+
+def same_arm(one, other):
+    """Whether two tables of a text hold the same numbers, in whatever order, unit and scale: the
+    lengths, and the twists where both say which column these are.
+    """
+    both = one.roles is not None and other.roles is not None
+    return all(kinds[0] == kinds[1] for kinds in zip(_numbers(one, both), _numbers(other, both)))
+
+
+def holds(table, other):
+    """Whether all numbers of another table are in a table, in whatever order, unit and scale."""
+    both = table.roles is not None and other.roles is not None
+    pairs = zip(_numbers(table, both), _numbers(other, both))
+    return all(not theirs - own for own, theirs in pairs)
+
+
+def repeats(longer, found):
+    """Whether rows are others once more."""
+    rows, once = ([[c.value for c in row] for row in table.rows] for table in (longer, found))
+    return rows == once * (len(rows) // len(once))
+
+
+def _numbers(table, with_twists):
+    """The lengths of a table, by the longest of them, and its twists in radians, or nothing."""
+    roles = table.roles or next((found.roles for found in orders(table, None)), ())
+    cells = [(cell, role) for row in table.rows for cell, role in zip(row, roles) if cell.value]
+    lengths = [abs(cell.value) for cell, role in cells if role in ("d", "a", "r")]
+    longest = max(lengths, default=1.0)
+    twists = [abs(cell.value) for cell, role in cells if role == "alpha" and with_twists]
+    return (
+        Counter(round(length / longest, 4) for length in lengths),
+        Counter(round(np.deg2rad(v) if v > MOST_TURNS else v, 3) for v in twists),
+    )
