@@ -1,4 +1,4 @@
-"""Whether two tables of one text are one arm: the same numbers, in whatever order, unit and scale."""
+"""Whether two tables of one text are one arm: the same numbers in any order, unit and scale."""
 
 from collections import Counter
 
