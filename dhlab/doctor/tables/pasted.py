@@ -18,10 +18,10 @@ class Pasted:
     ``kinds`` ("R", "P", "fixed" or ""), ``signs``, ``zeros`` (Cells that the text adds to theta
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
     ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
-    speaks of, ``poses`` the lists that it calls joint values, ``adds`` whether it says that theta
-    is added to them, ``slides`` whether it speaks of a joint that slides, ``scaled``
-    whether its program takes thousandths, ``replaced`` whether that puts the joints' values in the
-    place of theta, ``lines`` the first and the last line of the rows,
+    speaks of and ``worded`` how many in words, ``poses`` the lists that it calls joint values,
+    ``adds`` whether it says that theta is added to them, ``slides`` whether it speaks of a joint
+    that slides, ``scaled`` whether its program takes thousandths, ``replaced`` whether that puts
+    the joints' values in the place of theta, ``lines`` the first and the last line of the rows,
     where it is known.
     """
 
@@ -40,6 +40,7 @@ class Pasted:
     length: str = ""
     angle: str = ""
     joints: tuple = ()
+    worded: tuple = ()
     poses: tuple = ()
     adds: bool = False
     slides: bool = False

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .accounted import counts_in, require_accounted, speaks_of_sliding
+from .accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
 from .alike import holds, repeats
 from .beside import APART, with_added, with_types
 from .columns import is_a_table
@@ -279,6 +279,7 @@ def _with_sayings(table, source):
         length=table.length or source.length,
         angle=table.angle or source.angle,
         joints=counts_in(source),
+        worded=tuple(joints_said(source)),
         poses=poses_in(source),
         adds=adds_theta(source),
         slides=speaks_of_sliding(source),

@@ -40,3 +40,8 @@ def test_a_whole_text_is_read(form):
 def test_a_link_matrix_that_is_cut_off_behind_the_rows_takes_nothing_from_them():
     text = WRITTEN["rows"] + "]\ndef link(t, d, a, al):\n  return np.array([[cos(t), -sin(t)*cos(al"
     assert len(recognise_table(text).arm) == 3
+
+
+def test_a_bracket_behind_a_mark_in_quotation_marks_is_no_open_one():
+    text = WRITTEN["rows"] + ']\nlog("read %s rows" % len(dh.rows))\nT = fk(0.1, 0.2, 0.3)\n'
+    assert len(recognise_table(text).arm) == 3

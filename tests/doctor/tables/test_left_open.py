@@ -99,3 +99,11 @@ def test_a_list_of_types_in_small_letters_says_which_joint_slides():
         "type = ['r','r','r','p'];\n"
     )
     assert recognise_table(text).arm.table.joints == "RRRP"
+
+
+def test_a_last_variable_that_is_put_to_0_is_no_joint():
+    text = "theta1 = q1; theta2 = q2 - pi/2; theta3 = q3\ns = {alpha0: 0, a0: 0, d1: 0.75,\n"
+    text += " alpha1: -pi/2, a1: 0.35, d2: 0,\n alpha2: 0, a2: 0, d3: 0.3, q3: 0}\n"
+    found = recognise_table(text)
+    assert len(found.readings) == 1 and len(found.arm) == 2
+    assert np.allclose(found.arm.tool[:3, 3], [0, 0, 0.3])

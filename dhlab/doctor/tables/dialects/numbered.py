@@ -28,25 +28,7 @@ NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 
 def read(source, nominal=None):
     """The Pasted table of numbered names; None when d, a and alpha are not all there."""
-    found: dict = {}
-    unread: dict = {}
-    unknown: dict = {}
-    named = [*_named(source.code)]
-    names = {name for name, *_ in named}
-    for name, index, text in named:
-        role = source.role(name)
-        if name.isupper() and name.lower() in names:
-            role = None  # A1 beside a1 is another parameter
-        value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
-        if text.strip().startswith("[") or re.match(r"\s*(?:\w+\.)?symbols\b", text):
-            continue  # A12 = [ … is a matrix
-        if role in NAMES and value is None:
-            unread.setdefault((role, int(index)), text.strip())
-        elif role is None and value is not None:
-            unknown.setdefault(name, {}).setdefault(int(index), (value, text.strip()))
-        elif role in NAMES:
-            held = found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
-            _require_one(role, int(index), held, (value, text.strip()))
+    found, unread, unknown, stopped = _collected(source)
     if "a" not in found and "r" in found:
         found["a"] = found.pop("r")
     other, twists = (
@@ -70,6 +52,8 @@ def read(source, nominal=None):
         if "alpha" not in cells and "d" not in cells and "a" not in cells:
             continue
         rows.append((cells, _kind(cells, found, k)))
+    if stopped == {(last, 0.0)}:  # theta7 = q7, and q7: 0 of no other joint
+        rows[-1] = (rows[-1][0], "fixed")
     _require_read(unread, found)
     gaps = {
         role: [k for k, (cells, _) in enumerate(rows, first) if role not in cells]
@@ -89,6 +73,35 @@ def read(source, nominal=None):
         because="since a and alpha are counted from 0, d from 1" if convention else "",
         notes=notes,
     )
+
+
+def _collected(source):
+    """{role: {index: (Value, text)}} of what the text names; what of it cannot be read; names that
+    are no parameters; and (index, number) of variables that are given a number.
+    """
+    found: dict = {}
+    unread: dict = {}
+    unknown: dict = {}
+    stopped: set = set()
+    named = [*_named(source.code)]
+    names = {name for name, *_ in named}
+    for name, index, text in named:
+        role = source.role(name)
+        if name.isupper() and name.lower() in names:
+            role = None  # A1 beside a1 is another parameter
+        value = source.value(text.strip()) or source.value(text.strip().rstrip(".)"))
+        if text.strip().startswith("[") or re.match(r"\s*(?:\w+\.)?symbols\b", text):
+            continue  # A12 = [ … is a matrix
+        if role in NAMES and value is None:
+            unread.setdefault((role, int(index)), text.strip())
+        elif role is None and value is not None:
+            unknown.setdefault(name, {}).setdefault(int(index), (value, text.strip()))
+        elif role in NAMES:
+            held = found.setdefault(role, {}).setdefault(int(index), (value, text.strip()))
+            _require_one(role, int(index), held, (value, text.strip()))
+            if role == "theta" and held[0].letters and not value.letters:
+                stopped.add((int(index), value.number))
+    return found, unread, unknown, stopped
 
 
 def _require_one(role, index, first, again):

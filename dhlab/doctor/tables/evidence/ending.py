@@ -26,7 +26,9 @@ def require_whole(source):
     """
     code = source.code.rstrip()
     lines = code.split("\n")
-    opened = next((group for group in left_open(code) if _holds_rows(group, lines)), None)
+    whole = source.text.split("\n")
+    opened = (group for group in left_open(code) if not _is_closed(whole, group))
+    opened = next((group for group in opened if _holds_rows(group, lines)), None)
     last = lines[-1].strip()
     if opened is None and not _breaks_off(last, lines[:-1]):
         return
@@ -35,6 +37,14 @@ def require_whole(source):
         f"recognise_table: the text ends within {where[:60]}; what else stands in it? Paste it to"
         " its end"
     )
+
+
+def _is_closed(lines, group):
+    """Whether the line as it stands closes what it opens: a mark of a comment in quotation marks,
+    as in ``print("%s" % name)``, takes the rest of the line away.
+    """
+    line = lines[group.line - 1] if group.line <= len(lines) else ""
+    return all(line.count(left) == line.count(right) for left, right in ("()", "[]", "{}"))
 
 
 def _holds_rows(group, lines):
