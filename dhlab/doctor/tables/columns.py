@@ -8,7 +8,7 @@ import numpy as np
 from .cells import Cell
 
 __all__ = [
-    "IMPLIED", "MOST_TURNS", "ROLES", "Order", "is_a_table", "orders", "misplaced",
+    "IMPLIED", "NAMED", "MOST_TURNS", "ROLES", "Order", "is_a_table", "orders", "misplaced",
     "snapped",
 ]  # fmt: skip
 

@@ -8,7 +8,7 @@ import numpy as np
 from .accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
 from .alike import holds, repeats
 from .beside import APART, with_added, with_types
-from .columns import is_a_table
+from .columns import NAMED, is_a_table
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid
@@ -50,6 +50,9 @@ LISTS_READ = (
     arrays.read,
 )  # these give lists beside the columns a meaning themselves
 OF_ANGLES = re.compile(r"\b(?:cos|sin)[df]?(?:\s*[({]|theta|alpha)")
+OTHERS = re.compile(  # four numbers each, and no links
+    r"way_?p|point|traj|path|target|goal|test|vert|obstacle|colou?r|box|face", re.IGNORECASE
+)
 FEWEST = 3  # rows of a second arm
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
@@ -166,8 +169,9 @@ def _require_one_table(table, source):
     other = next(_tables(READERS, rest), None)
     if other is None or len(other.rows) < FEWEST or not other.lines:
         return
-    above = [line for line in rest.text.split("\n")[: other.lines[0] - 1] if re.search(r"\w", line)]
-    apart = other.roles is None and above and APART.search(above[-1])  # of other numbers
+    lines = [line for line in rest.text.split("\n")[: other.lines[0]] if re.search(r"\w", line)]
+    named = other.roles is not None and other.why.startswith(NAMED)
+    apart = not named and any(APART.search(line) or OTHERS.search(line) for line in lines[-2:])
     if not apart and is_a_table(other) and not holds(table, other):
         raise ValueError(
             f"recognise_table: expected one table, found two: lines {first} to {last} and lines"

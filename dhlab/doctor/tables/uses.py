@@ -27,7 +27,10 @@ SUBTRACTED = re.compile(
 )
 TURNED = re.compile(r"-\s*[A-Za-z]\w*(?:[\[(][^\])\n]*[\])]|(?:\.|->)\w+)*")
 PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
-MEASURED = re.compile(r"(?<![\w.])(\d+\.?\d*)\s*(?:mm|cm|m)\b(?!\s*/)")
+MEASURED = re.compile(  # no link 1 mm
+    r"(?<![\w.])(?<!link )(?<!joint )(?<!axis )(?<!frame )(\d+\.?\d*)\s*(?:mm|cm|m)\b(?!\s*/)",
+    re.IGNORECASE,
+)
 NAMED = re.compile(r"\s*(?:[\w*]+\s+)*([A-Za-z_]\w*)\s*=\s*([^;,=#]+)")
 
 

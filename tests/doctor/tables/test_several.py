@@ -84,3 +84,18 @@ def test_another_matrix_of_four_columns_is_no_second_arm():
     assert len(recognise_table(links + faces).arm) == 2
     with pytest.raises(ValueError, match="L1 has no value"):
         recognise_table(links.replace("L1 = 0.1;\n", "") + faces)
+
+
+@pytest.mark.parametrize(
+    "beside",
+    [
+        "waypoints = [[0.1, 0.2, 0.3, 90], [0.2, 0.2, 0.3, 90], [0.1, 0.4, 0.3, 0]]\n",
+        "T = [[1, 0, 0, 0.3], [0, 0, -1, 0.2], [0, 1, 0, 0.5], [0, 0, 0, 1]]\n",
+        "limits = [[-170, 170, 120, 50], [-90, 90, 120, 50], [-90, 90, 120, 50]]\n",
+        "q_test = [0.1, 0.2, 0.3]\nprint('(', fk(q_test))\n",
+        "pi = 3.14159\npi = 3.141592653\n",
+    ],
+)
+def test_other_numbers_of_a_program_are_no_second_arm(beside):
+    rows = f"# standard: theta, d, a, alpha\ndh = [\n{matrix(ONE)}]\n"
+    assert [len(reading.arm) for reading in recognise_table(rows + beside).readings] == [3]

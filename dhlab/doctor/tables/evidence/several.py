@@ -6,6 +6,7 @@ import re
 
 from ..language.assigned import ASSIGNED, is_joint_value
 from ..language.expressions import key
+from ..language.vocabulary import CONSTANTS
 
 __all__ = ["apart", "in_parts", "require_one_value"]
 
@@ -78,7 +79,7 @@ def require_one_value(table, source):
     for match in ASSIGNED.finditer(source.code):
         name, value = key(match[1]), source.value(match[2])
         again = re.search(rf"\b{re.escape(match[1])}\b", match[2])
-        if name not in words or again or value is None or value.letters:
+        if name not in words or again or value is None or value.letters or name in CONSTANTS:
             continue
         if not is_joint_value(match[1], match[2]):
             line = source.code.count("\n", 0, match.start(1)) + 1
