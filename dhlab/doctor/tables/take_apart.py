@@ -128,25 +128,27 @@ def _read(source, nominal, length):
             found = _drawn(source, len(found.rows)) or found
         if found is not None:
             require_whole(source)
-            if not isinstance(found, Pasted):
-                return found
-            later = READERS[READERS.index(read) + 1 :]
-            if _lacks_values(found):  # rows of numbers say more than rows of names
-                others = _tables(later, source)
-                n = (len(found.rows), len(found.rows) + 1)
-                whole = (one for one in others if not _lacks_values(one) and len(one.rows) in n)
-                found = next(whole, found)
-            table = _with_words(found, source)
-            if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
-                table = with_lists(table, source)
-            table = with_ends(with_added(with_types(table, source), source), source)
-            require_one_value(table, source)
-            _require_one_table(table, source)
-            table = with_uses(table, source)
-            others = () if _lacks_values(table) else _tables(later, source)
-            require_accounted(table, source, others)
-            return table
+            return _completed(found, read, source) if isinstance(found, Pasted) else found
     raise AssertionError  # the last reader answers or raises
+
+
+def _completed(found, read, source):
+    """The table that one reader found, with what the rest of the text says of it."""
+    later = READERS[READERS.index(read) + 1 :]
+    if _lacks_values(found):  # rows of numbers say more than rows of names
+        n = (len(found.rows), len(found.rows) + 1)
+        others = (one for one in _tables(later, source) if len(one.rows) in n)
+        found = next((one for one in others if not _lacks_values(one)), found)
+    table = _with_words(found, source)
+    if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
+        table = with_lists(table, source)
+    table = with_ends(with_added(with_types(table, source), source), source)
+    require_one_value(table, source)
+    _require_one_table(table, source)
+    table = with_uses(table, source)
+    others = () if _lacks_values(table) else _tables(later, source)
+    require_accounted(table, source, others)
+    return table
 
 
 def _require_one_table(table, source):
