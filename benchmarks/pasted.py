@@ -33,6 +33,8 @@ ASKS = {
     "column order": "In which order",
     "length units": "In which unit",
     "angle units": "degrees or radians",
+    "rows": "without a joint",
+    "zeros": "added to the joints' values",
 }
 
 
