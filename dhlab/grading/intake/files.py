@@ -3,12 +3,10 @@ nothing special is opened.
 """
 
 import io
-import lzma
 import os
 import re
 import stat
 import zipfile
-import zlib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, tzinfo
@@ -25,16 +23,12 @@ LARGEST_ZIP = 200_000_000
 MOST_FILES = 500  # of all zips of a student
 MOST_ZIPS = 5  # in a student's zip
 DEEPEST = 2  # a zip of everybody's, and a student's own in it
-BROKEN = (
-    zipfile.BadZipFile,
-    zlib.error,
-    lzma.LZMAError,
-    OSError,
-    ValueError,
-    NotImplementedError,
-    EOFError,
-    RuntimeError,
-)
+LISTING = 1_000_000  # bytes of the list of members in a student's zip
+LONGEST = 255  # letters of a name, as on a disk; a zip may have others
+FOLDERS = 40  # in folders
+# whatever Python raises at a zip that a stranger made: it costs nobody else anything
+BROKEN = Exception
+TOO_DEEP = "refused: too many folders in folders"
 # where the time of a submission comes from
 FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 
@@ -94,8 +88,17 @@ def _in_folder(place, zone, room):
         folders[:] = sorted(name for name in folders if not _boring(name))
         for name in (*folders, *sorted(files)):
             path = os.path.join(folder, name)
-            status = os.lstat(path)
             parts = Path(path).relative_to(place).parts
+            try:
+                status = os.lstat(path)
+            except FileNotFoundError:  # it went away meanwhile
+                continue
+            except OSError:  # its name is longer than any may be
+                status = None
+            if status is None or len(parts) > FOLDERS:
+                folders[:] = []
+                yield Entry((*parts[:2], name), _nothing, None, FILE_TIME, TOO_DEEP)
+                break
             if stat.S_ISDIR(status.st_mode) or _boring(name):
                 continue
             when = datetime.fromtimestamp(status.st_mtime, UTC)
@@ -148,7 +151,7 @@ def _in_zip(source, parts, depth, zone, came, room):
     stay open. ``came``: when a student's own zip came, and how that is known; the dates in it are
     the student's.
     """
-    members = _archive(source).infolist()
+    members = _archive(source, LISTING if parts else None).infolist()
     if parts:  # the teacher's own zip may be large
         room.take(parts, members)
     zips = 0
@@ -157,7 +160,7 @@ def _in_zip(source, parts, depth, zone, came, room):
         if member.is_dir() or not inner or any(_boring(part) for part in inner if part != ".."):
             continue
         fault, read = _fault(member, inner), _member(source, number)
-        own = (*parts, *(part for part in inner if part != ".."))
+        own = (*parts, *(part[:LONGEST] for part in inner[-FOLDERS:] if part != ".."))
         when = came or (_when(member, zone), ZIP)
         if fault or not inner[-1].lower().endswith(".zip"):
             yield Entry(own, _nothing if fault else read, when[0], when[1], fault, member.file_size)
@@ -189,22 +192,45 @@ def _member(source, number):
     return read
 
 
+class _Short(io.BufferedReader):
+    """A file of which no more than ``most`` bytes are read at once, where that is a number."""
+
+    most: int | None = None
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if self.most is not None and (size or 0) > self.most:
+            raise ValueError("too many files in it, or too large when unpacked")
+        return super().read(size)
+
+
 # the zips that were read from last stay open: members are asked for one after the other
-_open: dict[Any, zipfile.ZipFile] = {}
+_open: dict[Any, tuple[zipfile.ZipFile, _Short]] = {}
 AT_ONCE = 3
 
 
-def _archive(source):
+def _archive(source, listing=None):
+    """The zip; its list of members is read at once, and no longer than ``listing`` bytes."""
     if source not in _open:
         while len(_open) >= AT_ONCE:
-            _open.pop(next(iter(_open))).close()
-        _open[source] = zipfile.ZipFile(source())
-    return _open[source]
+            for one in _open.pop(next(iter(_open))):
+                one.close()
+        place = source()
+        file = _Short(place if isinstance(place, io.BytesIO) else io.FileIO(place))
+        file.most = listing
+        try:
+            _open[source] = zipfile.ZipFile(file), file
+        except BROKEN:
+            file.close()
+            raise
+        file.most = None
+    return _open[source][0]
 
 
 def _fault(member, inner):
     if ".." in inner or member.filename.startswith(("/", "\\")):
         return "refused: its name leads out of the zip"
+    if len(inner) > FOLDERS or max(map(len, inner)) > LONGEST:
+        return "refused: a name, or folders in folders, that no disk holds"
     if stat.S_ISLNK(member.external_attr >> 16):
         return "refused: a link"
     if member.flag_bits & 1:
