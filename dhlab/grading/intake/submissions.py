@@ -149,20 +149,25 @@ def _namesakes(owners):
 
 
 def _stamped(entries, zone):
-    """The files with the time that nbgrader noted beside them, in student/assignment/; such a file
-    elsewhere, or in a zip, may be a student's own.
+    """The files with the time that nbgrader noted beside them, in student/assignment/, for
+    everybody; such a file elsewhere, in a zip, or that few have, may be a student's own.
     """
     entries = list(entries)
-    written = [
+    in_folders = [
         entry
         for entry in entries
-        if len(entry.parts) == 3
-        and entry.parts[-1] == TIMESTAMP
+        if len(entry.parts) > 1
         and entry.source == FILE_TIME
-        and not any(part.lower().endswith(".zip") for part in entry.parts[:-1])
+        and not any(part.lower().endswith(".zip") for part in entry.parts)
         and not entry.fault
         and not from_platform(entry.parts[0])
     ]
+    written = [
+        entry for entry in in_folders if len(entry.parts) == 3 and entry.parts[-1] == TIMESTAMP
+    ]
+    having, students = ({entry.parts[0] for entry in some} for some in (written, in_folders))
+    if 2 * len(having) < len(students):
+        return entries
     noted = {entry.parts[:-1]: when for entry in written if (when := _noted(entry.read(), zone))}
     return [
         (
