@@ -14,6 +14,7 @@ from ...formats.files import read_text
 
 __all__ = ["Student", "read_roster"]
 
+CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")  # what a terminal obeys; names are printed there
 COLUMNS = ("student", "name", "email", "language", "section")
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
 # what names no file on Windows
@@ -115,7 +116,7 @@ def _student(where, row, columns, width):
             " comma in it stands in quotes"
         )
     cells = {
-        name: unicodedata.normalize("NFC", row[i].strip())
+        name: CONTROL.sub(" ", unicodedata.normalize("NFC", row[i].strip()))
         for name, i in columns.items()
         if i < len(row)
     }

@@ -4,12 +4,16 @@ text it is.
 
 import csv
 import io
+import re
 from collections.abc import Iterable
 
 __all__ = ["csv_text"]
 
 # what makes a spreadsheet compute; the wide forms in some of them too
 FORMULA = tuple("=+-@\t\r\n＝＋－＠")
+# the same within a text, where a spreadsheet ends cells with semicolons or tabs, as in much of
+# Europe: to it this is another cell, or another line
+INNER = re.compile(r"([;\t\n]\s*)([=+\-@＝＋－＠])")
 
 
 def csv_text(rows: Iterable[Iterable[object]]) -> str:
@@ -36,4 +40,5 @@ def _cell(value):
         return value
     # a bare carriage return would end the row
     text = value.replace("\r\n", "\n").replace("\r", "\n")
+    text = INNER.sub(r"\1'\2", text)
     return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text
