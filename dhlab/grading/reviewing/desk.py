@@ -114,7 +114,7 @@ class Desk:
         if "hold" in given:
             hold(self.decisions, mine.student, _text(given["hold"]))
         else:
-            mark = {mark.exercise: mark for mark in mine.marks}.get(given.get("exercise"))
+            mark = {mark.exercise: mark for mark in mine.marks}.get(str(given.get("exercise")))
             if mark is None:
                 raise ValueError("review: expected an exercise that is marked; load the page anew")
             points = _points(given.get("points"), mark.of)

@@ -1,6 +1,7 @@
 """The review as a page on this machine: nobody else can open it, and it asks nobody else."""
 
 import json
+import re
 import secrets
 import threading
 from collections.abc import Callable
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
+from ..reports.answered import MOST_PICTURES
 from .desk import Desk
 
 __all__ = ["serve"]
@@ -20,6 +22,7 @@ PAGES = {
     "review.css": ("review.css", "text/css; charset=utf-8"),
 }
 LARGEST = 100_000  # bytes of a decision
+PLACES = [str(place) for place in range(MOST_PICTURES)]
 HEADERS = {
     "Content-Security-Policy": (
         "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self';"
@@ -71,7 +74,7 @@ def _answer(desk, name, given):
         return desk.show()
     if name.startswith("picture/"):
         _, student, exercise, place = (name.split("/") + 4 * [""])[:4]
-        return desk.picture(student, exercise, int(place)) if place.isdecimal() else None
+        return desk.picture(student, exercise, int(place)) if place in PLACES else None
     kind, _, student = name.partition("/")
     return desk.answers(student) if kind == "answers" and student in desk.marks else None
 
@@ -100,7 +103,7 @@ class _Handler(BaseHTTPRequestHandler):
         if (
             self.headers.get("Content-Type") != "application/json"
             or (origin and origin.removeprefix("http://") not in self.hosts)
-            or not length.isdigit()
+            or not re.fullmatch("[0-9]{1,6}", length)
             or int(length) > LARGEST
         ):
             self._send(400, b'{"error": "expected a decision from this page"}')
