@@ -88,8 +88,10 @@ def _too_many_files(config):
                     folders.append(entry.path)
                 if files > MOST_FILES or size > config["limits"]["files_mb"] << 20:
                     return True
-        except OSError:
+        except FileNotFoundError:
             continue
+        except OSError:  # closed to us, or deeper than a path: what is in it cannot be counted
+            return True
     return False
 
 
