@@ -25,6 +25,7 @@ FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
 CALLS = PACKAGE / "doctor" / "programs" / "running"
 CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
 LOADED = re.compile(r'dh\.load\(\\?"([\w.-]+)\\?"\)')
+COMPILED = "kernel_"  # of dhlab.fast: compiled when it is loaded, for many seconds, and off here
 NEEDED = re.compile(r"^\s*(?:import|from)\s+((?:scipy|sympy)[\w.]*)", re.MULTILINE)
 INSIDE = "/cage"  # where the staged library stands inside bubblewrap
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
@@ -78,7 +79,7 @@ def library() -> tuple[str, ...]:
     found = set()
     for path in PACKAGE.rglob("*.py"):
         parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
-        if not {*NOT_STAGED, "__main__"} & {*parts}:
+        if not {*NOT_STAGED, "__main__"} & {*parts} and not path.stem.startswith(COMPILED):
             found.add(".".join(parts).removesuffix(".__init__"))
             found |= set(NEEDED.findall(path.read_text(encoding="utf-8")))
     return tuple(sorted(found))
