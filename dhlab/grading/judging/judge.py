@@ -147,6 +147,8 @@ def _short(answer):
         return answer if len(answer) <= WORD and answer.isascii() and answer.isprintable() else "…"
     if isinstance(answer, list):
         return [_short(entry) for entry in answer]
+    if isinstance(answer, dict):
+        return {_short(key): _short(entry) for key, entry in answer.items()}
     return answer
 
 
