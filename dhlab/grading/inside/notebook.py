@@ -7,9 +7,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Cell", "Cells", "read", "without_outputs"]
+__all__ = ["FAULTS", "Cell", "Cells", "cells_of", "decoded", "listed", "read", "without_outputs"]
 
 CHECK = re.compile(r"""\bcheck\(\s*["']([0-9A-Za-z.]+)["']""")
+# what is said of a file that is no notebook
+FAULTS = EMPTY, NO_JSON, NO_CELLS = (
+    "the file is empty",
+    "this is no notebook: its JSON cannot be read",
+    "this is no notebook: it has no cells",
+)
 GRADE_ID = re.compile(r"(?:stub|check)-(.+)")
 
 
@@ -61,8 +67,12 @@ def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     ValueError
         It is no notebook.
     """
-    notebook = _json(raw)
-    found = [cell for cell in _listed(notebook) if isinstance(cell, dict)]
+    return cells_of(_json(raw), checks)
+
+
+def cells_of(notebook: dict[str, Any], checks: Mapping[str, Any]) -> Cells:
+    """The same of a notebook whose JSON is read."""
+    found = [cell for cell in listed(notebook) if isinstance(cell, dict)]
     code = [_cell(cell) for cell in found if cell.get("cell_type") == "code"]
     names = [_text(cell.get("id")) for cell in found if cell.get("cell_type") == "code"]
     lesson = _lesson(notebook, code, names, checks)
@@ -99,35 +109,40 @@ def _slim(notebook):
                 },
                 "id": _text(cell.get("id")),
             }
-            for cell in _listed(notebook)
+            for cell in listed(notebook)
             if isinstance(cell, dict) and cell.get("cell_type") == "code"
         ],
     }
 
 
-def _json(raw):
+def decoded(raw: bytes) -> str:
+    """The text of a file, in whatever of three ways it was written."""
     try:
-        text = raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
+        return raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
     except UnicodeDecodeError:
-        text = raw.decode("latin-1")
+        return raw.decode("latin-1")
+
+
+def _json(raw):
+    text = decoded(raw)
     if not text.strip():
-        raise ValueError("the file is empty")
+        raise ValueError(EMPTY)
     try:
         notebook = json.loads(text)
     except (json.JSONDecodeError, RecursionError):
-        raise ValueError("this is no notebook: its JSON cannot be read") from None
+        raise ValueError(NO_JSON) from None
     if not isinstance(notebook, dict):
-        raise ValueError("this is no notebook: it has no cells")
+        raise ValueError(NO_CELLS)
     return notebook
 
 
-def _listed(notebook):
+def listed(notebook: dict[str, Any]) -> list[Any]:
     """The cells; in version 3 and before they stood in worksheets."""
     if isinstance(notebook.get("cells"), list):
         return notebook["cells"]
     sheets = notebook.get("worksheets")
     if not isinstance(sheets, list):
-        raise ValueError("this is no notebook: it has no cells")
+        raise ValueError(NO_CELLS)
     return [
         cell
         for sheet in sheets

@@ -7,6 +7,8 @@ import re
 from hashlib import sha256
 from typing import Any, NamedTuple
 
+from ..inside.notebook import decoded
+
 __all__ = ["Look", "look", "lessons_of", "numbers_of", "parsed"]
 
 CHECKED = re.compile(rb"""check\(\s*\\?["']([0-9A-Za-z]{1,9})\.""")
@@ -92,6 +94,6 @@ def parsed(raw: bytes) -> Any:
     if len(raw) > LARGEST or sum(map(raw.count, (b",", b"[", b"{"))) > PARTS:
         raise ValueError("expected a notebook of common size, found a larger one")
     try:
-        return json.loads(raw)
+        return json.loads(decoded(raw))
     except RecursionError:
         raise ValueError("expected a notebook, found brackets in brackets") from None

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from ..cage.cage import Cage
 from ..cage.sight import OPEN
 from ..cage.stage import library
+from ..inside.notebook import FAULTS
+from ..inside.wire import error_name
 from ..results.marks import TIMED_OUT, UNREADABLE
 from .judge import Answers
 from .questions import Course, handed_out_cells, named_modules, request
@@ -114,7 +116,8 @@ def _run(cage, handed, course, variant, answers, most):
             line["unreadable"] for line in run.lines if isinstance(line.get("unreadable"), str)
         ]
         if broken:
-            notes.append(broken[0][:200])
+            # what comes out may be made up: only our own sentences are repeated
+            notes.append(broken[0] if broken[0] in FAULTS else error_name(broken[0]))
         if (
             run.ended == "done"
             or run.cell is None

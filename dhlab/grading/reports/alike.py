@@ -16,7 +16,7 @@ from itertools import combinations
 from typing import Any
 
 from ...course.exercises import exercises
-from .cells import cells, code_and_check
+from .cells import answered
 
 __all__ = ["Pair", "alike", "answers"]
 
@@ -62,15 +62,15 @@ def answers(notebook: Any) -> dict[str, str]:
     found: dict[str, str] = {}
     left: dict[str, int] = defaultdict(lambda: MOST)
     code = ""
-    for part, exercise in filter(None, map(code_and_check, cells(notebook))):
-        code += part
+    for _, part, exercise in answered(notebook):
+        code += part or ""
         if exercise:
             code = code[: min(LARGEST, left[exercise[:2]])]
             if exercise in exercises():
                 found[exercise] = code
                 left[exercise[:2]] -= len(code)
             code = ""
-        else:
+        elif part is not None:
             code += "\n"
     return found
 

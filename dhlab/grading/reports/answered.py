@@ -15,7 +15,7 @@ from ..intake.notebooks import LARGEST, parsed
 from ..own_items import YOUR_NUMBERS
 from ..results.marks import Graded
 from ..results.names import marks_stem
-from .cells import cells, code_and_check
+from .cells import answered
 
 __all__ = ["Answer", "Picture", "keep_answers", "own_answers", "read_answers", "read_notebook"]
 
@@ -66,10 +66,9 @@ def own_answers(notebook: Any) -> dict[str, Answer]:
     found: dict[str, Answer] = {}
     mine: list[str] = []
     pictures: list[Picture] = []
-    for cell in cells(notebook):
+    for cell, part, exercise in answered(notebook):
         pictures += _pictures(cell)
-        code, exercise = code_and_check(cell) or ("", None)
-        code = code.strip()
+        code = (part or "").strip()
         if code and code not in _handed_out_cells() and not code.startswith(LOCKED):
             mine.append(code)
         if exercise:

@@ -1,41 +1,45 @@
-"""The cells of a notebook that a student handed in, read without trusting that it has the right
-form.
+"""The cells of a notebook that a student handed in, read as the cage reads them: what is shown to
+the teacher and compared with others is what was run.
 """
 
 import re
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["cells", "code_and_check"]
+from ..inside.notebook import cells_of, listed
 
-CHECK = re.compile(r"""^[ \t]*check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE)
+__all__ = ["answered"]
 
-
-def cells(notebook: Any) -> Iterator[dict[str, Any]]:
-    """The cells of a notebook as it stands in the file."""
-    found = notebook.get("cells") if isinstance(notebook, dict) else None
-    return (cell for cell in (found if isinstance(found, list) else ()) if isinstance(cell, dict))
-
-
-def _whole_letters(text):
-    """A text that a file can hold: without halves of letters, which JSON may have."""
-    return text.encode("utf-8", "replace").decode("utf-8")
+# a check, with what may stand before it in its line
+CHECK = re.compile(
+    r"""(?:^[ \t]*(?:\w+[ \t]*=[ \t]*)?|\b)check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE
+)
 
 
-def code_and_check(cell: dict[str, Any]) -> tuple[str, str | None] | None:
-    """The code of a code cell up to its check, and the exercise that is checked there, if one is;
-    None of any other cell.
+def answered(notebook: Any) -> Iterator[tuple[dict[str, Any], str | None, str | None]]:
+    """(the cell, its code up to the check, the exercise that is answered once it has run) of each
+    cell; of one that is no code the second is None.
 
     Examples
     --------
-    >>> code_and_check({"cell_type": "code", "source": ["x = 1\\n", "check('05.1', x)"]})
-    ('x = 1\\n', '05.1')
+    >>> cell = {"cell_type": "code", "source": ["x = 1\\n", "check('05.1', x)"]}
+    >>> [found[1:] for found in answered({"cells": [cell]})]
+    [('x = 1\\n', '05.1')]
     """
-    if cell.get("cell_type") != "code":
-        return None
-    source = cell.get("source", "")
-    if isinstance(source, list):
-        source = "".join(part for part in source if isinstance(part, str))
-    source = _whole_letters(source) if isinstance(source, str) else ""
-    checked = CHECK.search(source)
-    return (source[: checked.start()], checked[1]) if checked else (source, None)
+    try:
+        found = cells_of(notebook, {}).code
+        cells = listed(notebook)
+    except (ValueError, AttributeError):
+        return
+    code, checks = iter(found), {key for one in found for key in one.checked}
+    for cell in (one for one in cells if isinstance(one, dict)):
+        if cell.get("cell_type") != "code":
+            yield cell, None, None
+            continue
+        own = next(code)
+        source = own.source.encode("utf-8", "replace").decode("utf-8")  # JSON has half letters
+        checked = CHECK.search(source)
+        if checked:
+            yield cell, source[: checked.start()], checked[1]
+        else:
+            yield cell, source, next((key for key in own.ids if key not in checks), None)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import contextlib
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...course.workspace import handed_out
 from ..intake.notebooks import LARGEST, parsed
 from ..intake.roster import Student
-from ..results.marks import Graded
+from ..results.marks import NOT_ATTEMPTED, Graded
 from .alike import alike, answers
 from .answered import keep_answers, own_answers, read_answers
 from .classreport import write_class_report
@@ -45,15 +46,19 @@ def publish(
     folder.mkdir(exist_ok=True)
     known = {student.student: student for student in roster}
     codes: dict[str, dict[str, str]] = {}
+    shown: list[Graded] = []
     for graded in results:
         mine = planned.found.get(graded.student)
         if mine is not None:
             notebooks = dict(_read(mine.notebooks))
             own = {name: own_answers(notebook) for name, notebook in notebooks.items()}
             keep_answers(graded, own, out)
+            names = {one.name for one in mine.notebooks}
+            graded = replace(graded, notes=(*graded.notes, *_unseen(graded, own, names)))
             if mine.notebooks:
                 every = map(answers, notebooks.values())
                 codes[graded.student] = {key: code for one in every for key, code in one.items()}
+        shown.append(graded)
         student = known.get(graded.student, Student(graded.student))
         write_feedback(graded, student, folder, read_answers(graded.student, out))
     given = {
@@ -61,7 +66,20 @@ def publish(
         for path in sorted(handed_out().glob("*.ipynb"))
         for exercise, code in answers(json.loads(path.read_text(encoding="utf-8"))).items()
     }
-    return write_class_report(results, roster, out, alike(codes, given))
+    return write_class_report(shown, roster, out, alike(codes, given))
+
+
+def _unseen(graded, own, names):
+    """A sentence on each file that earns marks and of whose answers less than half are found here:
+    what is not read is compared with nobody's.
+    """
+    marked: dict[str, set[str]] = {}
+    for mark in graded.marks:
+        if mark.file in names and mark.status != NOT_ATTEMPTED:
+            marked.setdefault(mark.file, set()).add(mark.exercise)
+    for name, keys in marked.items():
+        if 2 * len(keys & own.get(name, {}).keys()) < len(keys):
+            yield f"{name}: most of its answers are not found here: not compared, look at the file"
 
 
 def _read(notebooks):
