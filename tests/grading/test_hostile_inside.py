@@ -1,0 +1,83 @@
+"""The attacks of ``corpus_inside.py`` in both cages with walls, among honest notebooks that do odd
+things for a reason: marks fair, nothing leaked.
+"""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import corpus
+from corpus_honest import HONEST
+from corpus_inside import INSIDE
+
+from dhlab.grading.cage import cage
+from dhlab.grading.grade import grade
+from dhlab.grading.reports.publish import publish
+from dhlab.grading.settings import Limits, Settings
+
+LIMITS = Limits(cell_seconds=2.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
+# these take long and hurt nobody else; benchmarks/hostile.py runs them
+LONG = {"stops itself", "a tracer over the room", "twenty thousand cells"}
+ATTACKS = [one for one in INSIDE if one[0] not in LONG]
+CANARY = "canary-8086"
+
+
+@pytest.fixture(scope="module", params=["bubblewrap", "landlock"])
+def graded(request, tmp_path_factory):
+    """(marks by student, the folder that they were written to)."""
+    try:
+        cage.Cage(request.param).close()
+    except ValueError:
+        pytest.skip(f"{request.param} does not work on this machine")
+    top = tmp_path_factory.mktemp(request.param)
+    (top / "teacher.key").write_text(CANARY)
+    facts = {"key": str(top / "teacher.key"), "class": str(top / "class")}
+    makes = {f"a{k}": one[2] for k, one in enumerate(ATTACKS)}
+    makes |= {f"h{k}": make for k, (_, make) in enumerate(HONEST)}
+    for name, make in makes.items():
+        notebook = corpus.solved()
+        make(notebook, facts)
+        path = top / "class" / name / "05-link-matrix.ipynb"
+        path.parent.mkdir(parents=True)
+        path.write_text(json.dumps(notebook), encoding="utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("GRADER_SECRET", CANARY)
+        settings = Settings(limits=LIMITS, cage=request.param)
+        results, planned = grade(top / "class", top / "out", settings=settings)
+        publish(planned, results, (), top / "out")
+    return {one.student: one for one in results}, top
+
+
+def _lost(one):
+    return {mark.exercise for mark in one.marks if mark.points < mark.of}
+
+
+def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
+    results, top = graded
+    unfair = {}
+    for k, (name, _, _, lost) in enumerate(ATTACKS):
+        one = results[f"a{k}"]
+        fair = lost == corpus.ANY or one.status == "graded"
+        if lost != corpus.ANY:
+            fair &= set(lost) <= _lost(one) if lost else not _lost(one)
+        if not fair:
+            unfair[name] = one.status, _lost(one), one.notes
+    assert not unfair
+    assert not os.listxattr(top / "teacher.key")
+
+
+def test_honest_notebooks_keep_their_marks(graded):
+    results, _ = graded
+    found = {name: _lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST)}
+    assert found == {name: set() for name, _ in HONEST}
+
+
+def test_nothing_leaks_and_no_cursor_moves(graded):
+    _, top = graded
+    for path in (one for one in (top / "out").rglob("*") if one.is_file()):
+        text = path.read_text(encoding="utf-8")
+        assert CANARY not in text and "\x1b" not in text and "\\u001b" not in text, path
