@@ -8,6 +8,7 @@ import io
 import json
 import os
 import re
+import socket
 import struct
 import subprocess
 import zipfile
@@ -121,6 +122,56 @@ def a_tree_deeper_than_a_path(top):
         subprocess.run(["rm", "-rf", str(top / "mallory")], check=True)
 
 
+def files_that_are_none(top):
+    """A pipe, a socket, a device by a link, holes of a terabyte, and another's file by its name."""
+    own = top / "mallory"
+    put(own / "a.ipynb")
+    put(top / "ada" / "05.ipynb")
+    os.mkfifo(own / "pipe.ipynb")
+    os.mkfifo(own / "pipe.zip")
+    os.symlink("/dev/zero", own / "zero.ipynb")
+    os.link(top / "ada" / "05.ipynb", own / "linked.ipynb")
+    (own / "folder.ipynb").mkdir()
+    for name in ("holes.ipynb", "holes.zip", "holes"):
+        with open(own / name, "wb") as file:
+            file.truncate(1 << 40)
+    with socket.socket(socket.AF_UNIX) as one:
+        here = os.getcwd()
+        os.chdir(own)  # the name of a socket may not be long
+        one.bind("socket.ipynb")
+        os.chdir(here)
+        mine = looked_at(top)
+    names = {one.name.partition("/")[2] for one in mine.notebooks}
+    assert names == {"a.ipynb", "linked.ipynb"}
+    for name in ("pipe.ipynb", "pipe.zip", "zero.ipynb", "socket.ipynb", "holes.ipynb"):
+        assert any(name in note and "refused" in note for note in mine.notes), name
+
+
+def a_result_of_ones_own(top):
+    """Graded again with files touched and results forged beside them: every mark is as before."""
+    wrong = corpus.solved()
+    corpus.answer("05.2", "rule = '?'")(wrong, {})
+    put(top / "in" / "ada" / "05.ipynb")
+    put(top / "in" / "mallory" / "05.ipynb", json.dumps(wrong).encode())
+
+    def marks():
+        results, _ = grade(top / "in", top / "out")
+        return {g.student: [(m.exercise, m.status, m.points) for m in g.marks] for g in results}
+
+    before = marks()
+    mine = top / "in" / "mallory"
+    kept = json.loads((top / "out" / "marks" / "mallory.json").read_text(encoding="utf-8"))
+    for one in kept["marks"]:
+        one.update(status="right", points=one["of"])
+    forged = json.dumps(kept).encode()
+    for name in ("marks/mallory.json", "mallory.json", "out/marks/mallory.json", "decided.json"):
+        put(mine / name, forged)
+    for path in (top / "in").rglob("*"):
+        os.utime(path, (10**9, 10**9))
+    assert marks() == before
+    assert {m[0] for m in before["mallory"] if m[1] != "right"} == {"05.2"}
+
+
 def a_timestamp_of_ones_own(top):
     """Beside a notebook in a folder of one's own lies the file that nbgrader would write."""
     late = datetime(2026, 11, 20, 12, tzinfo=UTC)
@@ -205,6 +256,8 @@ AROUND = [
     ("a list of a million members", a_list_of_a_million_members),
     ("names that no disk holds", names_that_no_disk_holds),
     ("a tree deeper than a path", a_tree_deeper_than_a_path),
+    ("files that are none", files_that_are_none),
+    ("a result of one's own", a_result_of_ones_own),
     ("a timestamp of one's own", a_timestamp_of_ones_own),
     *(
         (f"a copy, {how}", lambda top, change=change: _copied(top, change))
