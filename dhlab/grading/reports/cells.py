@@ -38,7 +38,7 @@ def answered(notebook: Any) -> Iterator[tuple[dict[str, Any], str | None, str | 
             continue
         own = next(code)
         source = own.source.encode("utf-8", "replace").decode("utf-8")  # JSON has half letters
-        checked = CHECK.search(source)
+        checked = CHECK.search(source) if own.checked else None
         if checked:
             yield cell, source[: checked.start()], checked[1]
         else:
