@@ -8,11 +8,13 @@ import io
 import json
 import os
 import re
+import resource
 import socket
 import struct
 import subprocess
 import zipfile
 from datetime import UTC, datetime
+from pathlib import Path
 
 import corpus
 from around_desk import DESK
@@ -70,10 +72,11 @@ def a_dictionary_of_four_gigabytes(top):
     at = 30 + len("05.ipynb") + 4 + 1  # after the local head, LZMA's version, size and first byte
     data[at : at + 4] = b"\xff" * 4
     put(top / "mallory" / "x.zip", bytes(data))
-    import resource
-
     before = resource.getrlimit(resource.RLIMIT_AS)
-    resource.setrlimit(resource.RLIMIT_AS, (3 << 30, before[1]))  # a machine of three gigabytes
+    used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    resource.setrlimit(
+        resource.RLIMIT_AS, (used + (3 << 30), before[1])
+    )  # three gigabytes are free
     try:
         looked_at(top)
     finally:
