@@ -49,7 +49,7 @@ def desk(top, students=("ada", "mallory")):
 def asked(address, path, method="GET", body=None, headers=None):
     """(status, text, headers); 0 where nothing came back."""
     parts = urlsplit(address)
-    connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=20)
+    connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=60)
     try:
         connection.request(method, path, body, headers or {})
         reply = connection.getresponse()
@@ -124,11 +124,11 @@ def odd_requests(top):
 
 
 def slow_bodies(top):
-    """Two hundred that send a letter and wait; the teacher's own decision is saved meanwhile."""
+    """Fifty that send a letter and wait; the teacher's own decision is saved meanwhile."""
     with desk(top) as (folder, address), contextlib.ExitStack() as held:
         parts = urlsplit(address)
-        for k in range(200):
-            one = held.enter_context(socket.create_connection((parts.hostname, parts.port), 5))
+        for k in range(50):
+            one = held.enter_context(socket.create_connection((parts.hostname, parts.port), 60))
             path = parts.path if k % 2 else "/"
             one.sendall(
                 f"POST {path}save HTTP/1.1\r\nHost: {parts.netloc}\r\nContent-Type:"

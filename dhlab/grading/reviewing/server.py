@@ -55,13 +55,12 @@ def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
 
     Handler.token = token
     try:
-        server = ThreadingHTTPServer(("127.0.0.1", port), Handler)
+        server = _Server(("127.0.0.1", port), Handler)
     except OSError as error:
         raise ValueError(
             f"review: expected a free port, found {port} in use ({error.strerror}); leave --port"
             " out"
         ) from None
-    server.daemon_threads = True
     Handler.hosts = frozenset(f"{name}:{server.server_port}" for name in ("127.0.0.1", "localhost"))
     return server, f"http://127.0.0.1:{server.server_port}/{token}/"
 
@@ -77,6 +76,11 @@ def _answer(desk, name, given):
         return desk.picture(student, exercise, int(place)) if place in PLACES else None
     kind, _, student = name.partition("/")
     return desk.answers(student) if kind == "answers" and student in desk.marks else None
+
+
+class _Server(ThreadingHTTPServer):
+    daemon_threads = True
+    request_queue_size = 128  # the teacher does not wait behind others
 
 
 class _Handler(BaseHTTPRequestHandler):
