@@ -28,6 +28,7 @@ import jupytext
 import nbformat
 from answers import with_answers
 from finishing import finish
+from kernels import Forked
 from library import library, linked, with_arms
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
@@ -184,6 +185,8 @@ def _run(name, notebook):
                 notebook,
                 timeout=300,
                 kernel_name="python3",
+                kernel_manager_class=Forked,
+                shutdown_kernel="immediate",
                 extra_arguments=["--IPKernelApp.log_level=40"],
                 resources={"metadata": {"path": empty}},
             ).execute(env=os.environ | {"DHLAB_NARROW_PICTURES": "yes"})
