@@ -56,49 +56,57 @@ def build(out, answers=True, both=False):
     from the build before. ``both`` adds the class edition, in the folder ``class``.
     """
     texts = pages(out / "executed")
-    status = edition(out, texts, answers)
-    return edition(out / "class", texts, answers=False) if both and not status else status
-
-
-def edition(out, texts, answers):
-    """The pages that Sphinx makes of the texts, into ``out``; returns its exit status. With
-    ``answers`` a worked one is folded under each exercise.
-    """
-    source, html, doctrees = out / "source", out / "html", out / "doctrees"
-    for folder in (source, html, doctrees):
-        shutil.rmtree(folder, ignore_errors=True)
-    for name, text in texts.items():
-        lesson = Path(name).stem if name.startswith("lessons/") and answers else ""
-        _write(source / name, with_answers(text, lesson) if lesson[:2].isdigit() else text)
-    for picture in DOCS.glob("benchmarks/*.svg"):
-        shutil.copy(picture, source / "benchmarks")
-    (source / "_static").mkdir()
-    for picture in DOCS.glob("_static/*.png"):
-        shutil.copy(picture, source / "_static")
-    status = sphinx(
-        [
-            "-W",
-            "--keep-going",
-            "-q",
-            "-b",
-            "html",
-            "-c",
-            str(DOCS),
-            "-d",
-            str(doctrees),
-            str(source),
-            str(html),
-        ]
-    )
-    for path in (ROOT / "lessons").glob("*.ipynb"):  # to be downloaded
-        shutil.copy(path, html / "lessons")
+    for name in ("source", "doctrees", "html", "class"):
+        shutil.rmtree(out / name, ignore_errors=True)
+    html, theirs, status = out / "html", out / "class" / "html", 0
+    if both:
+        status = edition(out, theirs, texts, answers=False)
+        # Sphinx goes on from there, with the lessons alone; it copies _static itself
+        shutil.copytree(theirs, html, ignore=shutil.ignore_patterns("_static"))
+    status = edition(out, html, texts, answers) or status
+    if both:
+        _with_all_entries(html, theirs)
+        finish(theirs)
     finish(html)
     return status
 
 
+def edition(out, html, texts, answers):
+    """The pages that Sphinx makes of the texts, into the folder ``html``; returns its exit status.
+    With ``answers`` a worked one is folded under each exercise.
+    """
+    source = out / "source"
+    for name, text in texts.items():
+        lesson = Path(name).stem if name.startswith("lessons/") and answers else ""
+        _write(source / name, with_answers(text, lesson) if lesson[:2].isdigit() else text)
+    for picture in (*DOCS.glob("benchmarks/*.svg"), *DOCS.glob("_static/*.png")):
+        target = source / picture.relative_to(DOCS)
+        target.parent.mkdir(exist_ok=True)
+        shutil.copy2(picture, target)
+    options = ["-W", "--keep-going", "-q", "-b", "html", "-c", str(DOCS)]
+    status = sphinx([*options, "-d", str(out / "doctrees"), str(source), str(html)])
+    for path in (ROOT / "lessons").glob("*.ipynb"):  # to be downloaded
+        shutil.copy(path, html / "lessons")
+    return status
+
+
+def _with_all_entries(html, other):
+    """Give a search index the entries of another, of the same pages: Sphinx forgets those of the
+    pages that it does not read again.
+    """
+    entries = r'(?<="indexentries":)\{.*?\}'
+    text = (other / "searchindex.js").read_text(encoding="utf-8")
+    whole = re.search(entries, text)[0]
+    path = html / "searchindex.js"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(re.sub(entries, lambda _: whole, text), encoding="utf-8", newline="\n")
+
+
 def _write(path, text):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8", newline="\n")
+    """What stands there already stays, with its time, so that Sphinx does not read it again."""
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="\n")
 
 
 def pages(cache):
