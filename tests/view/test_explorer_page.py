@@ -2,6 +2,7 @@
 tables, light and dark, what is heard and what is not seen.
 """
 
+import json
 import re
 
 import numpy as np
@@ -72,12 +73,15 @@ def test_pose_equals_pythons_for_every_arm_and_both_conventions(opened):
     for name in few(dh.robots(), 20):
         for arm in (dh.load(name).to("standard"), dh.load(name).to("craig")):
             q = rng.uniform(-3, 3, (50, len(arm)))
-            found = page.evaluate(
-                "([arm, qs]) => qs.map((q) => [dhlab.forward(arm, q), ...dhlab.frames(arm, q)])",
+            found = page.evaluate(  # as text: numbers one by one take longer than the arm
+                "([arm, qs]) => JSON.stringify("
+                "qs.map((q) => [dhlab.forward(arm, q), ...dhlab.frames(arm, q)]))",
                 [arm_data(arm), q.tolist()],
             )
             wanted = np.concatenate([arm.forward(q)[:, None], arm.frames(q)], axis=1)
-            largest = max(largest, np.abs(np.reshape(found, wanted.shape) - wanted).max())
+            largest = max(
+                largest, np.abs(np.reshape(json.loads(found), wanted.shape) - wanted).max()
+            )
     print(f"largest difference {largest:.1e}")
     assert largest < 1e-9
 
