@@ -105,7 +105,6 @@ def test_lesson_06_runs_in_the_browser(lab, new_page):
     wait_for(page, f"{cells} cells that have run", lambda: expect(ran.first).to_be_attached())
     points = page.get_by_text(re.compile(r"^0 of \d+ points$")).first
     wait_for(page, "0 of the points", lambda: expect(points).to_be_attached())
-    page.screenshot(path=folder.parent / "lesson-06.png")
     page.close()
     assert asked == []
     assert not (folder / ".dhlab" / "progress.jsonl").exists(), (
@@ -195,7 +194,6 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         )
     ).to_be_visible()
     expect(run(page, 4)).to_contain_text("placed [0] None")
-    page.screenshot(path=folder.parent / "explorer.png")
     page.keyboard.press("Control+s")
     page.wait_for_function(
         "() => !document.querySelector('.lm-TabBar-tab.lm-mod-current.jp-mod-dirty')"
@@ -214,7 +212,6 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     expect(first).to_have_attribute("aria-valuetext", "29 degrees")
     page.get_by_role("button", name="Start over").click()
     expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible()
-    page.screenshot(path=folder.parent / "explorer-again.png")
     page.close()
     assert faults == asked == []
 
@@ -235,7 +232,6 @@ def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page
         run(page, cell)
     page.get_by_role("radio", name="the controller reported the flange").check(force=True)
     expect(page.get_by_text("is not in the notebook yet").first).to_be_visible()
-    page.screenshot(path=folder.parent / "cards.png")
     cell = run(page, checks - 1)
     expect(cell.locator(".cm-content")).to_contain_text('why = "c"')
     expect(run(page, checks)).to_contain_text("Right")
