@@ -9,7 +9,7 @@ import sys
 from functools import cache
 from typing import Any
 
-__all__ = ["parsed", "run_cell", "run_statement"]
+__all__ = ["parsed", "plain", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
@@ -93,7 +93,7 @@ def _only_shows(statement, space):
 
 def parsed(source: str, name: str) -> list[ast.stmt]:
     """The statements of a cell; SyntaxError where it is no Python."""
-    source = _plain(source)
+    source = plain(source)
     linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
     return list(_nodes(source))
 
@@ -117,8 +117,8 @@ def _unpacked(node):
 
 
 @cache
-def _plain(source):
-    """Magics turned into calls, as IPython does it."""
+def plain(source: str) -> str:
+    """The source with magics turned into calls, as IPython does it; itself where it has none."""
     if not any(
         line.lstrip().startswith(("%", "!", "?"))
         or line.rstrip().endswith("?")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from .cells import parsed
+from .cells import parsed, plain
 
 __all__ = ["Statement", "statement", "statements", "needed"]
 
@@ -47,18 +47,35 @@ def statements(cell: int, source: str) -> list[Statement] | None:
     """
     try:
         nodes = parsed(source, f"<cell {cell + 1}>")
-        return [replace(one, cell=cell) for one in _read(source, tuple(nodes))]
+        text = source if plain(source) == source else ""
+        return [replace(one, cell=cell) for one in _read(text, tuple(nodes))]
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
 
 
 @cache
 def _read(source, nodes):
-    return [statement(0, node) for node in nodes]
+    """The Statements of nodes; ``source`` is the text that these were parsed from, if it is kept:
+    to cut a statement out of it is quicker than to write it anew.
+    """
+    lines = source.encode().splitlines(keepends=True)
+    return [statement(0, node, _cut(lines, node) if lines else "") for node in nodes]
 
 
-def statement(cell: int, node: ast.stmt) -> Statement:
-    """A Statement, read.
+def _cut(lines, node):
+    """The text of a statement; empty where it begins with a decorator, which its place leaves
+    out.
+    """
+    if getattr(node, "decorator_list", ()):
+        return ""
+    found = lines[node.lineno - 1 : node.end_lineno]
+    found[-1] = found[-1][: node.end_col_offset]  # counted in bytes
+    found[0] = found[0][node.col_offset :]
+    return b"".join(found).decode()
+
+
+def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
+    """A Statement, read; ``text`` is what it was parsed from, where that is known.
 
     Examples
     --------
@@ -66,7 +83,7 @@ def statement(cell: int, node: ast.stmt) -> Statement:
     >>> sorted(one.reads), sorted(one.writes)
     (['g', 'k'], ['f'])
     """
-    reads, binds = _names(node)
+    reads, binds = _names(text or ast.unparse(node))
     writes = binds | (_changed(node) & reads)
     star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
     call = _call(node)
@@ -104,11 +121,11 @@ def _call(node):
     return node.value if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) else None
 
 
-def _names(node):
+def _names(text):
     """(read, bound) at the level of the notebook; what a function does with names of its own is
     its own affair.
     """
-    top = symtable.symtable(ast.unparse(node), "<cell>", "exec")
+    top = symtable.symtable(text, "<cell>", "exec")
     reads, binds, scopes = set(), set(), [top]
     while scopes:
         scope = scopes.pop()

@@ -37,17 +37,21 @@ def main() -> None:
     lessons = _line(control)
     if not problem:
         _warm(config["warm"], lessons)
+    # here and not in the copies: to look at all the names there copies the pages they stand on
+    warm = frozenset(sys.modules)
     control.sendall(json.dumps({"ready": not problem, "problem": problem}).encode())
     while not problem:
         message, files, _, _ = socket.recv_fds(control, 1 << 16, 2)
         if not message or len(files) != 2:
             return
-        _load(json.loads(message))
+        if wanted := json.loads(message):
+            _load(wanted)
+            warm = frozenset(sys.modules)
         config["limits"]["in_use"] = confine.memory_in_use()
         child = os.fork()
         if child == 0:
             control.close()
-            _submission(config, frozenset(sys.modules), *files)
+            _submission(config, warm, *files)
         for file in files:
             os.close(file)
         if not _told_that_it_is_over(control, child, config):
