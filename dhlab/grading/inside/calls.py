@@ -33,8 +33,8 @@ def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[s
     answer call after call until nobody asks any more.
     """
     room = _Room(request, notebooks.read(raw, request["checks"]))
-    with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked:
-        line = room.begin() | {"loaded": loaded(warm)}
+    line = room.begin() | {"loaded": loaded(warm)}
+    with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked, quiet():
         while line is not None:
             data = json.dumps(line | {"closed": room.closed()}).encode() + b"\n"
             while data:
@@ -137,8 +137,7 @@ class _Room:
         def act():
             nonlocal line
             try:
-                with quiet():
-                    line = {"value": encode(call(self.function, case))}
+                line = {"value": encode(call(self.function, case))}
             except Fault as fault:
                 error = type(fault.error).__name__
                 line = {"fault": {"kind": fault.kind, "error": error, "line": fault.line}}

@@ -2,7 +2,6 @@
 show something, and make nothing that an answer uses.
 """
 
-import ast
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from hashlib import sha256
 
@@ -10,8 +9,6 @@ from .notebook import Cell
 from .slices import statements
 
 __all__ = ["print_of", "skippable"]
-
-DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 
 
 def print_of(source: str) -> str:
@@ -37,23 +34,14 @@ def skippable(
     answered : mapping of int to collection of str
         Names that are read once a cell of this number has run.
     """
-    read = [statements(number, cell.source) for number, cell in enumerate(cells)]
-    modules = {
-        name
-        for found in read
-        for one in found or ()
-        if isinstance(one.node, (ast.Import, ast.ImportFrom))
-        for name in one.writes
-    }
+    read = [statements(0, cell.source) for cell in cells]
+    modules = {name for found in read for one in found or () if one.imports for name in one.writes}
+    settled = {n for n, cell in enumerate(cells) if print_of(cell.source) in untouched}
     run = {
         number
         for number, (cell, found) in enumerate(zip(cells, read))
-        if found is None
-        or cell.ids
-        or print_of(cell.source) not in untouched
-        or any(one.always for one in found)
+        if found is None or cell.ids or number not in settled or any(one.always for one in found)
     }
-    settled = {n for n, cell in enumerate(cells) if print_of(cell.source) in untouched}
     names = set(used), {number: set(answered.get(number, ())) for number in run}
     while more := _makers(read, run, modules, names, settled):
         run |= more
@@ -68,7 +56,7 @@ def _makers(read, run, modules, names, settled):
     late: set[str] = set()
     for number in run:
         for one in read[number] or ():
-            if any(isinstance(inner, DEFINING) for inner in ast.walk(one.node)):
+            if one.defines:
                 late |= one.reads  # read when it is called, which may be later
     needed, found = late | used, set()
     for number in reversed(range(len(read))):
@@ -93,21 +81,9 @@ def _from_before(statements):
 
 def _bound(statements):
     """The names that a cell binds whatever happens, unless it stops."""
-    return {
-        inner.id
-        for one in statements
-        if isinstance(one.node, ast.Assign)
-        for target in one.node.targets
-        for inner in ast.walk(target)
-        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store)
-    }
+    return {name for one in statements for name in one.assigns}
 
 
 def _written(statements, modules):
     """What a cell binds or changes; a call of a module's function changes no module."""
-    return {
-        name
-        for one in statements
-        for name in one.writes
-        if name not in modules or isinstance(one.node, (ast.Import, ast.ImportFrom))
-    }
+    return {name for one in statements for name in one.writes if name not in modules or one.imports}

@@ -18,22 +18,28 @@ __all__ = ["Statement", "statement", "statements", "needed"]
 UNREADABLE = frozenset(
     "exec eval compile globals locals vars setattr delattr __import__ get_ipython".split()
 )
+DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 # calls that show something and change nothing
 SHOWING = frozenset("print display check predict reveal hint given progress view help len".split())
 
 
 @dataclass(frozen=True)
 class Statement:
-    """One statement of a cell: the names that it reads, those that it binds or changes, and whether
-    it is taken whenever something it reads is wanted (``acts``), or always.
+    """One statement of a cell: the names that it reads, those that it binds or changes, and those
+    that it ``assigns`` whatever happens; whether it is taken whenever something it reads is wanted
+    (``acts``), or always; whether it makes functions or classes (``defines``), whether it
+    ``imports``. All is found when it is read, which the warm parent does once.
     """
 
     cell: int
     node: ast.stmt
     reads: frozenset[str]
     writes: frozenset[str]
+    assigns: frozenset[str] = frozenset()
     acts: bool = False
     always: bool = False
+    defines: bool = False
+    imports: bool = False
 
 
 def statements(cell: int, source: str) -> list[Statement] | None:
@@ -48,7 +54,8 @@ def statements(cell: int, source: str) -> list[Statement] | None:
     try:
         nodes = parsed(source, f"<cell {cell + 1}>")
         text = source if plain(source) == source else ""
-        return [replace(one, cell=cell) for one in _read(text, tuple(nodes))]
+        found = _read(text, tuple(nodes))
+        return [replace(one, cell=cell) for one in found] if cell else found
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
 
@@ -93,9 +100,21 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
         node,
         frozenset(reads),
         frozenset(writes),
+        frozenset(_assigned(node)),
         acts=call is not None and called not in SHOWING,
         always=star or bool(reads & UNREADABLE),
+        defines=any(isinstance(inner, DEFINING) for inner in ast.walk(node)),
+        imports=isinstance(node, (ast.Import, ast.ImportFrom)),
     )
+
+
+def _assigned(node):
+    return {
+        inner.id
+        for target in (node.targets if isinstance(node, ast.Assign) else ())
+        for inner in ast.walk(target)
+        if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store)
+    }
 
 
 def needed(statements: Sequence[Statement], wanted: Iterable[str]) -> list[Statement]:

@@ -2,6 +2,8 @@
 its programs is called with. No answer is among it.
 """
 
+import __future__
+
 import ast
 import hmac
 import inspect
@@ -227,5 +229,7 @@ def _moves(family):
     """
     from ... import transform
 
-    code = compile(inspect.getsource(transform), "<transform>", "exec")
+    # neither what it says nor its types: each program's process makes the module anew
+    plain = {"flags": __future__.annotations.compiler_flag, "dont_inherit": True, "optimize": 2}
+    code = compile(inspect.getsource(transform), "<transform>", "exec", **plain)
     return "" if family in transform.__all__ else b64encode(marshal.dumps(code)).decode()

@@ -30,6 +30,7 @@ __all__ = [
 
 
 MOST_WORDS = 200  # letters of a message of Python's that are shown
+LONG = 200  # bytes of code; no stub has as many
 
 
 class Fault(Exception):
@@ -78,7 +79,7 @@ def is_stub(f):
     (True, False)
     """
     code = getattr(f, "__code__", None)
-    if code is None:
+    if code is None or len(code.co_code) > LONG:
         return False
     steps = [
         step
@@ -187,7 +188,8 @@ def call(f, case, run=None):
         raise Fault("interrupted") from None
     except (Exception, SystemExit) as error:
         raise Fault("stops", error, _line_within(error, f)) from None
-    if not all(np.array_equal(before, after) for before, after in zip(case, given)):
+    # what cannot be changed is its own copy
+    if not all(a is b or np.array_equal(a, b) for a, b in zip(case, given)):
         raise Fault("changed")
     return answer
 
