@@ -85,6 +85,15 @@ def test_the_solver_arrives(name):
         assert max(pose_errors(elementary_pose(arm.table, found), T_goal)) < 1e-6
 
 
+@pytest.mark.parametrize("variant", variants(3))
+def test_all_tasks_solved_at_once_are_each_solved_alone(variant):
+    exercise = exercises()["08.6"]
+    cases = exercise.cases(variant)
+    alone = [inverse_kinematics(*case) for case in cases]
+    assert len({steps for *_, steps in cases}) > 1  # some are done before others
+    assert np.allclose(exercise.right_answers(cases), alone, rtol=0, atol=1e-9)
+
+
 def test_all_eight_branches_reach_the_pose_and_there_are_no_others():
     rng = np.random.default_rng(3)
     (T,) = LESSON["08.8"].cases(0)[0]

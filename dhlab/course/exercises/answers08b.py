@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor.programs.wrong.products import product
+from ...doctor.programs.wrong.solvers import chain
 from ...robots import load
 from ...rotations import from_rotation_vectors, rotation_vectors
 from ..kinds import Known, Said
@@ -70,7 +71,7 @@ def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
 def draw_task(rng: np.random.Generator) -> tuple:
     """A random arm of six turning joints, a goal near q, a damping and a few steps."""
     rows, q = general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], general(rng, 0.2, 1.3, 6)
-    goal = product(rows, q + general(rng, 0.1, 0.3, 6))
+    goal = chain(rows, q + general(rng, 0.1, 0.3, 6))[-1]
     return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
 
 

@@ -16,7 +16,7 @@ from .answers08b import (
     in_other_axes,
     in_the_tools_axes,
 )
-from .programs08b import MISREAD, OTHER_STEPS, Program
+from .programs08b import MISREAD, OTHER_STEPS, Program, solved_at_once
 from .reaches08b import Reaches, a_way_to, draw_ur5e, several_ways, wrong_ways
 
 __all__ = ["EXERCISES"]
@@ -89,6 +89,7 @@ EXERCISES = [
         draw=draw_task,
         special=EARLY,
         answer=inverse_kinematics,
+        at_once=solved_at_once,
         names=("rows", "T_goal", "q", "damping", "steps"),
         family="inverse_kinematics",
         shape=(6,),

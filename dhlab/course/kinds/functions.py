@@ -67,6 +67,10 @@ class Function(Exercise):
         rng = self.rng(variant)
         return [*(self.draw(rng) for _ in range(CASES)), *self.special]
 
+    def right_answers(self, cases: Sequence[tuple]) -> list[NDArray]:
+        """The right answer to each call."""
+        return [self.answer(*case) for case in cases]
+
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         if is_stub(answer):
             answer = None
@@ -149,7 +153,7 @@ class Function(Exercise):
 
     def _compared(self, answers, cases, general, tolerance):
         """The Verdict on what the calls gave, of which the first are ``general``."""
-        expected = [self.answer(*case) for case in cases]
+        expected = self.right_answers(cases)
         off = _apart(answers, expected, tolerance)
         if not any(off):
             return self.right()

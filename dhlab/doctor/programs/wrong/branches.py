@@ -58,17 +58,18 @@ def wrist_angles(R_36):
 def _R_03(theta_1, theta_2, theta_3):
     return (
         rot_z(theta_1) @ trans_z(D1) @ rot_x(np.pi / 2) @ rot_z(theta_2 + theta_3) @ trans_x(A2)
-    )[:3, :3]
+    )[..., :3, :3]
 
 
 def _branches(
     T, centre=_centre, arm=arm_angles, wrist=wrist_angles, rest=lambda R_03, R: R_03.T @ R
 ):
     with np.errstate(all="ignore"):
+        triples = arm(centre(T))
         found = [
             (*triple, *turn)
-            for triple in arm(centre(T))
-            for turn in wrist(rest(_R_03(*triple), T[:3, :3]))
+            for triple, R_03 in zip(triples, _R_03(*triples.T))
+            for turn in wrist(rest(R_03, T[:3, :3]))
         ]
     return in_order(found)
 
