@@ -17,7 +17,7 @@ from dhlab.course import simulator
 from dhlab.course.building import reading
 from dhlab.course.exercises import exercises
 from dhlab.course.exercises.answers06 import ARTICLE
-from dhlab.course.exercises.answers07 import CRANE, PUMA
+from dhlab.course.exercises.answers07 import CRANE, PUMA, fitted_offsets
 from dhlab.doctor.programs.explain import WRONG_VERSIONS
 from dhlab.doctor.tables.rows import wrong_tables
 
@@ -342,6 +342,13 @@ def test_offsets_bring_the_points_back_and_nothing_else_does(variant):
         and all(v.status == "wrong" for v in verdicts)
         and sum(v.mistake is not None for v in verdicts) >= 10
     )
+
+
+@pytest.mark.parametrize("variant", variants(10))
+def test_the_offsets_that_are_compared_are_those_that_the_library_finds(variant):
+    given = exercises()["07.7"].given(variant)
+    found = dh.calibrate_offsets(dh.load("article-6r"), given["q"], given["points"])
+    assert np.allclose(np.deg2rad(fitted_offsets(**given)), found.offsets, rtol=0, atol=1e-8)
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
