@@ -4,28 +4,33 @@ makes a program quicker where it has run before, and the copies find that done.
 
 import json
 import resource
+import signal
 import sys
 from typing import Any
+
+from dhlab import course
 
 from . import calls, notebook, runner
 
 __all__ = ["rehearse"]
 
 TIMES = 12  # Python 3.11 begins to make a function quicker at its eighth call
-CELLS = (
-    "import numpy as np\nimport dhlab as dh\nnp.set_printoptions(precision=3, suppress=True)",
-    "def move(theta, T):\n"
-    "    c, s = np.cos(theta), np.sin(theta)\n"
-    "    R = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])\n"
-    "    A = np.eye(4)\n    A[:3, :3], A[:3, 3] = R, [0.1, 0, float(theta)]\n"
-    "    return T @ A\n",
-    "numbers = [1.0, 2, 'a']\nturned = np.deg2rad(numbers[:2]).round(3)\nprint(turned)",
-    "check('00.1', move)\ncheck('00.2', numbers)\ncheck('00.3', turned)",
+CELLS = (  # nothing that anybody is asked to write
+    "import numpy as np\nimport dhlab as dh",
+    "def blend(share, A):\n"
+    "    u, v = np.sqrt(share), np.exp(-share)\n"
+    "    B = np.array([[u, v, 2], [v, u, 0], [0, 1, 1]])\n"
+    "    C = np.ones((4, 4))\n    C[:3, :3], C[:3, 3] = B, [0.1, 0, float(share)]\n"
+    "    return A @ C\n",
+    "numbers = [1.0, 2, 'a']\nrounded = np.array(numbers[:2]).round(3)\nprint(rounded)",
+    "check('00.1', blend)\ncheck('00.2', numbers)\ncheck('00.3', rounded)",
 )
-CHECKS = {"00": {f"00.{k}": [name, ""] for k, name in enumerate(("move", "numbers", "turned"), 1)}}
+CHECKS = {
+    "00": {f"00.{k}": [name, ""] for k, name in enumerate(("blend", "numbers", "rounded"), 1)}
+}
 REQUEST = {"checks": CHECKS, "given": {}, "skip": [], "cell_seconds": 10}
 NOTEBOOK: dict[str, Any] = {"functions": ["00.1"], "only": [], "untouched": []}
-PROGRAM = {"call": "00.1", "names": ["theta", "T"], "cell": 3, "whole": False, "transform": ""}
+PROGRAM = {"call": "00.1", "names": ["share", "A"], "cell": 3, "whole": False, "transform": ""}
 CASE = [0.5, {"array": ["f8", [4, 4], [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]}]
 
 
@@ -45,4 +50,6 @@ def rehearse() -> None:
                 json.dumps(said | {"closed": room.closed()})
     finally:
         sys.modules["__main__"] = main
+        course.book = None  # type: ignore[attr-defined]  # the one that stands in
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
         resource.setrlimit(resource.RLIMIT_CPU, limit)

@@ -75,10 +75,11 @@ def _cut(lines, node):
     """
     if getattr(node, "decorator_list", ()):
         return ""
-    found = lines[node.lineno - 1 : node.end_lineno]
-    found[-1] = found[-1][: node.end_col_offset]  # counted in bytes
-    found[0] = found[0][node.col_offset :]
-    return b"".join(found).decode()
+    first, *more = lines[node.lineno - 1 : node.end_lineno]
+    begin, end = node.col_offset, node.end_col_offset  # counted in bytes
+    if not more:
+        return first[begin:end].decode()
+    return b"".join([first[begin:], *more[:-1], more[-1][:end]]).decode()
 
 
 def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:

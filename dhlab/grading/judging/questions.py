@@ -230,6 +230,6 @@ def _moves(family):
     from ... import transform
 
     # neither what it says nor its types: each program's process makes the module anew
-    plain = {"flags": __future__.annotations.compiler_flag, "dont_inherit": True, "optimize": 2}
-    code = compile(inspect.getsource(transform), "<transform>", "exec", **plain)
+    without = __future__.annotations.compiler_flag
+    code = compile(inspect.getsource(transform), "<transform>", "exec", without, True, 2)
     return "" if family in transform.__all__ else b64encode(marshal.dumps(code)).decode()
