@@ -1,11 +1,15 @@
-"""A statement read where it stands is the statement that the parser found."""
+"""A statement read where it stands is the statement that the parser found; which functions of a
+lesson only show something.
+"""
 
 import json
 
 import pytest
 
 from dhlab.course.workspace import handed_out
-from dhlab.grading.inside.cells import parsed
+from dhlab.grading.inside.cells import parsed, run_cell
+from dhlab.grading.inside.demonstrations import print_of, showing
+from dhlab.grading.inside.notebook import Cell
 from dhlab.grading.inside.slices import statement, statements
 
 ODD = [
@@ -42,3 +46,40 @@ def test_so_does_every_statement_of_the_lessons():
         anew = [statement(0, node) for node in parsed(source, "<cell>")]
         assert statements(0, source) == anew, (name, source)
     assert len(found) > 300
+
+
+LESSON = """import numpy as np
+def shows(rows):
+    for row in rows:
+        print(np.round(row))
+def counts(rows): total.append(1)
+def sets(rows): rows[0] = 1
+def notes(rows): check("07.1", rows)
+def follows(rows): return mine(rows)
+def binds(rows):
+    global total
+    total = rows"""
+
+
+def showing_in(*cells, handed_out=LESSON):
+    return showing([Cell(source, []) for source in cells], {print_of(handed_out)})
+
+
+def test_a_function_of_the_lesson_that_changes_nothing_only_shows():
+    assert showing_in(LESSON, "total = []; mine = shows") == {"shows"}
+
+
+@pytest.mark.parametrize(
+    "own", ["shows = print", "def shows(rows): check('07.1', rows)", "shows.x = 1"]
+)
+def test_a_function_that_a_student_has_touched_is_called(own):
+    assert not showing_in(LESSON, own)
+    assert not showing_in(LESSON + "\n" + own)
+
+
+def test_only_the_calls_whose_answer_nobody_takes_are_left_out():
+    seen = []
+    space = {"shows": seen.append, "other": seen.append}
+    source = "shows(1); x = shows(2); other(3); print(shows(4)); shows(other(5)); y = [shows(6)]"
+    run_cell(source, "<cell>", space, {"shows"})
+    assert seen == [2, 3, 5, None, 6]  # what is printed alone nobody takes either

@@ -6,6 +6,7 @@ import ast
 import builtins
 import linecache
 import sys
+from collections.abc import Collection
 from functools import cache
 from typing import Any
 
@@ -66,16 +67,18 @@ class Shell:
         return Absent()
 
 
-def run_cell(source: str, name: str, space: dict[str, Any]) -> None:
-    """Run the source of a cell in a namespace; raises what it raises."""
+def run_cell(source: str, name: str, space: dict[str, Any], showing: Collection[str] = ()) -> None:
+    """Run the source of a cell in a namespace; raises what it raises. Of the functions ``showing``
+    no answer is wanted.
+    """
     for statement in parsed(source, name):
-        if not _only_shows(statement, space):
+        if not _only_shows(statement, space, showing):
             run_statement(statement, name, space)
 
 
-def _only_shows(statement, space):
-    """Whether a statement does nothing but show what the library finds, as
-    ``print(dh.diagnose(table, q, poses))`` does: nobody looks, and it may take long.
+def _only_shows(statement, space, showing=()):
+    """Whether a statement does nothing but show what the library, or a function ``showing``, finds,
+    as ``print(dh.diagnose(table, q, poses))`` does: nobody looks, and it may take long.
     """
     node = statement.value if isinstance(statement, ast.Expr) else None
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
@@ -84,11 +87,14 @@ def _only_shows(statement, space):
         node = node.args[0]
     match node:
         case ast.Call(ast.Attribute(ast.Name("dh"), called)) if called in SHOWN:
-            known = space.get("dh") is sys.modules.get("dhlab")
-            return known and not any(
-                isinstance(one, ACTING) for one in ast.walk(node) if one is not node
-            )
+            return space.get("dh") is sys.modules.get("dhlab") and not _acts_within(node)
+        case ast.Call(ast.Name(called)) if called in showing:
+            return not _acts_within(node)
     return False
+
+
+def _acts_within(call):
+    return any(isinstance(one, ACTING) for one in ast.walk(call) if one is not call)
 
 
 def parsed(source: str, name: str) -> list[ast.stmt]:

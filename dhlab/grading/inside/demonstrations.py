@@ -2,13 +2,17 @@
 show something, and make nothing that an answer uses.
 """
 
+import builtins
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from hashlib import sha256
 
 from .notebook import Cell
 from .slices import statements
 
-__all__ = ["print_of", "skippable"]
+__all__ = ["print_of", "showing", "skippable"]
+
+BUILTINS = frozenset(dir(builtins))
 
 
 def print_of(source: str) -> str:
@@ -46,6 +50,28 @@ def skippable(
     while more := _makers(read, run, modules, names, settled):
         run |= more
     return set(range(len(cells))) - run
+
+
+def showing(cells: Sequence[Cell], untouched: Collection[str]) -> frozenset[str]:
+    """The lesson's own functions that only show something: each as it was handed out, bound there
+    alone, and made of nothing but Python's own functions and modules. A call whose answer nobody
+    takes need not be made.
+    """
+    read = [statements(0, cell.source) or () for cell in cells]
+    known = BUILTINS | _modules(read)
+    bound = Counter(name for found in read for one in found for name in one.writes)
+    return frozenset(
+        name
+        for cell, found in zip(cells, read)
+        for one in found
+        if one.harmless and not one.always and print_of(cell.source) in untouched
+        for name in one.writes
+        if bound[name] == 1 and one.reads <= known
+    )
+
+
+def _modules(read):
+    return {name for found in read for one in found or () if one.imports for name in one.writes}
 
 
 def _makers(read, run, modules, names, settled):

@@ -20,7 +20,7 @@ from . import notebook as notebooks
 from .book import Book
 from .cells import run_cell
 from .clock import limited
-from .demonstrations import skippable
+from .demonstrations import showing, skippable
 from .space import loaded, space
 from .wire import decode
 
@@ -95,11 +95,13 @@ class _Run:
         )
         self.space = space(self.book)
         self.shown: set[int] = set()  # cells that only show something
+        self.showing: Collection[str] = ()  # functions of the lesson that do
 
     def _look(self):
         answered = {number: self._used(cell.answers) for number, cell in enumerate(self.cells.code)}
         untouched, used = set(self.request["untouched"]), self._used(self.cells.unplaced)
         self.shown = skippable(self.cells.code, untouched, used, answered)
+        self.showing = showing(self.cells.code, untouched)
 
     def _used(self, keys):
         """The names that the handed-out checks of some exercises read."""
@@ -128,7 +130,8 @@ class _Run:
         self.book.cell = number
         if number in self.request["skip"] or number in self.shown:
             return
-        outcome = self._limited(lambda: run_cell(cell.source, f"<cell {number + 1}>", self.space))
+        name = f"<cell {number + 1}>"
+        outcome = self._limited(lambda: run_cell(cell.source, name, self.space, self.showing))
         if outcome:
             self.send({"cell": number, "ended": outcome[0], "message": outcome[1], "ids": cell.ids})
         for key in cell.answers:

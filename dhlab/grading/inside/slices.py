@@ -27,8 +27,9 @@ SHOWING = frozenset("print display check predict reveal hint given progress view
 class Statement:
     """One statement of a cell: the names that it reads, those that it binds or changes, and those
     that it ``assigns`` whatever happens; whether it is taken whenever something it reads is wanted
-    (``acts``), or always; whether it makes functions or classes (``defines``), whether it
-    ``imports``. All is found when it is read, which the warm parent does once.
+    (``acts``), or always; whether it makes functions or classes (``defines``), is a function that
+    changes nothing when it is called (``harmless``), or ``imports``. All is found when it is read,
+    which the warm parent does once.
     """
 
     cell: int
@@ -39,6 +40,7 @@ class Statement:
     acts: bool = False
     always: bool = False
     defines: bool = False
+    harmless: bool = False
     imports: bool = False
 
 
@@ -92,7 +94,8 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
     (['g', 'k'], ['f'])
     """
     reads, binds = _names(text or ast.unparse(node))
-    writes = binds | (_changed(node) & reads)
+    changed = _changed(node)
+    writes = binds | (changed & reads)
     star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
     call = _call(node)
     called = _root(call.func) if call else None
@@ -105,6 +108,7 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
         acts=call is not None and called not in SHOWING,
         always=star or bool(reads & UNREADABLE),
         defines=any(isinstance(inner, DEFINING) for inner in ast.walk(node)),
+        harmless=isinstance(node, ast.FunctionDef) and not changed and binds == {node.name},
         imports=isinstance(node, (ast.Import, ast.ImportFrom)),
     )
 
