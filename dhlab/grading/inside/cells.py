@@ -81,10 +81,9 @@ def _only_shows(statement, space, showing=()):
     as ``print(dh.diagnose(table, q, poses))`` does: nobody looks, and it may take long.
     """
     node = statement.value if isinstance(statement, ast.Expr) else None
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
-        if node.func.id != "print" or "print" in space or node.keywords:
-            return False
-        node = node.args[0]
+    match node:
+        case ast.Call(ast.Name("print"), [printed], []) if "print" not in space:
+            node = printed
     match node:
         case ast.Call(ast.Attribute(ast.Name("dh"), called)) if called in SHOWN:
             return space.get("dh") is sys.modules.get("dhlab") and not _acts_within(node)
