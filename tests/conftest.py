@@ -115,7 +115,8 @@ COSTLY = tuple(NEEDS.values())
 @pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
 def pytest_collection_modifyitems(items):
     """Mark tests by what they open, keep those together that share a set-up, and put the longest
-    first: what shares one, then the other costly ones, so that no core is left without work.
+    first: what is shared by files, by the tests of a file, then the other costly ones, which are
+    short, so that at the end no core is left without work.
     """
     for item in items:
         for name in set(NEEDS) & set(getattr(item, "fixturenames", ())):
@@ -129,10 +130,10 @@ def pytest_collection_modifyitems(items):
 
 
 def _when(item):
-    costly = any(map(item.get_closest_marker, COSTLY))
+    if not any(map(item.get_closest_marker, COSTLY)):
+        return 3
     group = item.get_closest_marker("xdist_group")
-    shared = costly and group is not None and group.args[0] in SHARED
-    return 0 if shared else 1 if costly else 2
+    return 2 if group is None else 0 if group.args[0] in SHARED else 1
 
 
 def _group(item):
