@@ -64,10 +64,10 @@ SLIDING = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 SLIDES = re.compile(
-    r"\bprismati\w+|\bscara\b|\bstroke\b|\btelescop\w+|\b(?:sliding|linear) (?:joint|axis|rail)"
-    r"|\b(?=R*PR*\b)[RP]{3,6}\b",
+    r"\bprismati\w+|\bstroke\b|\btelescop\w+|\b(?:sliding|linear) (?:joint|axis|rail)",
     re.IGNORECASE,
 )
+SLIDING_ARM = re.compile(r"\bscara\b|\b(?=R*PR*\b)[RP]{3,6}\b", re.IGNORECASE)
 # joint 2 turns in the negative direction, q .* [1 -1 1]
 BACKWARDS = re.compile(
     r"\b(?:joint|axis|motor)[ _]?\d\s*[:=]\s*-\s*(?=[,;\n]|$|1(?![.\d]))"
@@ -99,15 +99,17 @@ def counts_in(source):
 
 
 def speaks_of_sliding(source):
-    """Whether the text calls its arm one of which a joint slides.
+    """Whether the text calls its "arm" one of which a joint slides, or has some "word" of one.
 
     Examples
     --------
     >>> from .evidence.source import source_of
-    >>> speaks_of_sliding(source_of("a SCARA with a stroke of 200 mm"))
-    True
+    >>> speaks_of_sliding(source_of("a SCARA")), speaks_of_sliding(source_of("a stroke of 200 mm"))
+    ('arm', 'word')
     """
-    return bool(SLIDES.search(source.text))
+    if SLIDING_ARM.search(source.text):
+        return "arm"
+    return "word" if SLIDES.search(source.text) else ""
 
 
 def require_accounted(table, source, others=()):

@@ -9,9 +9,12 @@ from functools import lru_cache
 from .language.expressions import NoExpression, Value, evaluate
 from .language.letters import KEPT, plain, unified
 
-__all__ = ["Cell", "cell_or_none", "read_cell", "cell_of", "kind_of_letter", "plain"]
+__all__ = ["BESIDE", "Cell", "cell_or_none", "read_cell", "cell_of", "kind_of_letter", "plain"]
 
 LONGEST = 200
+BESIDE = re.compile(  # theta2 (-90), where q(2) is an element
+    r"((?:theta|th|q)_?\d+)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
+)
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
     ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
@@ -139,6 +142,7 @@ def _trimmed(text):
     bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
     text = next(part for part in bold.groups() if part) if bold else text
     text = re.sub(r"(?<=\w)\s*[(\[]\s*±[^()\[\]]*[)\]]$", "", text)  # theta1 (±180°)
+    text = re.sub(rf"^{BESIDE.pattern}$", r"\1 + (\2)", text)
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
     named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)

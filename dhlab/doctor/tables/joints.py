@@ -4,8 +4,18 @@ that stand for nothing are asked about.
 
 import math
 import re
+from dataclasses import replace
 
-__all__ = ["by_number", "joints_of", "named_alone", "require_one_column", "require_values"]
+from .cells import Cell
+
+__all__ = [
+    "by_number",
+    "joints_of",
+    "named_alone",
+    "require_one_column",
+    "require_values",
+    "rows_of_d",
+]
 
 # what turns a joint's value in degrees, or a stroke in mm or cm, into the unit of the table
 FACTORS = {"R": (1.0, math.pi / 180), "P": (1.0, 0.001, 0.01, 0.1, 10.0, 1000.0)}
@@ -110,6 +120,35 @@ def named_alone(columns, i):
     turning = any(not cell.is_constant for cell in columns["theta"])
     named = re.fullmatch(r"d_?\d+", columns["d"][i].text.strip())
     return bool(named and turning) and not any(re.search(r"[A-Za-z]", one.text) for one in others)
+
+
+def rows_of_d(table, columns):
+    """The columns d that are meant where the header counts d from the link before and theta from
+    this one, as (whose they are, Cells): of its "own" row, or of the row "above".
+
+    Raises
+    ------
+    ValueError
+        Letters stand in d, of which none says its row; or the first row has more than a length.
+    """
+    lengths = columns["d"]
+    letters = [(i, cell.letters[0][0]) for i, cell in enumerate(lengths, 1) if cell.letters]
+    own = letters and all(re.search(rf"(?<!\d){i}$", name) for i, name in letters)
+    if not table.behind or own or len(lengths) < 2:
+        return [("own", lengths)]
+    first, second = lengths[:2]
+    moved = (
+        any(columns[role][0].value for role in ("a", "alpha")) and table.convention != "standard"
+    )
+    if letters or (first.value and (moved or (second.value and first.unit != second.unit))):
+        raise ValueError(
+            "recognise_table: the header counts d from the link before, i-1, and theta from this"
+            " one; does each d belong to its own row or to the row above? Write d(i), each in the"
+            " row of its joint"
+        )
+    # d(0) lies along the axis of joint 1, as d(1) does
+    both = replace(first if first.value else second, value=first.value + second.value)
+    return [("own", lengths), ("above", [both, *lengths[2:], Cell(0.0)])]
 
 
 def by_number(columns, i):

@@ -19,10 +19,11 @@ class Pasted:
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
     ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
     speaks of and ``worded`` how many in words, ``poses`` the lists that it calls joint values,
-    ``adds`` whether it says that theta is added to them, ``slides`` whether it speaks of a joint
-    that slides, ``scaled`` whether its program takes thousandths, ``replaced`` whether that puts
-    the joints' values in the place of theta, ``lines`` the first and the last line of the rows,
-    where it is known.
+    ``adds`` whether it says that theta is added to them, ``slides`` whether it has a "word" of a
+    joint that slides, or calls the "arm" one of these, ``scaled`` whether its program takes
+    thousandths, ``replaced`` whether that puts the joints' values in the place of theta, ``behind``
+    whether the header counts d, and not theta, from the link before, ``lines`` the first and the
+    last line of the rows, where it is known.
     """
 
     rows: tuple
@@ -43,9 +44,10 @@ class Pasted:
     worded: tuple = ()
     poses: tuple = ()
     adds: bool = False
-    slides: bool = False
+    slides: str = ""
     scaled: bool = False
     replaced: bool = False
+    behind: bool = False
     lines: tuple = ()
     notes: tuple = ()
 

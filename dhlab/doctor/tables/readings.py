@@ -13,7 +13,7 @@ from ...table import COLUMNS, DHTable
 from .chain import arm_of, rows_of
 from .columns import orders, snapped
 from .evidence.poses import theta_meanings
-from .joints import joints_of
+from .joints import joints_of, rows_of_d
 from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
 from .still import on_one_axis, unwritten
 
@@ -31,6 +31,7 @@ QUESTIONS = {
     "zero": (
         "Are the numbers of theta added to the joints' values, or are they these in one pose?"
     ),
+    "index": "Does each d belong to its own row, or to the row above, as the index i-1 says?",
     "form": "How is the text meant",
 }
 BOOKS = {"standard": "standard convention", "craig": "Craig (modified) convention"}
@@ -76,6 +77,7 @@ def readings(table, order, convention, angle, length, right, tidy):
                 length_units(table, columns, length),
                 on_one_axis(table, columns, said[0], silent),
                 theta_meanings(table, columns),
+                rows_of_d(table, columns),
             )
             for choice in choices:
                 yield _reading(table, columns, found, choice, tidy)
@@ -139,7 +141,10 @@ def _looks_like_craig(columns):
 
 
 def _reading(table, columns, order, choice, tidy):
-    (convention, known), (unit, angle_why), (metre, length_why), still, zero = choice
+    (convention, known), (unit, angle_why), (metre, length_why), still, zero, (index, lengths) = (
+        choice
+    )
+    columns = {**columns, "d": lengths}
     joints, signs = joints_of(table, columns, still)
     assumed = []
     rows = np.column_stack(
@@ -167,12 +172,13 @@ def _reading(table, columns, order, choice, tidy):
         UNIT_WORDS[metre] + _why(length_why),
         *_row_words(still, len(rows)),
         *(["theta being the joints' values in one pose"] if zero == "pose" else []),
+        *(["each d belonging to the row above"] if index == "above" else []),
     ]
     return Reading(
         _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
         "; ".join(words),
         tuple(dict.fromkeys([*assumed, *twice])),
-        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, zero, ""))),
+        tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, zero, index, ""))),
     )
 
 

@@ -172,6 +172,9 @@ def _question(name, readings):
         return f"{QUESTIONS[name]}: " + ", or ".join(" ".join(roles) for roles in values) + "?"
     if name == "length":
         return f"{QUESTIONS[name]}: {', or '.join(UNIT_WORDS[unit] for unit in values)}?"
+    slides = any(letter == "P" for still in values if name == "row" for _, letter in still)
+    if slides:
+        return "Which joint slides, and does a row without a joint stand among these?"
     if name == "form":
         return f"{QUESTIONS[name]}: {', or '.join(_forms(readings))}?"
     return QUESTIONS[name]

@@ -63,7 +63,7 @@ def unwritten(table, columns, right):
     elif any(moves):
         found = _among_moving(table, columns, moves)
     else:
-        found = _by_labels(table, labels, right)
+        found = [*_sliding(table, columns), *_by_labels(table, labels, right)]
     return _counted(found, table, moves)
 
 
@@ -118,6 +118,14 @@ def _among_moving(table, columns, moves):
     for i in sliding:
         found.insert(0 if table.slides else 1, (*_fixed(k for k in still if k != i), (i, "P")))
     return found
+
+
+def _sliding(table, columns):
+    """Each row of numbers that may be the sliding joint of such an arm: it has no length a."""
+    if table.slides != "arm" or "P" in table.kinds:
+        return []
+    angles = [(columns["theta"][i].value, columns["a"][i].value) for i in range(len(table.rows))]
+    return [((i, "P"),) for i, held in enumerate(angles) if not any(held)]
 
 
 def _by_labels(table, labels, right):

@@ -25,6 +25,7 @@ from .evidence.source import source_of
 from .language.comments import uncommented
 from .language.expressions import key
 from .language.letters import unified
+from .language.notebook import without_notebook
 from .lists import with_lists
 from .pasted import Pasted
 from .scales import takes_thousandths
@@ -92,6 +93,7 @@ def _require_used(text, values):
 
 
 def _from_text(text, values, nominal, length):
+    text = without_notebook(text)
     _require_used(text, values)
     try:
         return _read(source_of(text, values), nominal, length)

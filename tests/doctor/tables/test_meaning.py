@@ -67,13 +67,36 @@ def test_a_row_of_numbers_in_a_scara_may_slide():
     assert found.arm.table.joints == "RRPR" and found.open == ("row",)
 
 
+COUNTED_BEFORE = "Standard DH (m)\n| i | θ | d_{i-1} | a | α |\n|---|---|---|---|---|\n"
+
+
+@pytest.mark.parametrize(
+    "rows, lengths",
+    [
+        ("| 1 | q1 | 0.3 | 0 | 90° |\n| 2 | q2 | 0.1 | 0.25 | 0 |\n", [(0.3, 0.1), (0.4, 0)]),
+        ("| 1 | q1 | 0 | 0 | 90° |\n| 2 | q2 | 0.1 | 0.25 | 0 |\n", [(0, 0.1), (0.1, 0)]),
+        ("| 1 | q1 | 0.3 | 0 | 90° |\n| 2 | q2 | 0 | 0.25 | 0 |\n", [(0.3, 0)]),
+    ],
+)
+def test_d_of_the_link_before_is_that_of_its_row_or_of_the_row_above(rows, lengths):
+    found = recognise_table(COUNTED_BEFORE + rows)
+    assert [tuple(one.arm.table.d.round(9)) for one in found.readings] == lengths
+    assert found.open == (("index",) if len(lengths) > 1 else ())
+
+
+def test_d_is_that_of_its_row_where_the_text_defines_it_so():
+    text = COUNTED_BEFORE + "| 1 | q1 | 0.3 | 0 | 90° |\n| 2 | q2 | 0.1 | 0.25 | 0 |\n"
+    found = recognise_table(text + "\nd_i: distance from x_{i-1} to x_i along z_{i-1}\n")
+    assert tuple(found.arm.table.d) == (0.3, 0.1) and "own row" in " ".join(found.notes)
+
+
 @pytest.mark.parametrize(
     "text, said",
     [
         (HEAD + ROWS.format("q1", "q1"), "q1 in 2 rows"),
         (HEAD + ROWS.format("q2", "q1"), "found q2, q1"),
         (PLAIN.replace("| 1 |", "| 3 |"), "found 3, 2"),
-        (PLAIN.replace("| d |", "| d_{i-1} |"), "each d belong to its own row"),
+        (COUNTED_BEFORE + "| 1 | q1 | 0 | 0 | 90° |\n| 2 | 0 | L9 | 0 | 0 |\n", "to its own row"),
         (
             "# dh(theta, d, a, alpha)\ndh(q1, 1, 0, 90) @ dh(q2, 0, 1, 0) @ hand",
             "goes on with hand",

@@ -256,7 +256,9 @@ def _twists(source, n):
 
 
 def _unnumbered(arrays):
-    """The arrays by their names, without an ending that d, a and alpha share: ``d_test``."""
+    """The arrays by their names, without an ending of d, a and alpha: ``d_test``, ``ds``."""
+    if {"ds", "as"} <= set(arrays):
+        return {re.sub(r"(?<=^[adrq])s$", "", name): values for name, values in arrays.items()}
     for ending in dict.fromkeys(name.partition("_")[2] for name in arrays):
         own = {f"{one}_{ending}" for one in ("d", "a", "alpha")}
         if ending and own <= set(arrays):

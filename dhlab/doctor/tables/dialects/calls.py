@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ..cells import cell_of
 from ..columns import misplaced
+from ..evidence.orders import order_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import Item, cells_in, groups, left_open
 from ..language.roles import kind_said, role_of
@@ -50,11 +51,14 @@ def read(source, nominal=None):
         for group in groups(source.code)
         if group.mark == "(" and _defines(group)
     }
+    said_order = order_in(source)
     for group in _unrolled(groups(source.code), source):
         name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
+        if known[1] == "DHLink" and not own.get(name) and said_order:
+            known = (*known[:3], " ".join(said_order[0]))
         if own.get(name):  # a class of the text's own: its order is the one that it defines
             known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
@@ -88,7 +92,7 @@ def read(source, nominal=None):
     return from_rows(
         rows,
         lines=(made[0][0].line, made[-1][0].line + made[-1][0].text.count("\n")),
-        why="as their names say",
+        why=said_order[2] if said_order and forms[0] == "DHLink" else "as their names say",
         form=forms[0],
         convention=said or None,
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",
@@ -243,7 +247,7 @@ def _row(group, name, known, source, notes, number):
         elif text[:1] in "[{":
             numbers = {**source.assigned, **source.known}  # no variables: the toolbox has its own
             known_here = replace(source, known=numbers) if known[1] == ROBOTICS_TOOLBOX else source
-            cells.update(by_order(cells_in(text.strip("[]{}")), order, known_here, number))
+            cells.update(by_order(_vector(text), order, known_here, number))
     numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
     if not cells and len(numbers) >= 3 and known[0] == "link":
         return None, ""  # somebody's own class: the toolbox takes names or one vector
@@ -261,6 +265,14 @@ def _row(group, name, known, source, notes, number):
     if "r" in cells:
         cells["a"] = cells.pop("r")
     return Row(cells, kind, label, sign, limits), said
+
+
+def _vector(text):
+    """The numbers of ``[theta1 0 0 -pi/2, 0, 0]``, where MATLAB's spaces and commas stand for one
+    another.
+    """
+    cells = cells_in(text.strip("[]{}"))
+    return cells if len(cells) > 3 else [cell for part in cells for cell in cells_in(part)]
 
 
 def _ignore_theta(cells, kind, known, notes, number):

@@ -17,6 +17,8 @@ __all__ = ["definitions", "read"]
 
 FACTORED = re.compile(r"\bdhfactor\b", re.IGNORECASE)  # the Robotics Toolbox prints such calls
 CLASS = re.compile(r"\s*class\s+(\w+)")
+FLAGS = ("true", "false", "null", "nullptr", "none")
+MOST_ITEMS = 10  # the four with limits, a name and flags
 JOIN = r"\s*[.*@·]\s*"
 FACTOR = r"(?:t?rot|r|t|transl?)_?[xyz]\s*\([^()]*\)"
 PARTS = re.compile(r"([a-z_]+)\s*\(([^()]*)\)", re.IGNORECASE)
@@ -183,9 +185,9 @@ def _bare(text):
 def _cells(call, source, roles):
     """The Cells of a call of four to six numbers; None of another, and of the definition itself."""
     items = call.items
-    if not 4 <= len(items) <= 7:
+    if not 4 <= len(items) <= MOST_ITEMS:
         return None
-    texts = [item.text for item in items]
+    texts = [item.text for item in items if item.text.lower() not in FLAGS]
     if roles is None and sum(text[:1] in "'\"" for text in texts) <= len(texts) - 4:
         texts = [text for text in texts if text[:1] not in "'\""]  # the joint's name
     pairs = [keyword(text) for text in texts]

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..beside import DASH, explained, require_no_fifth, slid, with_theta
+from ..beside import DASH, explained, kinds_by_number, require_no_fifth, slid, with_theta
 from ..cells import Cell, cell_or_none, plain, read_cell
 from ..columns import IMPLIED
 from ..language.roles import ROLES
@@ -20,6 +20,7 @@ from .heading import header, units_of
 __all__ = ["NoRows", "from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
+OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
 
 class NoRows(ValueError):
@@ -40,12 +41,12 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     """
     said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
     lines: list = []
-    taken = False
+    taken = behind = False
     for where, cells in grid:
         lines += [int(word) for word in where.split() if "line" in where and word.isdigit()]
         head = header(cells) if not rows else None
         if head:
-            roles, heads, said = head
+            roles, heads, said, behind = head
             if roles[:2] == ("label", "label") and all(
                 len(row) < len(roles) for place, row in grid if place != where
             ):  # two words for one column
@@ -55,6 +56,11 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             named, (roles, beside) = roles, explained(roles, cells, below)
             notes, taken = (*notes, *beside), roles != named
             _require_once(roles, cells)
+            if behind and source and OWN_D.search(source.text):
+                notes, behind = (
+                    (*notes, "d is that of its own row, as the text defines d(i)"),
+                    False,
+                )
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
             why, because = "as the header says", _because(said)
             continue
@@ -73,6 +79,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             " table with its rows, one per line"
         )
     cells, labels, kinds, signs = zip(*rows)
+    kinds, numbered = kinds_by_number(kinds)
+    notes = (*notes, *numbered)
     kept = roles and tuple(role for role in roles if role in KEPT)
     if any(cell is DASH for row in cells for cell in row):
         notes = (*notes, "a dash is taken for 0")
@@ -85,7 +93,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
         labels, kinds, signs, form=form, notes=notes,
-        lines=(min(lines), max(lines)) if lines else (),
+        lines=(min(lines), max(lines)) if lines else (), behind=behind,
     )  # fmt: skip
     table = _even(table)
     named = source.convention if source else ""
@@ -180,7 +188,9 @@ def _row(cells, roles, where, source):
             and word in KINDS
             and (k == 0 or len(word) > 1 or (word in "rp" and k == len(cells) - 1))
         ):
-            kind = KINDS.get(word.split(" ")[0], KINDS.get(word[:1], ""))
+            kind = KINDS.get(
+                word.split(" ")[0], KINDS.get(word[:1], word if word.isdigit() else "")
+            )
         elif role in ("sign", "direction"):
             sign = _sign(word, where, SIGNS)
         elif role == "turned":

@@ -13,7 +13,9 @@ __all__ = ["header", "units_of"]
 
 
 def header(cells):
-    """(roles, units, convention) when a line is a heading, None otherwise."""
+    """(roles, units, convention, whether d and not theta has the index i-1) of a heading; None of
+    another line.
+    """
     if any(isinstance(cell, (int, float, np.number)) for cell in cells):
         return None
     found = [(*role_of(cell), unit_in(plain(str(cell)))) for cell in cells]
@@ -28,23 +30,25 @@ def header(cells):
     if sum((one := cell_or_none(str(cell))) is not None and one.is_constant for cell in cells) > 1:
         return None
     before = {role for role, was, _ in found if was}
-    if "d" in before and "theta" not in before and {"theta", "d"} <= set(roles):
-        raise ValueError(
-            "recognise_table: the header counts d from the link before, i-1, and theta from this"
-            " one; does each d belong to its own row or to the row above? Write d(i), each in the"
-            " row of its joint"
-        )
+    if {"r", "theta"} <= set(roles) and "a" not in roles and "d" in before and "r" not in before:
+        roles, before = tuple("a" if role == "d" else role for role in roles), {"a"}  # Khalil's
+        roles = tuple("d" if role == "r" else role for role in roles)
+    behind = "d" in before and "theta" not in before and {"theta", "d"} <= set(roles)
     previous = bool(before & {"a", "alpha", "r"}) and not {"d", "theta"} <= before
     if {"a", "d", "r"} <= set(roles):  # Khalil and Kleinfinger; their a(j) is the link before
         renamed = {"a": None, "d": "a", "r": "d"}
         roles, previous = tuple(renamed.get(role, role) for role in roles), True
-        found = [(role, was, unit) for role, (_, was, unit) in zip(roles, found)]
+    found = [(role, was, unit) for role, (_, was, unit) in zip(roles, found)]
     same = [re.search(r"[a-z_\s(\[{][ij][)\]}]*\s*$", _bare(cell)) for cell in cells]
     indexed = all(mark for mark, role in zip(same, roles) if role in (*ROLES, "r"))
+    apart = {role for role, mark in zip(roles, same) if mark} | (before & {"a", "alpha"})
+    if len(before & {"a", "alpha"}) == 1 and {"a", "alpha"} <= apart:
+        previous = False  # a(i) beside alpha(i-1)
     return (
         roles,
         {role: unit for role, (_, _, unit) in zip(roles, found) if unit and role},
         "craig" if previous else "i" if indexed and not previous else None,
+        behind,
     )
 
 

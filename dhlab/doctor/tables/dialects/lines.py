@@ -21,8 +21,7 @@ ROW = re.compile(
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
 MARKS = ("|", "\t", ";", ",")
-MOST_LINES = 60
-MOST_WORDS = 4  # of a row's label
+MOST_LINES, MOST_WORDS = 60, 4  # the words are those of a row's label
 
 
 def read(source, nominal=None):
@@ -84,8 +83,10 @@ def _from_lines(texts, source):
             " rows only"
         )
     order = None if any(header(cells) for _, cells in grid) else order_in(source)
-    if order and {len(cells) for _, cells in grid} == {5}:
-        return from_grid(grid, source, ("label", *order[0]), order[2], order[1])
+    widths = {len(cells) for _, cells in grid}
+    if order and widths in ({4}, {5}):
+        label = ("label",) if widths == {5} else ()
+        return from_grid(grid, source, (*label, *order[0]), order[2], order[1])
     return from_grid(grid, source)
 
 
@@ -137,7 +138,7 @@ def _broken(text):
 
 def _without_brackets(line):
     line = re.sub(
-        r"^[\w\s().]*=\s*\[|^[\w\s().]*=\s*\w*\(\s*\[|[\[\]](?!\w)(?<!\w.)|^\s*\[", " ", line
+        r"^[\w\s().]*=\s*\[|^[\w\s().]*=\s*\w*\(\s*\[|[\[\]](?![\w°])(?<![\w°].)|^\s*\[", " ", line
     )
     line = re.sub(r"^\s*(%|#|//|[-*](?=\s+\w+\s*\|))\s*", "", line)
     return line.strip().rstrip(";,").strip()
@@ -209,7 +210,7 @@ def _named_one_a_line(lines):
     heads = {}
     for first, width in windows:
         cells = words[first : first + width]
-        long = any(is_cell(cell) or len(cell.split()) > MOST_WORDS for cell in cells)
+        long = any(is_cell(cell) or len(re.findall(r"\w+", cell)) > MOST_WORDS for cell in cells)
         if not long and (head := header(cells)):
             known = len(set(ROLES) & set(head[0]))
             heads[first, width] = -known, head[0][1:].count(None), first

@@ -4,6 +4,7 @@ or the head of a function; and which matrix its own function computes.
 
 import re
 
+from ..language.brackets import groups
 from ..language.roles import ROLES, role_of, unit_in
 
 __all__ = [
@@ -26,6 +27,9 @@ ROW = re.compile(  # al, a, to, d = dh[i]; for al, a, to, d in dh
     re.MULTILINE,
 )
 _LISTED = re.compile(r"[(\[{]([^()\[\]{}]{12,200})[)\]}]")
+INDEXED = re.compile(  # Col 0: theta_offset, DH[i][0]=a
+    r"(?:\bcol(?:umn)?s?\.? ?|\[i\]\[)(\d)\]?\s*[:=-]\s*([A-Za-z]\w*)", re.IGNORECASE
+)
 UNPACKED = re.compile(
     r"(\w+)(?:\s*=|['\"]\s*,)\s*[\w.]+[\[(](?:[\w:]+\s*(?:,|\]\s*\[)\s*)?(\d)[\])]"
 )
@@ -53,12 +57,36 @@ def order_in(source):
         role = role_of(name)[0]
         if role in (*ROLES, "r", "offset"):
             picked.setdefault(int(index), role)
+    for index, name in INDEXED.findall(source.text):
+        if role_of(name)[0] in (*ROLES, "r", "offset"):
+            picked.setdefault(int(index), role_of(name)[0])
     if "theta" not in picked.values():
         picked = {k: "theta" if role == "offset" else role for k, role in picked.items()}
     if len(picked) >= 4 and len(set(list(picked.values())[:4])) == 4:
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
-    return None
+    beside = {_roles_beside(group, source) for group in groups(source.code) if source.comments}
+    beside -= {None}
+    return (
+        (beside.pop(), {}, "as the comments beside the numbers say", 0)
+        if len(beside) == 1
+        else None
+    )
+
+
+def _roles_beside(group, source):
+    """The roles of four numbers, one a line, as the comments behind these say; None where not all
+    are said.
+    """
+    said = dict(reversed(source.comments))
+    at, roles, lines = 0, [], set()
+    for item in group.items[:4]:
+        at = group.text.find(item.text, at) + len(item.text)
+        line = group.line + group.text.count("\n", 0, at)
+        role = role_of(re.split(r"[:=(,]|\s-", said.get(line, ""))[0])[0]
+        roles.append("theta" if role == "offset" else role)
+        lines.add(line)
+    return tuple(roles) if len(lines) == 4 and set(roles) == set(ROLES) else None
 
 
 def _completed(roles):
@@ -83,6 +111,7 @@ def every_column_in(source, width):
     """
     for text in (*(text for _, text in source.comments), *_LISTED.findall(source.code)):
         parts = [part.strip(" .)]}>`'\"") for part in re.split(r"[,;|]", text)]
+        parts = [part for part in parts if part not in ("self", "cls", "this", "obj")]
         for at in range(len(parts) - width + 1):
             named = [re.split(r"[:(\[{=]\s*", parts[at])[-1], *parts[at + 1 : at + width]]
             found = [
@@ -162,6 +191,7 @@ def _of_letters(text):
 
 def _of_phrases(text):
     """The roles of four phrases in a row, at commas or bars: ``theta offset, d, length, …``."""
+    text = re.sub(r"\s*[(\[]\s*(?:deg|rad|°|mm|cm|m)\s*[)\]]", "", text)
     parts = [part.strip(" .)]}") for part in re.split(r"[,;|/]|->|\band\b", text)]
     for at in range(len(parts) - 3):
         first = re.split(r"[:(\[{=]", parts[at])[-1]

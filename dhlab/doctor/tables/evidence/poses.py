@@ -6,7 +6,9 @@ import re
 
 import numpy as np
 
+from ..cells import BESIDE
 from ..language.brackets import cells_in
+from ..language.letters import unified
 
 __all__ = ["adds_theta", "poses_in", "theta_meanings"]
 
@@ -60,6 +62,8 @@ def theta_meanings(table, columns):
     values = [cell.value for cell in cells]
     if table.replaced:
         return ["pose", "zeros"]
+    if table.roles and any(BESIDE.fullmatch(unified(cell.text)) and cell.value for cell in cells):
+        return ["zeros", "pose"]
     odd = {round(abs(value), 3) for value in values if _is_odd(value)}
     if not odd or table.form or not all(cell.is_constant for cell in cells):
         return ["zeros"]

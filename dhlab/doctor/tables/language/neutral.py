@@ -106,6 +106,7 @@ OWN = (
     r"\bfunction\s+(\w+)\s*\(\s*(\w+)[^)]*\)[^{]*\{()\s*return\s+([^;}]+)",
     r"#\s*define\s+(\w+)\((\w+)\)()[ \t]+([^\n]+)",
 )
+DESIGNATED = re.compile(r"(?<!\w)\[(\d+)\]\s*=\s*")
 ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>")
 
 
@@ -131,11 +132,21 @@ def neutral(text):
     text = SIGIL.sub("", ARROW.sub(" = ", text))
     text = LISP.sub(r", \1 = \2", text)
     text = MAKER.sub(lambda m: "\n" * m[0].count("\n"), text)
+    text = _without_designators(text)
     text = text.replace("<|", "{").replace("|>", "}")
     text = re.sub(r"\(/(.*?)/\)", r"[\1]", text, flags=re.DOTALL)
     text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on
     text = TOGETHER.sub(_apart, ELEMENT.sub(_element, text))
     return _without_setters(text)
+
+
+def _without_designators(text):
+    """C's ``{[0] = 0.1, [1] = 0}`` as ``{0.1, 0}``, where the indices stand in their order."""
+    for inside in re.findall(r"\{([^{}]*)\}", text):
+        indices = [int(index) for index in DESIGNATED.findall(inside)]
+        if len(indices) > 2 and indices == list(range(len(indices))):
+            text = text.replace(inside, DESIGNATED.sub("", inside))
+    return re.sub(r"(?<=[{,\n])([ \t]*)\[\d+\]\s*=\s*(?=\{)", r"\1", text)
 
 
 def _zeros(match):

@@ -4,6 +4,9 @@ anything is read.
 
 import re
 
+from .brackets import cells_in
+from .roles import ROLES, role_of
+
 __all__ = ["restated"]
 
 # LinuxCNC's setp genserkins.ALPHA-1 -1.571
@@ -51,6 +54,20 @@ ONTO_Q = re.compile(
 )
 # a factor that says what it is and is defined elsewhere: 145.2 * mm2m
 TO_METRES = re.compile(r"(?<=[\d)])\s*\*\s*mm_?(?:2|to)_?m\b", re.IGNORECASE)
+# SymPy's Symbol("q1") where it is used
+SYMBOL = re.compile(
+    r"(?<!=)(?<!= )\b(?:\w+\.)?sym(?:bols?)?\(\s*(['\"])([A-Za-z]\w*)\1[^()\n]*\)", re.I
+)
+OF_UNIT = re.compile(r"(=\s*-?\d*\.?\d+)\s*[(\[](mm|cm|m)[)\]]")  # L4 = 0.1 (m)
+# disp(" 1 | 0 | 90 "): a table that a program prints
+PRINTED = re.compile(
+    r"^[ \t]*(?:[\w.]*(?:disp|print\w*|log|cout)[ \t]*(?:\(|<<)[ \t]*)"
+    r"([\"'])([^\n]*[|\t][^\n]*?)(?:\\n)?\1[^\n]*$",
+    re.MULTILINE,
+)
+LIST = re.compile(
+    r"^[ \t]*([A-Za-z]\w*)[ \t]*([=:])[ \t]*([^\n=:\[\]{};|\"#]+?)[ \t]*$", re.MULTILINE
+)
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
 
@@ -81,7 +98,10 @@ def restated(text):
     text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
     if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
         text = TO_METRES.sub(" / 1000", text)
-    text = IN_QUOTES.sub(r"([\1])", text)
+    text = OF_UNIT.sub(r"\1 \2", _with_brackets(text))
+    if len(PRINTED.findall(text)) > 2:
+        text = PRINTED.sub(r"\2", text)
+    text = SYMBOL.sub(r"\2", IN_QUOTES.sub(r"([\1])", text))
     text = PROPERTY.sub(r"\1 = \2", text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
@@ -90,6 +110,23 @@ def restated(text):
     for name, kind in KDL_JOINT.findall(text):
         text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
     return _without_indices(text)
+
+
+def _with_brackets(text):
+    """``d = 0.1, 0, 0.3`` as ``d = [0.1, 0, 0.3]``, where d, a and alpha stand so."""
+    found = [
+        (match, cells)
+        for match in LIST.finditer(text)
+        if role_of(match[1])[0] in (*ROLES, "r", "offset") and len(cells := cells_in(match[3])) > 1
+    ]
+    named = [role_of(match[1])[0] for match, _ in found]
+    counts = {len(cells) for _, cells in found}
+    if len(set(named)) < 3 or len(set(named)) < len(named) or len(counts) > 1:
+        return text
+    for match, cells in reversed(found):
+        listed = f"{match[1]} = [{', '.join(cells)}]"
+        text = text[: match.start()] + listed + text[match.end() :]
+    return text
 
 
 def _inches(match):

@@ -12,6 +12,7 @@ ROLES = ("theta", "d", "a", "alpha")
 PREVIOUS = re.compile(
     r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_i?_?m_?1\b"
 )
+LOST_MINUS = re.compile(r"^(alpha|theta|[adr]) ?([ijn]) 1\b")  # a page without its signs
 UNIT = re.compile(
     r"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in)\s*[\])]?\s*$"
     r"|\s(?:in\s+)?(deg|degrees?|°|rad|radians?|mm|cm|m)\s*$|(°)$",
@@ -139,6 +140,7 @@ def role_of(text):
 @lru_cache(KEPT)
 def _role_of(text):
     text = unified(text).strip(" *`'\"$:").lower()
+    text = LOST_MINUS.sub(r"\1 \2-1", text)
     if text in LABELS or not text:
         return "label", False
     found = UNIT.search(text)
@@ -151,7 +153,7 @@ def _role_of(text):
     if words in LABELS:
         return "label", False
     foreign = _without_accents(bare)
-    if foreign in LABELS:
+    if foreign in LABELS or re.sub(r"(?<=[^\x00-\x7f])[ijn]$", "", foreign) in LABELS:
         return "label", False
     if not re.search(r"\b(theta|alpha|[adr])\b", words):  # a letter beside it says it better
         for pattern, role in FOREIGN:

@@ -38,7 +38,7 @@ def told(form, make, lengths, source, why="", units=None, notes=()):
             f"{form}{', ' + why if why else ''}; {UNIT_WORDS[unit]}"
             + _why(unit, said, source, sizes),
             (),
-            tuple(zip(QUESTIONS, ((), "", "rad", unit, (), "", ""))),
+            tuple(zip(QUESTIONS, ((), "", "rad", unit, (), "", "", ""))),
             tuple(notes),
         )
         for unit in units
