@@ -14,7 +14,6 @@ __all__ = [
     "APART",
     "DASH",
     "explained",
-    "kinds_by_number",
     "labelled",
     "require_no_fifth",
     "slid",
@@ -88,32 +87,6 @@ def explained(roles, heading, rows):
                 f" {name[:20]!r}; what is it? Give it one of these names, or leave it out"
             )
     return tuple(roles), tuple(notes)
-
-
-def kinds_by_number(kinds):
-    """(kinds, notes) where a column of types has two numbers, 0 and 1: most joints turn.
-
-    Raises
-    ------
-    ValueError
-        There are as many of the one as of the other, or more than two.
-
-    Examples
-    --------
-    >>> kinds_by_number(("0", "0", "1", "0"))[0]
-    ('R', 'R', 'P', 'R')
-    """
-    numbers = sorted({kind for kind in kinds if kind.isdigit()}, key=kinds.count)
-    if len(numbers) < 2:
-        return tuple("" if kind.isdigit() else kind for kind in kinds), ()
-    if len(numbers) > 2 or kinds.count(numbers[0]) == kinds.count(numbers[1]):
-        raise ValueError(
-            f"recognise_table: expected types R and P, found {', '.join(sorted(numbers))}; which"
-            " number is a joint that slides? Write R and P"
-        )
-    said = {numbers[0]: "P", numbers[1]: "R"}
-    note = f"type {numbers[0]} is taken for a joint that slides, {numbers[1]} for one that turns"
-    return tuple(said.get(kind, kind) for kind in kinds), (note,)
 
 
 def _counts(cells):

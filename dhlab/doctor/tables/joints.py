@@ -84,6 +84,8 @@ def require_one_column(rows, names=None):
     odd = [i for i, ks in enumerate(at) if len(ks) == 1 and ks[0] != usual]
     if len(odd) != 1 or len(places) < 3 or not rows[odd[0]][usual].is_constant:
         return
+    if names and names[at[odd[0]][0]] == "d":
+        return  # a joint that slides
     of = [names[k] if names else f"number {k + 1}" for k in (usual, at[odd[0]][0])]
     raise ValueError(
         f"recognise_table: row {odd[0] + 1}: expected the joint variable in column {of[0]}, as in"

@@ -74,7 +74,7 @@ def on_one_axis(table, columns, convention, found):
     n = len(table.rows)
     guessed = table.why == "as their names say" and not table.form and "P" not in table.kinds
     typed = any(table.kinds) and not guessed
-    if n < FEWEST or n in table.worded or typed or () not in found:
+    if n < FEWEST or n in table.worded or typed or "sigma" in columns or () not in found:
         return found
     flat = [not any(_said(columns[role][i]) for role in ("a", "alpha")) for i in range(n)]
     numbers = [columns["theta"][i].is_constant and columns["d"][i].is_constant for i in range(n)]

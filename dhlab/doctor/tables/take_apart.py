@@ -27,6 +27,7 @@ from .language.expressions import key
 from .language.letters import unified
 from .language.notebook import without_notebook
 from .lists import with_lists
+from .numbered_kinds import with_sigma
 from .pasted import Pasted
 from .scales import takes_thousandths
 from .uses import with_uses
@@ -144,7 +145,8 @@ def _completed(found, read, source):
     table = _with_words(found, source)
     if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
         table = with_lists(table, source)
-    table = with_ends(with_added(with_types(table, source), source), source)
+    table = with_sigma(with_types(table, source), source)
+    table = with_ends(with_added(table, source), source)
     require_one_value(table, source)
     _require_one_table(table, source)
     table = with_uses(table, source)

@@ -7,16 +7,18 @@ from dataclasses import replace
 from ..beside import labelled
 from ..cells import Cell, cell_of
 from ..columns import orders as orders_of
-from ..evidence.orders import order_in
+from ..evidence.orders import every_column_in, order_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
+from ..language.words import KINDS
 from ..pasted import Pasted
 
 __all__ = ["definitions", "read"]
 
 FACTORED = re.compile(r"\bdhfactor\b", re.IGNORECASE)  # the Robotics Toolbox prints such calls
 CLASS = re.compile(r"\s*class\s+(\w+)")
+NAMES = ("frame", "joint")  # of calls that are no links, unless the text names their columns
 FLAGS = ("true", "false", "null", "nullptr", "none")
 MOST_ITEMS = 10  # the four with limits, a name and flags
 JOIN = r"\s*[.*@·]\s*"
@@ -36,10 +38,14 @@ def read(source, nominal=None):
     calls = [group for group in groups(source.code) if group.mark == "(" and group.name]
     orders = definitions(source)
     found: dict = {}
+    kinds: dict = {}
     for call in calls:
         cells = _cells(call, source, orders.get(_last(call.name)))
-        if cells and (_last(call.name) in orders or not NOT_A_LINK.match(_last(call.name))):
+        name = _last(call.name)
+        known = name in orders or (name.lower() in NAMES and order_in(source))
+        if cells and (known or not NOT_A_LINK.match(name)):
             found.setdefault((_last(call.name), len(cells)), []).append((call.line, cells))
+            kinds[call.line, cells] = _kind(call)
     found = {name: rows for name, rows in found.items() if len(rows) >= 2}
     if not found:
         return None
@@ -47,6 +53,7 @@ def read(source, nominal=None):
     parts = apart([(line, (line, cells)) for line, cells in found[name, width]], source.code)
     made = in_parts(parts, _numbers, f"calls of {name}") or _once(found[name, width])
     lines, rows = zip(*made)
+    kinds = _kinds([kinds.get(one, "") for one in made], source)
     roles, why = orders.get(name), f"as the definition of {name} says"
     if roles is None:
         said = order_in(source)
@@ -54,6 +61,9 @@ def read(source, nominal=None):
     factored = roles is None and bool(FACTORED.search(source.text))
     if factored:
         roles, why = ROLES, "as DHFactor has them"
+    notes: tuple = ()
+    if roles is not None and len(roles) < width:
+        roles, notes = _with_behind(roles, rows, source)
     if roles is not None and (len(roles) != width or width != 4):
         keep = [k for k, role in enumerate(roles[:width]) if role in (*ROLES, "r", "offset")]
         rows, roles = [tuple(row[k] for k in keep) for row in rows], tuple(roles[k] for k in keep)
@@ -63,13 +73,69 @@ def read(source, nominal=None):
     n = len(rows)
     table = Pasted(
         tuple(tuple(row) for row in rows), roles, why,
-        labels=("",) * n, kinds=("",) * n, signs=(1,) * n, form=f"calls of {name}",
+        labels=("",) * n, kinds=kinds, signs=(1,) * n, form=f"calls of {name}",
         lines=(min(lines), max(lines)),
         convention="standard" if factored else None,
-        because="as DHFactor has it" if factored else "",
+        because="as DHFactor has it" if factored else "", notes=notes,
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
     return _with_factors(table, name, source)
+
+
+def _with_behind(roles, rows, source):
+    """(roles, notes) where numbers stand behind those that are named: limits, or a question.
+
+    Raises
+    ------
+    ValueError
+        Nothing says what they are.
+    """
+    n, width = len(roles), len(rows[0])
+    if named := every_column_in(source, width):
+        return named, ()
+    said = [
+        k for k in range(n, width) if any(_last(row[k].text).lower() not in KINDS for row in rows)
+    ]
+    said = [k for k in said if any(row[k].value or row[k].letters for row in rows)]
+    if not said:
+        return roles, ()
+    low, high = (([row[k].value for row in rows]) for k in (said[0], said[-1]))
+    if len(said) == 2 and all(a < b for a, b in zip(low, high)):
+        return roles, (f"the two numbers behind {roles[-1]} are taken for limits of the joints",)
+    raise ValueError(
+        f"recognise_table: expected {n} numbers in a row, found {width}; what are those behind"
+        f" {roles[-1]}? Name all columns in a comment above the rows"
+    )
+
+
+def _kind(call):
+    """What a call says of its joint: a kind, or "true" or "false"; "" when nothing."""
+    for text in (item.text for item in call.items[4:]):
+        word = re.split(r"\.|::", text.strip("'\" "))[-1].lower()
+        if word in ("true", "false"):
+            return word
+        if KINDS.get(word) and (len(word) > 1 or text[:1] in "'\""):
+            return KINDS[word]
+    return ""
+
+
+def _kinds(said, source):
+    """The kinds of the rows, where calls may say it with True and False.
+
+    Raises
+    ------
+    ValueError
+        Some say True and others do not, and the text does not say of what.
+    """
+    if len(set(said)) < 2 or "true" not in said:
+        return tuple("" if one in ("true", "false") else one for one in said)
+    slides, turns = (bool(re.search(word, source.text, re.I)) for word in ("prismatic", "revolut"))
+    if slides == turns:
+        raise ValueError(
+            f"recognise_table: row {said.index('true') + 1} has True behind its numbers, and other"
+            " rows have not; is it a joint that slides? Write R or P into the rows"
+        )
+    return tuple("P" if (one == "true") == slides else "R" for one in said)
 
 
 def _numbers(row):

@@ -9,11 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..beside import DASH, explained, kinds_by_number, require_no_fifth, slid, with_theta
+from ..beside import DASH, explained, require_no_fifth, slid, with_theta
 from ..cells import Cell, cell_or_none, plain, read_cell
 from ..columns import IMPLIED
 from ..language.roles import ROLES
 from ..language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
+from ..numbered_kinds import kinds_by_number
 from ..pasted import Pasted
 from .heading import header, units_of
 
@@ -79,7 +80,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             " table with its rows, one per line"
         )
     cells, labels, kinds, signs = zip(*rows)
-    kinds, numbered = kinds_by_number(kinds)
+    kinds, numbered = kinds_by_number(kinds, source.text if source else "")
     notes = (*notes, *numbered)
     kept = roles and tuple(role for role in roles if role in KEPT)
     if any(cell is DASH for row in cells for cell in row):

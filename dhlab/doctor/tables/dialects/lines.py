@@ -10,7 +10,7 @@ from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
 from .grid import NoRows, from_grid
 from .heading import header, units_of
-from .spaced import is_cell, require_whole_row, spaced_cells, under_names
+from .spaced import is_cell, require_whole_row, spaced_cells, under_names, with_fifth
 
 __all__ = ["read"]
 
@@ -85,8 +85,7 @@ def _from_lines(texts, source):
     order = None if any(header(cells) for _, cells in grid) else order_in(source)
     widths = {len(cells) for _, cells in grid}
     if order and widths in ({4}, {5}):
-        label = ("label",) if widths == {5} else ()
-        return from_grid(grid, source, (*label, *order[0]), order[2], order[1])
+        return from_grid(grid, source, with_fifth(order[0], grid), order[2], order[1])
     return from_grid(grid, source)
 
 

@@ -14,6 +14,7 @@ from ..evidence.orders import every_column_in, order_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
+from ..language.words import KINDS
 from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups
@@ -61,7 +62,11 @@ def _numbers(source):
     named = every_column_in(source, width) if width > 4 else None
     if named:
         fits, order = named, ()
-    if order and width > 6:  # limits and the like stand behind
+    words = _words_in(grid)
+    if order and words and width - len(words) == 4:
+        left_over = iter(order)
+        fits = tuple(words.get(k) or next(left_over) for k in range(width))
+    elif order and width > 6:  # limits and the like stand behind
         fits = _with_named(order, source)
         grid = [(where, row[: len(fits)]) for where, row in grid]
         left = (f"the columns behind {fits[-1]} were left out",)
@@ -73,6 +78,16 @@ def _numbers(source):
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
+
+
+def _words_in(grid):
+    """{column: "label" or "type"} of the columns that hold words in quotation marks."""
+    found = {}
+    for k, column in enumerate(zip(*(cells for _, cells in grid))):
+        if all(str(cell)[:1] in "'\"" for cell in column):
+            named = {str(cell).strip("'\" ").lower() for cell in column} <= set(KINDS)
+            found[k] = "type" if named else "label"
+    return found
 
 
 def _target(group):
@@ -147,7 +162,9 @@ def _require_one(matrices):
 def _with_more(order, rows, source):
     """The order where an index or a name stands before the four, or sigma and an offset after."""
     more = ("sigma", "offset")
-    words = {str(row[4]).strip("'\" ").upper() for row in rows}
+    words, last = ({str(row[k]).strip("'\" ").upper() for row in rows} for k in (4, -1))
+    if last <= {"R", "P", "REVOLUTE", "PRISMATIC"} and len(rows[0]) == 6 and _is_labelled(rows):
+        return ("label", *order, "type")
     if words <= {"R", "P", "REVOLUTE", "PRISMATIC"}:
         more = ("type", "offset")
     elif any(source.value(row[4]) not in (Value(0.0), Value(1.0)) for row in rows):

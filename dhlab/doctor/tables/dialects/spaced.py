@@ -8,7 +8,7 @@ from ..cells import cell_or_none
 from ..evidence.orders import names_in_a_row
 from ..language.brackets import cells_in
 
-__all__ = ["is_cell", "require_whole_row", "spaced_cells", "under_names"]
+__all__ = ["is_cell", "require_whole_row", "spaced_cells", "under_names", "with_fifth"]
 
 PHRASE = re.compile(  # the gap in link length, joint angle
     r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
@@ -50,6 +50,30 @@ def is_cell(cell):
     if found is None:
         return False
     return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
+
+
+def with_fifth(order, grid):
+    """The order of the columns with the labels before it, or sigma behind it, of rows of five.
+
+    Examples
+    --------
+    >>> with_fifth(("theta", "d", "a", "alpha"), [("line 1", ["0", "1", "0", "0", "0"])])[-1]
+    'sigma'
+    """
+    if len(grid[0][1]) == len(order):
+        return order
+    first = [cell_or_none(str(cells[0])) for _, cells in grid]
+    labels = any(cell is None or cell.letters for cell in first)
+    counted = [cell.value for cell in first if cell] in (
+        [*range(1, len(grid) + 1)],
+        [*range(len(grid))],
+    )
+    kinds = {str(cells[-1]).strip() for _, cells in grid} <= {"0", "1"}
+    return (
+        (*order, "sigma")
+        if kinds and not labels and (not counted or len(grid) == 1)
+        else ("label", *order)
+    )
 
 
 def require_whole_row(grid, last):

@@ -18,6 +18,9 @@ __all__ = [
 
 NAME = re.compile(r"[A-Za-z][\w.]*(?:[({\[]i(?:\s*-\s*1)?[)}\]]|_\{?i-1\}?|(?<=_i)-1)?")
 PREVIOUS = re.compile(r"\b(?:a|alpha)_?[({\[]?i\s*-\s*1", re.IGNORECASE)
+NO_COLUMN = re.compile(
+    r"standard|modified|craig|classic|\bdh\b|\b(?:mm?|cm|deg|rad)\b|\s\S+\s", re.IGNORECASE
+)
 BETWEEN = re.compile(
     r"[\s,;|&/\[\](){}:=*'\"_.>→%#-]*(?:(?:const|double|float|real|int|f64|self|np)\b[\s,;.]*)*"
 )
@@ -119,7 +122,8 @@ def every_column_in(source, width):
             ]
             if "theta" not in found and "offset" in found:
                 found[found.index("offset")] = "theta"
-            if all(found.count(role) == 1 for role in ROLES):
+            told = any(NO_COLUMN.search(one) for one, role in zip(named, found) if role is None)
+            if all(found.count(role) == 1 for role in ROLES) and not told:
                 return tuple(role or "apart" for role in found)
     return None
 

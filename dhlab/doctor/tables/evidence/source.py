@@ -26,6 +26,9 @@ from .matrices import link_matrix_in
 __all__ = ["Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
+FIELDS = re.compile(  # theta: float, as a class has it
+    r"(?:^[ \t]+\w+[ \t]*:[ \t]*(?:float|int|str|bool)\b[^\n]*(?:\n|$))+", re.MULTILINE
+)
 RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
 DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 WORDS_FOR = {
@@ -202,7 +205,7 @@ def _unwrapped(text):
     text = html.unescape(text).replace("\xa0", " ").replace("−", "-")
     text = re.sub(r"^```.*$", "", text, flags=re.MULTILINE)
     # the fields of a class, before anything is made of it
-    text = re.sub(r"^[ \t]+\w+[ \t]*:[ \t]*(float|int|str|bool)\b.*$", "", text, flags=re.MULTILINE)
+    text = FIELDS.sub(_as_comment, text)
     text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
     text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
@@ -213,6 +216,11 @@ def _unwrapped(text):
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
     return text
+
+
+def _as_comment(match):
+    names = re.findall(r"^[ \t]+(\w+)[ \t]*:", match[0], re.MULTILINE)
+    return f"# {', '.join(names)}" + "\n" * match[0].count("\n")
 
 
 def _without_diff(text):

@@ -31,8 +31,8 @@ BEGINS = re.compile(
 )
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
-    r"\b([A-Za-z_]\w*)\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
-    r"\[((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)\]"
+    r"\b([A-Za-z_]\w*)(?:\[\w*\])?\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
+    r"[\[{]((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)[\]}]"
 )
 
 
@@ -63,6 +63,7 @@ def without_overwritten(code):
 def assigned_in(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
+    text = re.sub(r"(?<=\w):[ \t]+(?=\w+[ \t]*=(?!=))", "; ", text)  # link lengths: l1 = 0.5
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):

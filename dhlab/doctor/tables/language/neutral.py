@@ -106,6 +106,11 @@ OWN = (
     r"\bfunction\s+(\w+)\s*\(\s*(\w+)[^)]*\)[^{]*\{()\s*return\s+([^;}]+)",
     r"#\s*define\s+(\w+)\((\w+)\)()[ \t]+([^\n]+)",
 )
+OBJECT = re.compile(  # C++: DHParam j1(0, 0.09, 0, 1.57);
+    r"^([ \t]*)([A-Z]\w*)[ \t]+([A-Za-z]\w*)\((?![^;\n]*\b(?:double|float|const|int|auto)\b)"
+    r"([^;\n]*\d[^;\n]*)\)[ \t]*;",
+    re.MULTILINE,
+)
 DESIGNATED = re.compile(r"(?<!\w)\[(\d+)\]\s*=\s*")
 ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>")
 
@@ -120,7 +125,7 @@ def neutral(text):
     >>> neutral("a <- c(0, .pi / 2)")
     'a = c(0, pi / 2)'
     """
-    text = _numbers(_inlined(text))
+    text = OBJECT.sub(r"\1\3 = \2(\4);", _numbers(_inlined(text)))
     text = PARAMETER.sub("", _looked_up(text))
     text = TRANSPOSED.sub("]", ZEROS.sub(_zeros, text))
     text = FORTRAN_TYPED.sub(r"\1 =", ATTRIBUTE.sub(" ", TYPED.sub(_untyped, text)))

@@ -58,15 +58,26 @@ TO_METRES = re.compile(r"(?<=[\d)])\s*\*\s*mm_?(?:2|to)_?m\b", re.IGNORECASE)
 SYMBOL = re.compile(
     r"(?<!=)(?<!= )\b(?:\w+\.)?sym(?:bols?)?\(\s*(['\"])([A-Za-z]\w*)\1[^()\n]*\)", re.I
 )
+LISTED = re.compile(r"'(\w+)'\s*,\s*\{([^{}']*)\}")  # of MATLAB's struct('d', {0.2, 0})
+STRUCT = re.compile(r"\bstruct\((?:\s*'\w+'\s*,\s*\{[^{}']*\}\s*,?)+\)")
+# DH(:,1) = [0.5 1]'; % a
+COLUMN = re.compile(
+    r"^[ \t]*\w+[(\[]:\s*,\s*\d[)\]]\s*=\s*(\[[^\]\n]*\]'?)\s*;?"
+    r"[ \t]*[%#][ \t]*(theta|d|a|alpha)\b[^\n]*$",
+    re.MULTILINE,
+)
+FLAG = re.compile(r",\s*(true|false)\s*(?=[\]}])", re.IGNORECASE)  # at the end of a row
 OF_UNIT = re.compile(r"(=\s*-?\d*\.?\d+)\s*[(\[](mm|cm|m)[)\]]")  # L4 = 0.1 (m)
 # disp(" 1 | 0 | 90 "): a table that a program prints
 PRINTED = re.compile(
     r"^[ \t]*(?:[\w.]*(?:disp|print\w*|log|cout)[ \t]*(?:\(|<<)[ \t]*)"
-    r"([\"'])([^\n]*[|\t][^\n]*?)(?:\\n)?\1[^\n]*$",
+    r"([\"'])([^\n]*(?:[|\t]|\\t)[^\n]*?)(?:\\n)?\1[^\n]*$",
     re.MULTILINE,
 )
 LIST = re.compile(
-    r"^[ \t]*([A-Za-z]\w*)[ \t]*([=:])[ \t]*([^\n=:\[\]{};|\"#]+?)[ \t]*$", re.MULTILINE
+    r"^[ \t]*([^\W\d]\w*)[ \t]*([=:])[ \t]*([^\n=:\[\]{};|\"#]+?)"
+    r"([ \t]*\((?:mm|cm|m|deg|rad|°)\))?[ \t]*$",
+    re.MULTILINE,
 )
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
@@ -98,9 +109,12 @@ def restated(text):
     text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
     if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
         text = TO_METRES.sub(" / 1000", text)
+    text = STRUCT.sub(lambda m: "\n".join(f"{n} = [{v}];" for n, v in LISTED.findall(m[0])), text)
     text = OF_UNIT.sub(r"\1 \2", _with_brackets(text))
     if len(PRINTED.findall(text)) > 2:
-        text = PRINTED.sub(r"\2", text)
+        text = PRINTED.sub(lambda m: m[2].replace("\\t", "\t"), text)
+    text = COLUMN.sub(r"\2 = \1;", text) if len(COLUMN.findall(text)) > 2 else text
+    text = _with_sigma(text)
     text = SYMBOL.sub(r"\2", IN_QUOTES.sub(r"([\1])", text))
     text = PROPERTY.sub(r"\1 = \2", text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
@@ -124,9 +138,22 @@ def _with_brackets(text):
     if len(set(named)) < 3 or len(set(named)) < len(named) or len(counts) > 1:
         return text
     for match, cells in reversed(found):
-        listed = f"{match[1]} = [{', '.join(cells)}]"
+        listed = f"{match[1]} = [{', '.join(cells)}]{match[4] or ''}"
         text = text[: match.start()] + listed + text[match.end() :]
     return text
+
+
+def _with_sigma(text):
+    """``[0, 0.1, 0, 0, True]`` with sigma, 1 of a joint that slides, where the text says of what
+    True speaks.
+    """
+    slides, turns = (
+        bool(re.search(word, text, re.IGNORECASE)) for word in ("prismatic", "revolut")
+    )
+    if slides == turns:
+        return text
+    as_named = slides or bool(re.search(r"(?:alpha|theta)\W+(?:is_?)?revolut", text, re.IGNORECASE))
+    return FLAG.sub(lambda m: f", {int((m[1].lower() == 'true') == as_named)}", text)
 
 
 def _inches(match):

@@ -141,7 +141,7 @@ def role_of(text):
 def _role_of(text):
     text = unified(text).strip(" *`'\"$:").lower()
     text = LOST_MINUS.sub(r"\1 \2-1", text)
-    if text in LABELS or not text:
+    if text in LABELS or not text or re.fullmatch(r"(?:link|joint|frame|axis)s? [ijkn]", text):
         return "label", False
     found = UNIT.search(text)
     bare = text[: found.start()] if found and found.start() else text
