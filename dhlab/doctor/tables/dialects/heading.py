@@ -11,6 +11,8 @@ from ..language.words import NO_UNIT
 
 __all__ = ["header", "units_of"]
 
+BY_N = re.compile(r"(theta|alpha|[adr])_?\{?n\}?")
+
 
 def header(cells):
     """(roles, units, convention, whether d and not theta has the index i-1) of a heading; None of
@@ -18,6 +20,8 @@ def header(cells):
     """
     if any(isinstance(cell, (int, float, np.number)) for cell in cells):
         return None
+    if sum(bool(BY_N.fullmatch(str(cell).strip())) for cell in cells) > 2:  # theta_n, d_n, a_n
+        cells = [BY_N.sub(r"\1_i", str(cell).strip()) for cell in cells]
     found = [(*role_of(cell), unit_in(plain(str(cell)))) for cell in cells]
     roles = tuple(role for role, _, _ in found)
     if "d" not in roles:  # an offset in millimetres is the length along z

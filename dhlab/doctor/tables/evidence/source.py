@@ -172,7 +172,7 @@ def source_of(text, values=None):
 
 def _prose(text, known):
     """The text without units that are factors of its own, as in 333*mm."""
-    text = re.sub(r"\bmm/s\w*|[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
+    text = re.sub(r"\bmm/s\w*|(?<![*/])[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
     text = re.sub(r"^.*\brpy/.*$", "", text, flags=re.MULTILINE | re.IGNORECASE)
     own = [unit for unit in ("mm", "cm", "inch", "meter", "metre") if unit in known]
     return re.sub(rf"\b(?:{'|'.join(own)})\b", "", text) if own else text
