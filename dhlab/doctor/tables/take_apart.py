@@ -9,16 +9,14 @@ from .accounted import counts_in, joints_said, require_accounted, speaks_of_slid
 from .alike import holds, repeats
 from .beside import APART, with_added, with_types
 from .columns import NAMED, is_a_table
+from .conventions import with_convention
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
 from .dialects.grid import NoRows, from_grid
 from .dialects.heading import header
 from .evidence.axes import axes_in
-from .evidence.conventions import convention_in, defined_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
-from .evidence.makers import called_convention
-from .evidence.orders import previous_in
 from .evidence.poses import adds_theta, poses_in
 from .evidence.several import require_one_value
 from .evidence.source import source_of
@@ -56,7 +54,6 @@ OTHERS = re.compile(  # four numbers each, and no links
     r"way_?p|point|traj|path|target|goal|test|vert|obstacle|colou?r|box|face", re.IGNORECASE
 )
 FEWEST = 3  # rows of a second arm
-NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 
 
 def take_apart(given, values=None, nominal=None, length=None):
@@ -249,37 +246,7 @@ def _with_words(table, source):
             "recognise_table: expected a table, found zeros only, as of an arm that stands at"
             " q = 0; paste the rows with the lengths and angles"
         )
-    if table.because.startswith("by the index i-1") and _contradicts(source):
-        note = "the index i-1 in the header is Craig's, and the text computes or names the other"
-        table = replace(table, convention=None, because="", notes=(*table.notes, note))
-        return _with_sayings(table, source)
-    if table.because.startswith("by the index i-1") and source.convention == "standard":
-        note = "the index i-1 in the header is Craig's, and the text speaks of the standard rows"
-        table = replace(table, convention=None, because="", notes=(*table.notes, note))
-        return _with_sayings(table, source)
-    if not table.convention:
-        computed = convention_in(source)
-        if computed and source.convention and computed[0] != source.convention:
-            told, found = NAMES[source.convention], NAMES[computed[0]]
-            note = f"the text names the {told} convention, and its program computes the {found} one"
-            table = replace(table, notes=(*table.notes, note))
-        elif computed:
-            table = replace(table, convention=computed[0], because=computed[1])
-        elif called := called_convention(source.code):
-            table = replace(table, convention=called, because="as the call in the text says")
-        elif table.why == "as the comment says" and previous_in(source):
-            table = replace(table, convention="craig", because="by the index i-1 in the comment")
-        elif source.convention:
-            table = replace(table, convention=source.convention, because="as the text says")
-        elif defined := defined_in(source):
-            table = replace(table, convention=defined, because="as the text defines a and alpha")
-    return _with_sayings(table, source)
-
-
-def _contradicts(source):
-    """Whether the link matrix of the text is the standard one."""
-    found = convention_in(source)
-    return found is not None and found[0] == "standard"
+    return _with_sayings(with_convention(table, source), source)
 
 
 def _with_sayings(table, source):

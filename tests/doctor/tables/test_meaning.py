@@ -160,3 +160,29 @@ def test_each_column_has_its_own_unit():
     text = "Standard\n| θ | d (mm) | a (m) | α |\n|-|-|-|-|\n|q1|300|0|90°|\n|q2|0|0.25|0|\n"
     table = recognise_table(text).arm.table
     assert np.allclose((table.d[0], table.a[1]), (0.3, 0.25))
+
+
+TEX = (
+    "# \\begin{{pmatrix}}\n"
+    "#  \\cos\\theta_i & -\\sin\\theta_i \\cos\\alpha_{{i-1}} & \\sin\\theta_i \\sin\\alpha_{{i-1}}"
+    " & a_{{i-1}} \\cos\\theta_i \\\\\n"
+    "#  \\sin\\theta_i & {} & -\\cos\\theta_i \\sin\\alpha_{{i-1}} & a_{{i-1}} \\sin\\theta_i \\\\\n"
+    "#  0 & \\sin\\alpha_{{i-1}} & \\cos\\alpha_{{i-1}} & d_i \\\\\n#  0 & 0 & 0 & 1\n"
+    "# \\end{{pmatrix}}\n"
+    "# $i$ & $a_{{i-1}}$ [mm] & $\\alpha_{{i-1}}$ [rad] & $d_i$ [mm] & $\\theta_i$ \\\\\n"
+    "# 1 & 0 & $\\frac{{\\pi}}{{2}}$ & 131.5 & $\\theta_1$ \\\\\n# 2 & 110 & 0 & 0 & $\\theta_2$ \\\\\n"
+)
+
+
+@pytest.mark.parametrize(
+    "entry, note",
+    [
+        ("\\cos\\theta_i \\cos\\alpha_{i-1}", "computes or names the other"),
+        ("\\cos\\theta_i \\cos\\alpha_{i-1} ?", "could not be read"),
+    ],
+)
+def test_a_matrix_in_comments_is_held_against_the_index_of_the_header(entry, note):
+    found = recognise_table(TEX.format(entry))
+    assert found.open == ("convention",) and note in str(found)
+    standard = next(r.arm for r in found.readings if r.arm.table.convention == "standard")
+    assert np.allclose(standard.table.a, [0, 0.11])

@@ -7,7 +7,7 @@ import re
 from ..language.roles import role_of
 from .products import multiplied_moves
 
-__all__ = ["convention_in", "defined_in"]
+__all__ = ["convention_in", "defined_in", "has_formula"]
 
 # z_{i-1}, Z(i), x_i, xi-1
 AXIS = {
@@ -28,6 +28,21 @@ MOVES = re.compile(
     r"|\btrans\w*\s*\(\s*['\"]?([xyz])['\"]?\s*,\s*([^(),]*)\)",
     re.IGNORECASE,
 )
+# an entry of a link matrix: sin(theta)*cos(alpha), sin theta_i cos alpha_i-1, st*ca
+OF = r"(?<![a-z])(?:cos|sin|[cs])[fd]?[ _]*\(? *(?:\w+\.)*(?:{})\w{{0,4}}(?:-1|\[[^\[\]]*\])?[ )]*"
+TURN, TWIST = OF.format(r"theta|th|t|q"), OF.format(r"alpha|alfa|alp|al|a")
+FORMULA = re.compile(rf"{TURN}\*? ?(?:\w+\.)?{TWIST}|{TWIST}\*? ?(?:\w+\.)?{TURN}", re.IGNORECASE)
+
+
+def has_formula(text):
+    """Whether the text multiplies a cosine or sine of theta by one of alpha, as link matrices do.
+
+    Examples
+    --------
+    >>> has_formula("-sin(theta[i])*cos(alpha[i])"), has_formula("cos(theta1)*cos(theta2)")
+    (True, False)
+    """
+    return FORMULA.search(text) is not None
 
 
 def defined_in(source):

@@ -135,11 +135,19 @@ def _gap(match):
 
 def _in_brackets(match):
     """A matrix of cosines, or of numbers in every row, as ``[ …, …; … ]``; others as they are."""
-    rows = re.split(r"\\\\(?:\[[^\]\n]*\])?", match[2].replace("\n", " "))
+    rows = re.split(r"\\\\(?:\[[^\]\n]*\])?", _without_marks(match[2]))
     rows = [row for row in rows if row.strip()]
     if not OF_ANGLES.search(match[2]) and not all(re.search(r"\d", row) for row in rows):
         return match[0]
     return "[" + "; ".join(", ".join(row.split("&")) for row in rows if row.strip()) + "]"
+
+
+def _without_marks(text):
+    """The lines of a matrix as one, without the marks of a comment where each has one."""
+    lines = text.split("\n")
+    if len(lines) > 2 and all(re.match(r"\s*(?:[#%]|//)|\s*$", line) for line in lines[1:]):
+        lines = [re.sub(r"^\s*(?:[#%]+|//+)", "", line) for line in lines]
+    return " ".join(lines)
 
 
 def plain(text):
