@@ -2,6 +2,7 @@
 where they contradict each other, or where a matrix stands in the text that cannot be read.
 """
 
+import re
 from dataclasses import replace
 
 from .evidence.conventions import convention_in, defined_in, has_formula
@@ -12,35 +13,37 @@ __all__ = ["with_convention"]
 
 NAMES = {"standard": "standard", "craig": "modified (Craig)"}
 BY_INDEX = "by the index i-1", "since all headings carry the index"
+ELSEWHERE = re.compile(  # conventions are defined in frames.md
+    r"\bconventions?\b[^.\n|]{0,60}\b(?:defined|described|given|explained|documented|see)\b"
+    r"[^\n|]{0,40}\.(?:md|rst|txt|pdf|tex|py|m|hp?p?|ya?ml)\b",
+    re.IGNORECASE,
+)
 
 
 def with_convention(table, source):
     """The table with the convention that its text says, None where that is to be asked."""
-    if table.because.startswith(BY_INDEX[0]) and (against := _against_the_index(source)):
-        return _left_open(table, f"the index i-1 in the header is Craig's, and the text {against}")
-    if table.because.startswith(BY_INDEX) and _is_unread(source):
-        note = (
-            "a link matrix of the text could not be read, and it may be another than the heading's"
-        )
-        return _left_open(table, note)
-    return table if table.convention else _said(table, source)
+    if not table.convention:
+        return _said(table, source)
+    if table.because.startswith(BY_INDEX) and (note := _against_the_heading(table, source)):
+        return replace(table, convention=None, because="", notes=(*table.notes, note))
+    return table
 
 
-def _against_the_index(source):
-    """What the text does against the index i-1 of a heading; "" where it does nothing."""
+def _against_the_heading(table, source):
+    """What of the text is against the index in the table's heading; "" where nothing is."""
     computed = convention_in(source)
+    if not computed and not source.convention and has_formula(source.text):
+        return "a link matrix of the text could not be read, and may be another than the heading's"
+    if not table.because.startswith(BY_INDEX[0]):
+        if _said(replace(table, convention=None), source).convention == "craig":
+            return "the headings carry the index i, as standard rows do, and the text says Craig's"
+        if not computed and not source.convention and ELSEWHERE.search(source.text):
+            return "the text leaves the convention to another file"
+        return ""
+    told = "the index i-1 in the header is Craig's, and the text"
     if computed and computed[0] == "standard":
-        return "computes or names the other"
-    return "speaks of the standard rows" if source.convention == "standard" else ""
-
-
-def _left_open(table, note):
-    return replace(table, convention=None, because="", notes=(*table.notes, note))
-
-
-def _is_unread(source):
-    """Whether formulas of a link matrix stand in the text, and nothing says of which."""
-    return not source.convention and has_formula(source.text) and convention_in(source) is None
+        return f"{told} computes or names the other"
+    return f"{told} speaks of the standard rows" if source.convention == "standard" else ""
 
 
 def _said(table, source):

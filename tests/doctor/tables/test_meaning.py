@@ -162,16 +162,17 @@ def test_each_column_has_its_own_unit():
     assert np.allclose((table.d[0], table.a[1]), (0.3, 0.25))
 
 
-TEX = (
-    "# \\begin{{pmatrix}}\n"
-    "#  \\cos\\theta_i & -\\sin\\theta_i \\cos\\alpha_{{i-1}} & \\sin\\theta_i \\sin\\alpha_{{i-1}}"
-    " & a_{{i-1}} \\cos\\theta_i \\\\\n"
-    "#  \\sin\\theta_i & {} & -\\cos\\theta_i \\sin\\alpha_{{i-1}} & a_{{i-1}} \\sin\\theta_i \\\\\n"
-    "#  0 & \\sin\\alpha_{{i-1}} & \\cos\\alpha_{{i-1}} & d_i \\\\\n#  0 & 0 & 0 & 1\n"
-    "# \\end{{pmatrix}}\n"
-    "# $i$ & $a_{{i-1}}$ [mm] & $\\alpha_{{i-1}}$ [rad] & $d_i$ [mm] & $\\theta_i$ \\\\\n"
-    "# 1 & 0 & $\\frac{{\\pi}}{{2}}$ & 131.5 & $\\theta_1$ \\\\\n# 2 & 110 & 0 & 0 & $\\theta_2$ \\\\\n"
-)
+TEX = r"""
+# \begin{pmatrix}
+#  \cos\theta_i & -\sin\theta_i \cos\alpha_{i-1} & \sin\theta_i \sin\alpha_{i-1} & a_{i-1} C \\
+#  \sin\theta_i & ENTRY & -\cos\theta_i \sin\alpha_{i-1} & a_{i-1} \sin\theta_i \\
+#  0 & \sin\alpha_{i-1} & \cos\alpha_{i-1} & d_i \\
+#  0 & 0 & 0 & 1
+# \end{pmatrix}
+# $i$ & $a_{i-1}$ [mm] & $\alpha_{i-1}$ [rad] & $d_i$ [mm] & $\theta_i$ \\
+# 1 & 0 & $\frac{\pi}{2}$ & 131.5 & $\theta_1$ \\
+# 2 & 110 & 0 & 0 & $\theta_2$ \\
+"""
 
 
 @pytest.mark.parametrize(
@@ -182,7 +183,22 @@ TEX = (
     ],
 )
 def test_a_matrix_in_comments_is_held_against_the_index_of_the_header(entry, note):
-    found = recognise_table(TEX.format(entry))
+    found = recognise_table(TEX.replace("ENTRY", entry).replace("C ", r"\cos\theta_i "))
     assert found.open == ("convention",) and note in str(found)
     standard = next(r.arm for r in found.readings if r.arm.table.convention == "standard")
     assert np.allclose(standard.table.a, [0, 0.11])
+
+
+@pytest.mark.parametrize(
+    "beside, n",
+    [
+        ("", 1),
+        ("Conventions are defined in `docs/frames.md`.", 2),
+        ("T = Rx(alpha) * Tx(a) * Rz(theta) * Tz(d)", 2),
+    ],
+)
+def test_what_the_text_says_is_held_against_the_index_i_of_the_headings(beside, n):
+    rows = "| i | a_i (m) | alpha_i (rad) | d_i | theta_i |\n|-|-|-|-|-|\n|1|0.1|1.5708|0.2|q1|\n"
+    found = recognise_table(f"{beside}\n\n{rows}|2|0.3|0|0|q2|\n|3|0|0|0.1|q3|\n")
+    assert len(found.readings) == n and found.open == ("convention",) * (n - 1)
+    assert found.readings[0].arm.table.convention == "standard"
