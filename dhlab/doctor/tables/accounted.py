@@ -20,6 +20,8 @@ SAID = re.compile(
     r"|r\b(?= (?:arm|robot|manip)))",
     re.IGNORECASE,
 )
+DECLARED = re.compile(r"^[ \t]*syms\b[^\n]*|^[^\n=]*=\s*(?:\w+\.)?symbols?\([^\n]*", re.MULTILINE)
+NUMBERED = re.compile(r"\b([A-Za-z]+)_?(\d)\b")
 VARIABLE = re.compile(r"(?<![\w.])(?:q|theta|th)_?\{?(\d)\}?(?!\w)")
 QUARTER = (
     r"(?:\(?-?\d*\.?\d*\s*\*?\s*(?:(?:np|math|numpy|sp)\.)?pi\b(?!\s*/\s*180)(?:\s*/\s*\d)?"
@@ -93,9 +95,21 @@ def joints_said(source):
 
 def counts_in(source):
     """How many joints the text speaks of, in words or by a whole set of variables, in order."""
-    named = {int(k) for k in VARIABLE.findall(source.code)} - {0}
+    named = _variables(source) - {0}
     whole = len(named) > 1 and max(named) == len(named)
     return tuple(sorted(joints_said(source) | ({len(named)} if whole else set())))
+
+
+def _variables(source):
+    """The numbers of joint variables in the text, without those that only a list of symbols holds,
+    and others of their number with them: ``syms th1 … th9 d1 … d9`` of an arm with 7 joints.
+    """
+    used = set(NUMBERED.findall(DECLARED.sub("", source.code)))
+    spare: dict = {}
+    for name, k in set(NUMBERED.findall(" ".join(DECLARED.findall(source.code)))) - used:
+        spare.setdefault(int(k), set()).add(role_of(name)[0])
+    numbers = {int(k) for k in VARIABLE.findall(source.code)}
+    return {k for k in numbers if not {"theta", "d", "a"} <= spare.get(k, set())}
 
 
 def speaks_of_sliding(source):
@@ -177,7 +191,7 @@ def _require_in_order(table):
 def _require_joints(table, source):
     n = len(table.rows)
     said = joints_said(source)
-    most = max((int(k) for k in VARIABLE.findall(source.code)), default=0)
+    most = max(_variables(source), default=0)
     if (said and n < min(said)) or n < most:
         told = f"{min(said)} joints" if said and n < min(said) else f"joint {most}"
         raise ValueError(

@@ -107,3 +107,30 @@ def test_a_last_variable_that_is_put_to_0_is_no_joint():
     found = recognise_table(text)
     assert len(found.readings) == 1 and len(found.arm) == 2
     assert np.allclose(found.arm.tool[:3, 3], [0, 0, 0.3])
+
+
+def test_numbers_of_a_second_list_are_the_values_of_letters():
+    text = (
+        "% Craig, m\nsyms th1 th2 th3 th4 th5 d1 d2 d3 d4 d5 a1 a2 a3 a4 a5\n"
+        "DH_al = [0, pi/2, 0];\nDH_a = [0, 0, 0.4];\nDH_d = [d1, 0, d3];\n"
+        "DH_th = [th1, th2, th3];\nVER_al = [0, pi/2, 0];\nVER_a = [0, 0, 0.4];\n"
+        "VER_d = [0.34, 0, 0.1];\nVER_th = [0, 0, 0];\n"
+    )
+    assert recognise_table(text).arm.table.d.tolist() == [0.34, 0, 0.1]
+    with pytest.raises(ValueError, match="d1, d3 have no value"):
+        recognise_table(text.replace("VER_d = [0.34, 0,", "VER_d = [0.34, 0.2,"))
+    with pytest.raises(ValueError, match="joint 5"):
+        recognise_table(text.replace("d1 d2 d3 d4 d5 a1 a2 a3 a4 a5", "d1 d3"))
+
+
+def test_numbers_put_into_a_matrix_of_names_that_say_nothing_are_no_rows():
+    text = (
+        "{b0: 0, a0: 0, d1: 0.75, b1: -pi/2, a1: 0.35, d2: 0, q2: q2 - pi/2, b2: 0, a2: 1.25,"
+        " d3: 0.1, q3: 0}\n"
+    )
+    put = "".join(
+        f"T{k}_{k + 1} = T.evalf(subs={{ap: b{k}, a: a{k}, th: 0, d: d1}})\n" for k in range(3)
+    )
+    found = recognise_table(text + put)
+    assert found.arm.table.d.tolist() == [0.75, 0] and found.arm.table.theta[1] == -np.pi / 2
+    assert found.arm.table.alpha[1] == -np.pi / 2 and len(found.readings) == 1

@@ -4,7 +4,7 @@ import re
 
 from ..cells import cell_of
 from ..language.brackets import cells_in, groups
-from ..language.roles import role_of
+from ..language.roles import ROLES, role_of
 from ..pasted import Pasted
 
 __all__ = ["arrays_in", "read"]
@@ -118,18 +118,13 @@ def read(source, nominal=None):
     n = len(by_role["alpha"])
     if len(by_role.get("theta", ())) != n and len(by_role["d"]) == len(by_role["a"]) == n:
         by_role.pop("theta", None)  # where the joints stand, or some of them
-    short = [
-        role
-        for role in ("theta", "d", "a", "alpha", "offset")
-        if role in by_role and len(by_role[role]) != n
-    ]
-    if short:
+    roles = [role for role in (*ROLES, "offset") if role in by_role]
+    if any(len(by_role[role]) != n for role in roles):
         lengths = ", ".join(f"{len(by_role[role])} of {role}" for role in ("d", "a", "alpha"))
         raise ValueError(
             f"recognise_table: expected as many numbers of each parameter, found {lengths}; fill in"
             " what is missing"
         )
-    roles = [role for role in ("theta", "d", "a", "alpha", "offset") if role in by_role]
     columns = [[cell_of(value, text) for value, text in by_role[role]] for role in roles]
     if "theta" not in roles and "offset" not in roles:
         roles.insert(0, "theta")
@@ -175,14 +170,21 @@ def _by_role(source, twice, notes):
         stand = role == "theta" and _moves(values) and not _moves(found.get(role, ()))
         if role in ("d", "a", "alpha"):
             named.setdefault(role, {})[name] = values
-        if role and (role not in found or stand):  # q = [0, 0] is where the joints stand
-            found[role] = values
+        if role and (role not in found or stand or _fills(values, found[role], role)):
+            found[role] = values  # q = [0, 0] is where the joints stand
     _require_zeros(unread, found)
     _require_one(named)
     missing = [role for role in ("a", "d") if role not in found]
     if len(missing) == 1 and "r" in found:
         found[missing[0]] = found.pop("r")
     return found
+
+
+def _fills(values, letters, role):
+    """Whether lengths or twists are numbers for letters of another list, equal to it elsewhere."""
+    same = (b.letters or abs(a.number - b.number) < 1e-9 for (a, _), (b, _) in zip(values, letters))
+    whole = role in ("d", "a", "alpha") and len(values) == len(letters) and not _moves(values)
+    return whole and _moves(letters) and all(same)
 
 
 def _require_one(named):

@@ -138,7 +138,7 @@ def _pairs(line, source):
 
 def in_groups(source):
     """The Pasted table of dictionaries and structures, one a row; None without two of them."""
-    rows, arms = [], {}
+    rows, arms, unknown = [], {}, []
     found = groups(source.code)
     said = dict(source.comments)
     for group in found:
@@ -164,9 +164,10 @@ def in_groups(source):
         if len({"theta", "d", "a", "alpha", "r"} & set(row)) >= wanted:
             _require_read(group, row)
             rows.append(row)
+            unknown.append(_unknown(group, source))
             arms.setdefault(_list_of(group), []).append(row)
-    if len(rows) < 2:
-        return None
+    if len(rows) < 2 or (set.intersection(*unknown) and not any("alpha" in row for row in rows)):
+        return None  # the twists may have a name that says nothing: {ap: b1, a: a1, d: d2}
     parts = {name: one for name, one in arms.items() if len(one) > 1}
     rows = in_parts(parts, lambda row: sorted(_values(row)), "rows") or rows
     if all("r" in row and "a" not in row for row in rows):
@@ -179,6 +180,14 @@ def in_groups(source):
         [Row(row, kind, label) for row, kind, label in zip(rows, kinds, labels)],
         why="as their names say",
     )
+
+
+def _unknown(group, source):
+    """The names in a row that mean nothing and hold a number."""
+    pairs = filter(None, _items(group))
+    return {
+        name for name, text in pairs if role_of(name)[0] is None and source.value(text) is not None
+    }
 
 
 def _list_of(group):
