@@ -12,6 +12,7 @@ from .language.letters import KEPT, plain, unified
 __all__ = ["BESIDE", "Cell", "cell_or_none", "read_cell", "cell_of", "kind_of_letter", "plain"]
 
 LONGEST = 200
+TWO_JOINTS = re.compile(r"\bprismatic\b.*\brevolute\b|\brevolute\b.*\bprismatic\b", re.IGNORECASE)
 BESIDE = re.compile(  # theta2 (-90), where q(2) is an element
     r"((?:theta|th|q)_?\d+)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
 )
@@ -93,6 +94,11 @@ def read_cell(text, known=None):
         raise ValueError(
             f"expected a number or a joint variable, found a text of {len(text)} characters; a cell"
             " holds one value"
+        )
+    if TWO_JOINTS.search(text):
+        raise ValueError(
+            f"expected one joint in a row, found {text.strip()[:60]!r}; which of them moves first?"
+            " Write a row for each"
         )
     try:
         written = _trimmed(unified(text))

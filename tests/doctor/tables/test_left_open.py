@@ -134,3 +134,28 @@ def test_numbers_put_into_a_matrix_of_names_that_say_nothing_are_no_rows():
     found = recognise_table(text + put)
     assert found.arm.table.d.tolist() == [0.75, 0] and found.arm.table.theta[1] == -np.pi / 2
     assert found.arm.table.alpha[1] == -np.pi / 2 and len(found.readings) == 1
+
+
+def test_a_cell_that_speaks_of_two_joints_is_asked_about():
+    text = (
+        "| i | alpha | a | d | theta |\n|-|-|-|-|-|\n"
+        "| 1 | 0 | 0 | 0.1 | theta_1* (Prismatic + Revolute Base) |\n| 2 | 0 | 0.3 | 0 | theta_2 |\n"
+    )
+    with pytest.raises(ValueError, match=r"one joint in a row.*which of them moves first\?"):
+        recognise_table(text)
+
+
+def test_zeros_of_a_list_that_a_function_turns_into_radians_are_added_in_segments():
+    text = (
+        "double d2r(double v) {\n return v / 180 * M_PI;\n}\n"
+        "double off[2] = {d2r(-169), d2r(65)};\n"
+        "c.addSegment(Segment(Joint(Joint::RotZ), Frame::DH(0.3, M_PI_2, 0.1, off[0] + M_PI)));\n"
+        "c.addSegment(Segment(Joint(Joint::RotZ), Frame::DH(0.2, 0, 0, off[1] - M_PI_2)));\n"
+    )
+    arm = recognise_table(text).arm
+    first, second = np.deg2rad([11, -25])
+    q = np.array([0.4, -0.7])
+    angle = q[0] + first
+    x = 0.3 + 0.2 * np.cos(q[1] + second)  # the second link moves in the upright plane of the first
+    z = 0.1 + 0.2 * np.sin(q[1] + second)
+    assert np.allclose(arm.forward(q)[:3, 3], [x * np.cos(angle), x * np.sin(angle), z])

@@ -32,7 +32,9 @@ BEGINS = re.compile(
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
     r"\b([A-Za-z_]\w*)(?:\[\w*\])?\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
-    r"[\[{]((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b)+)[\]}]"
+    r"[\[{]((?:[-+*/.\deE,\s]|\b(?:np\.|numpy\.|math\.)?pi\b"
+    r"|\b(?:(?:np|math)\.)?(?:d2r|deg2rad|radians)\([-+.\d\s]+\)"
+    r"|\((?:[-+*/.\d\s]|\bpi\b|\([-+.\d\s]+\))+\))+)[\]}]"
 )
 
 
