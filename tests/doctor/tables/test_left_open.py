@@ -139,7 +139,8 @@ def test_numbers_put_into_a_matrix_of_names_that_say_nothing_are_no_rows():
 def test_a_cell_that_speaks_of_two_joints_is_asked_about():
     text = (
         "| i | alpha | a | d | theta |\n|-|-|-|-|-|\n"
-        "| 1 | 0 | 0 | 0.1 | theta_1* (Prismatic + Revolute Base) |\n| 2 | 0 | 0.3 | 0 | theta_2 |\n"
+        "| 1 | 0 | 0 | 0.1 | theta_1* (Prismatic + Revolute Base) |\n"
+        "| 2 | 0 | 0.3 | 0 | theta_2 |\n"
     )
     with pytest.raises(ValueError, match=r"one joint in a row.*which of them moves first\?"):
         recognise_table(text)
@@ -159,3 +160,25 @@ def test_zeros_of_a_list_that_a_function_turns_into_radians_are_added_in_segment
     x = 0.3 + 0.2 * np.cos(q[1] + second)  # the second link moves in the upright plane of the first
     z = 0.1 + 0.2 * np.sin(q[1] + second)
     assert np.allclose(arm.forward(q)[:3, 3], [x * np.cos(angle), x * np.sin(angle), z])
+
+
+def test_a_number_that_counts_the_rows_in_each_line_is_put_into_it():
+    rows = "jj = {0}; joint(jj) = link({1}, {2}, pi/2, theta(jj) + pi/2);\n"
+    text = "% standard, m: a, d, alpha, theta\n"
+    made = text + rows.format(1, 0.2, 0.1) + rows.format(2, 0.3, 0)
+    table = recognise_table(made).arm.table
+    assert table.a.tolist() == [0.2, 0.3] and np.allclose(table.theta, np.pi / 2)
+    with pytest.raises(ValueError, match=r"L\[1\].* no value"):
+        recognise_table(text + rows.format(1, 0.2, "-L(1)") + rows.format(2, 0.3, 0))
+
+
+def test_a_function_of_one_angle_is_a_row_with_a_joint_whatever_the_angle_is_called():
+    text = (
+        "// standard: a, alpha, d, theta, m\n"
+        "inline Matrix4d T01(const double & rad) { return dhT(0.1, M_PI / 2, 0.2, rad); }\n"
+        "inline Matrix4d T12(double rad) { return dhT(0.3, 0.0, 0.0, rad - M_PI / 2); }\n"
+        "inline Matrix4d T2e() { return dhT(0.4, 0.0, 0.0, 0.0); }\n"
+    )
+    arms = [reading.arm for reading in recognise_table(text).readings]
+    assert len(arms[0]) == 2 and np.allclose(arms[0].table.a, [0.1, 0.3])
+    assert np.allclose(arms[0].tool[:3, 3], [0.4, 0, 0])

@@ -66,6 +66,8 @@ COLUMN = re.compile(
     r"[ \t]*[%#][ \t]*(theta|d|a|alpha)\b[^\n]*$",
     re.MULTILINE,
 )
+COUNTED = re.compile(r"^([ \t]*(\w+)\s*=\s*(\d+)\s*;)([^\n]*\(\2\)[^\n]*)$", re.MULTILINE)
+OF_RAD = re.compile(r"\((?:const\s+)?(?:double|float)\s*&?\s*rad\)\s*(?:const\s*)?\{[^{}]*\}")
 FLAG = re.compile(r",\s*(true|false)\s*(?=[\]}])", re.IGNORECASE)  # at the end of a row
 OF_UNIT = re.compile(r"(=\s*-?\d*\.?\d+)\s*[(\[](mm|cm|m)[)\]]")  # L4 = 0.1 (m)
 # disp(" 1 | 0 | 90 "): a table that a program prints
@@ -105,6 +107,9 @@ def restated(text):
     text = ON_AXIS.sub(r"rot\2(\1)", ALONG.sub("trans(", text))
     if len(re.findall(r"\\n\s*\|", text)) > 2:
         text = text.replace("\\n", "\n")  # a text within a program
+    # jj = 2; L(jj) = link(0, theta(jj)); and an angle that has the name of a unit
+    text = COUNTED.sub(lambda m: m[1] + m[4].replace(f"({m[2]})", f"({m[3]})"), text)
+    text = OF_RAD.sub(lambda m: re.sub(r"\brad\b", "theta", m[0]), text)
     text = ONTO_Q.sub(r"\1theta_offset = ", text)
     text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
     if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
