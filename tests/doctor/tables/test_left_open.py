@@ -182,3 +182,9 @@ def test_a_function_of_one_angle_is_a_row_with_a_joint_whatever_the_angle_is_cal
     arms = [reading.arm for reading in recognise_table(text).readings]
     assert len(arms[0]) == 2 and np.allclose(arms[0].table.a, [0.1, 0.3])
     assert np.allclose(arms[0].tool[:3, 3], [0.4, 0, 0])
+
+
+def test_a_call_that_cannot_be_read_among_others_is_asked_about():
+    rows = "A = dh(q1, 0.2, 0, pi/2)\nB = dh(q2, 0, 0.3, 0)\nC = dh(q3, height(7, 2), 0.1, 0)\n"
+    with pytest.raises(ValueError, match="line 4: expected 4 numbers in dh"):
+        recognise_table(f"# standard: theta, d, a, alpha\n{rows}")

@@ -50,6 +50,7 @@ def read(source, nominal=None):
     if not found:
         return None
     (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
+    _require_all(name, width, calls, found[name, width], source)
     parts = apart([(line, (line, cells)) for line, cells in found[name, width]], source.code)
     made = in_parts(parts, _numbers, f"calls of {name}") or _once(found[name, width])
     lines, rows = zip(*made)
@@ -136,6 +137,30 @@ def _kinds(said, source):
             " rows have not; is it a joint that slides? Write R or P into the rows"
         )
     return tuple("P" if (one == "true") == slides else "R" for one in said)
+
+
+def _require_all(name, width, calls, rows, source):
+    """No call of the function is left out because a number in it cannot be read.
+
+    Raises
+    ------
+    ValueError
+        One is, with its line; another has letters for all its numbers: the definition, or a loop.
+    """
+    lines = {line for line, _ in rows}
+    for call in calls:
+        texts = [item.text for item in call.items]
+        if _last(call.name) != name or len(texts) != width or call.line in lines:
+            continue
+        if (
+            sum(source.value(text) is not None and bool(re.search(r"\d", text)) for text in texts)
+            > 1
+        ):
+            raise ValueError(
+                f"recognise_table: line {call.line}: expected {width} numbers in {name}, found"
+                f" {', '.join(texts)[:60]!r}; what is each? Write the numbers, or what its letters"
+                " are"
+            )
 
 
 def _numbers(row):
