@@ -168,8 +168,11 @@ def test_a_number_that_counts_the_rows_in_each_line_is_put_into_it():
     made = text + rows.format(1, 0.2, 0.1) + rows.format(2, 0.3, 0)
     table = recognise_table(made).arm.table
     assert table.a.tolist() == [0.2, 0.3] and np.allclose(table.theta, np.pi / 2)
-    with pytest.raises(ValueError, match=r"L\[1\].* no value"):
-        recognise_table(text + rows.format(1, 0.2, "-L(1)") + rows.format(2, 0.3, 0))
+    lettered = text + rows.format(1, 0.2, "-L(1)") + rows.format(2, 0.3, "L(2)")
+    with pytest.raises(ValueError, match=r"L\[1\], L\[2\] have no value"):
+        recognise_table(lettered)
+    answered = recognise_table(lettered, values={"L[1]": 0.1, "L[2]": 0.4})
+    assert answered.arm.table.d.tolist() == [-0.1, 0.4]
 
 
 def test_a_function_of_one_angle_is_a_row_with_a_joint_whatever_the_angle_is_called():

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from ..language.assigned import (
     assigned_in,
+    counted_from_zero,
     from_zero,
     is_joint_value,
     listed_in,
@@ -157,7 +158,10 @@ def source_of(text, values=None):
     for _, comment in comments:
         for name, value in assigned_in(comment).items():
             known.setdefault(name, value)
-    given = {key(str(name)): float(value) for name, value in (values or {}).items()}
+    given = {
+        counted_from_zero(key(str(name)), code): float(value)
+        for name, value in (values or {}).items()
+    }
     return Source(
         text,
         code,

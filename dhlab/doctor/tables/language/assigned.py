@@ -8,6 +8,7 @@ from .expressions import NoExpression, evaluate, key
 __all__ = [
     "DEFINED",
     "assigned_in",
+    "counted_from_zero",
     "from_zero",
     "is_joint_value",
     "listed_in",
@@ -124,6 +125,20 @@ def from_zero(code):
             rf"\b{name}\((\d{{1,2}})\)", lambda m, name=name: f"{name}[{int(m[1]) - 1}]", code
         )
     return code
+
+
+def counted_from_zero(name, code):
+    """A letter as the answer names it, ``L[1]`` of MATLAB's ``L(1)``, as it is looked up: ``L[0]``.
+
+    Examples
+    --------
+    >>> counted_from_zero("L[1]", "d = L(1)"), counted_from_zero("L[1]", "d = L[1]")
+    ('L[0]', 'L[1]')
+    """
+    found = re.fullmatch(r"(\w+)\[(\d+)\]", name)
+    if not found or not re.search(rf"\b{found[1]}\({found[2]}\)", code):
+        return name
+    return f"{found[1]}[{int(found[2]) - 1}]"
 
 
 def is_joint_value(name, said):
