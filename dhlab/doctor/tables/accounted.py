@@ -5,9 +5,9 @@ joints there are, what is added to joint angles, lists of as many numbers, a sec
 import re
 
 from .alike import repeats, same_arm
-from .columns import is_a_table
 from .dialects.arrays import arrays_in
 from .language.roles import role_of
+from .meaning.columns import is_a_table
 
 __all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
 

@@ -11,11 +11,11 @@ from ...arm import Arm
 from ...kinematics import link_matrices
 from ...table import COLUMNS, DHTable
 from .chain import arm_of, rows_of
-from .columns import orders, snapped
 from .evidence.poses import theta_meanings
-from .joints import joints_of, rows_of_d
-from .scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
-from .still import on_one_axis, unwritten
+from .meaning.columns import orders, snapped
+from .meaning.joints import joints_of, rows_of_d
+from .meaning.scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
+from .meaning.still import on_one_axis, unwritten
 
 __all__ = ["QUESTIONS", "Reading", "readings"]
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
-from .columns import LENGTHS, misplaced
-from .joints import require_one_column, require_values
+from .meaning.columns import LENGTHS, misplaced
+from .meaning.joints import require_one_column, require_values
+from .meaning.scales import UNIT_WORDS
 from .readings import QUESTIONS, Reading, readings
 from .recognised import Recognised
-from .scales import UNIT_WORDS
 from .take_apart import take_apart
 
 __all__ = ["Reading", "Recognised", "recognise_table"]

@@ -8,7 +8,6 @@ import numpy as np
 from .accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
 from .alike import holds, repeats
 from .beside import APART, with_added, with_types
-from .columns import NAMED, is_a_table
 from .conventions import with_convention
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
@@ -25,9 +24,10 @@ from .language.expressions import key
 from .language.letters import unified
 from .language.notebook import without_notebook
 from .lists import with_lists
-from .numbered_kinds import with_sigma
+from .meaning.columns import NAMED, is_a_table
+from .meaning.numbered_kinds import with_sigma
+from .meaning.scales import takes_thousandths
 from .pasted import Pasted
-from .scales import takes_thousandths
 from .uses import with_uses
 
 __all__ = ["take_apart"]

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from ..beside import labelled
 from ..cells import Cell, cell_of
-from ..columns import orders as orders_of
 from ..evidence.orders import every_column_in, order_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
 from ..language.words import KINDS
+from ..meaning.columns import orders as orders_of
 from ..pasted import Pasted
 
 __all__ = ["definitions", "read"]

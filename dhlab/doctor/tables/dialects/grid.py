@@ -11,10 +11,10 @@ import numpy as np
 
 from ..beside import DASH, explained, require_no_fifth, slid, with_theta
 from ..cells import Cell, cell_or_none, plain, read_cell
-from ..columns import IMPLIED
 from ..language.roles import ROLES
 from ..language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
-from ..numbered_kinds import kinds_by_number
+from ..meaning.columns import IMPLIED
+from ..meaning.numbered_kinds import kinds_by_number
 from ..pasted import Pasted
 from .heading import header, units_of
 

@@ -8,13 +8,13 @@ from dataclasses import replace
 
 from ..beside import labelled, with_types
 from ..cells import cell_of
-from ..columns import IMPLIED
 from ..evidence.makers import made_by
 from ..evidence.orders import every_column_in, order_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
 from ..language.words import KINDS
+from ..meaning.columns import IMPLIED
 from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups

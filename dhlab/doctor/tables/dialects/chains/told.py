@@ -1,7 +1,7 @@
 """Readings of arms that are told as chains: nothing is to be asked but the unit of the lengths."""
 
+from ...meaning.scales import TO_METRES, TOY, UNIT_WORDS, reached, units_by_size
 from ...readings import QUESTIONS, Reading
-from ...scales import TO_METRES, TOY, UNIT_WORDS, reached, units_by_size
 
 __all__ = ["told"]
 

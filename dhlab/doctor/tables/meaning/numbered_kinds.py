@@ -3,7 +3,7 @@
 import re
 from dataclasses import replace
 
-from .cells import Cell
+from ..cells import Cell
 
 __all__ = ["kinds_by_number", "with_sigma"]
 

@@ -6,7 +6,7 @@ import math
 import re
 from dataclasses import replace
 
-from .cells import Cell
+from ..cells import Cell
 
 __all__ = [
     "by_number",

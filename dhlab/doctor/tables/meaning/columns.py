@@ -5,7 +5,7 @@ from itertools import permutations
 
 import numpy as np
 
-from .cells import Cell
+from ..cells import Cell
 
 __all__ = [
     "IMPLIED", "NAMED", "MOST_TURNS", "ROLES", "Order", "is_a_table", "orders", "misplaced",

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from ...units import convert
+from ....units import convert
 from .columns import LENGTHS, snapped
 
 __all__ = [

@@ -1,0 +1,1 @@
+"""What the columns and rows of a pasted table mean: order, units, and which joint each row has."""
