@@ -25,7 +25,7 @@ from .language.letters import unified
 from .language.notebook import without_notebook
 from .lists import with_lists
 from .meaning.columns import NAMED, is_a_table
-from .meaning.numbered_kinds import with_sigma
+from .meaning.joint_types import with_sigma
 from .meaning.scales import takes_thousandths
 from .pasted import Pasted
 from .uses import with_uses

@@ -14,7 +14,7 @@ from ..cells import Cell, cell_or_none, plain, read_cell
 from ..language.roles import ROLES
 from ..language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
 from ..meaning.columns import IMPLIED
-from ..meaning.numbered_kinds import kinds_by_number
+from ..meaning.joint_types import kinds_by_number
 from ..pasted import Pasted
 from .heading import header, units_of
 
