@@ -49,18 +49,8 @@ class PlacedArm(Arm):
     warnings: tuple[str, ...] = ()
 
     def __reduce__(self) -> tuple[type, tuple[object, ...]]:
-        return PlacedArm, (
-            self.table,
-            self.base,
-            self.tool,
-            self.limits,
-            self.sign,
-            self.name,
-            self.source,
-            self.coupling,
-            self.steps,
-            self.warnings,
-        )
+        made, parts = super().__reduce__()
+        return made, (*parts, self.steps, self.warnings)
 
 
 def assign_frames(

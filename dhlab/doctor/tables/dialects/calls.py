@@ -7,7 +7,6 @@ from collections import Counter
 from dataclasses import replace
 
 from ..cells import cell_of
-from ..evidence.orders import order_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import Item, cells_in, groups, left_open
 from ..language.roles import kind_said, role_of
@@ -51,14 +50,13 @@ def read(source, nominal=None):
         for group in groups(source.code)
         if group.mark == "(" and _defines(group)
     }
-    said_order = order_in(source)
     for group in _unrolled(groups(source.code), source):
         name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
-        if known[1] == "DHLink" and not own.get(name) and said_order:
-            known = (*known[:3], " ".join(said_order[0]))
+        if known[1] == "DHLink" and not own.get(name) and source.order:
+            known = (*known[:3], " ".join(source.order[0]))
         if own.get(name):  # a class of the text's own: its order is the one that it defines
             known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
@@ -92,7 +90,7 @@ def read(source, nominal=None):
     return from_rows(
         rows,
         lines=(made[0][0].line, made[-1][0].line + made[-1][0].text.count("\n")),
-        why=said_order[2] if said_order and forms[0] == "DHLink" else "as their names say",
+        why=source.order[2] if forms[0] == "DHLink" and source.order else "as their names say",
         form=forms[0],
         convention=said or None,
         because=f"as {forms[0]} {'has' if forms[0] == 'pybotics' else 'have'} it" if said else "",

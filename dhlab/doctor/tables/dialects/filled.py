@@ -4,7 +4,6 @@ place, or all numbers one behind the other.
 
 import re
 
-from ..evidence.orders import order_in
 from ..language.brackets import cells_in
 
 __all__ = ["TABLE", "filled"]
@@ -122,7 +121,7 @@ def _by_fours(found, source):
             and len(cells) % 4 == 0
             and group.mark != "("
         )
-        if many and not any(item.groups for item in group.items) and order_in(source):
+        if many and not any(item.groups for item in group.items) and source.order:
             return [(f"line {group.line}", cells[k : k + 4]) for k in range(0, len(cells), 4)]
     return []
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ..beside import labelled
 from ..cells import Cell, cell_of
-from ..evidence.orders import every_column_in, order_in
+from ..evidence.orders import every_column_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
@@ -42,7 +42,7 @@ def read(source, nominal=None):
     for call in calls:
         cells = _cells(call, source, orders.get(_last(call.name)))
         name = _last(call.name)
-        known = name in orders or (name.lower() in NAMES and order_in(source))
+        known = name in orders or (name.lower() in NAMES and source.order)
         if cells and (known or not NOT_A_LINK.match(name)):
             found.setdefault((_last(call.name), len(cells)), []).append((call.line, cells))
             kinds[call.line, cells] = _kind(call)
@@ -57,7 +57,7 @@ def read(source, nominal=None):
     kinds = _kinds([kinds.get(one, "") for one in made], source)
     roles, why = orders.get(name), f"as the definition of {name} says"
     if roles is None:
-        said = order_in(source)
+        said = source.order
         roles, why = (said[0], said[2]) if said else (None, "")
     factored = roles is None and bool(FACTORED.search(source.text))
     if factored:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from ..cells import read_cell
-from ..evidence.orders import order_in, order_of_names
+from ..evidence.orders import order_of_names
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
 from .grid import NoRows, from_grid
@@ -82,7 +82,7 @@ def _from_lines(texts, source):
             f"recognise_table: expected at most {MOST_LINES} lines, found {len(grid)}; paste the"
             " rows only"
         )
-    order = None if any(header(cells) for _, cells in grid) else order_in(source)
+    order = None if any(header(cells) for _, cells in grid) else source.order
     widths = {len(cells) for _, cells in grid}
     if order and widths in ({4}, {5}):
         return from_grid(grid, source, with_fifth(order[0], grid), order[2], order[1])

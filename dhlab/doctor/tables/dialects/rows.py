@@ -9,7 +9,7 @@ from dataclasses import replace
 from ..beside import labelled, with_types
 from ..cells import cell_of
 from ..evidence.makers import made_by
-from ..evidence.orders import every_column_in, order_in, order_of_three
+from ..evidence.orders import every_column_in, order_of_three
 from ..language.brackets import cells_in, groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
@@ -23,6 +23,7 @@ __all__ = ["read"]
 
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 WIDE, WIDEST = 8, 24  # columns; beyond WIDE only where the text names the first four
+TYPES = ("R", "P", "REVOLUTE", "PRISMATIC")
 LAST_ROW = ["0", "0", "0", "1"]
 
 
@@ -34,7 +35,7 @@ def read(source, nominal=None):
 def _numbers(source):
     found = groups(source.code)
     matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
-    most = WIDEST if order_in(source) else WIDE
+    most = WIDEST if source.order else WIDE
     matrices = [one for one in matrices if len(one[1][0][1]) <= most]
     matrices = [one for one in matrices if len(one[1][0][1]) > 3] or matrices
     _require_one(matrices)
@@ -48,7 +49,7 @@ def _numbers(source):
     order, convention, form = made_by(source)
     why, units = f"as {form} has them" if form else "", {}
     if order is None:
-        found = order_in(source)
+        found = source.order
         if found:
             order, units, why, _ = found
     width = len(grid[0][1])
@@ -111,7 +112,7 @@ def _of_three(matrices, source):
     """The Pasted table of rows without theta, where something says that they are rows."""
     said, named = order_of_three(source), []
     for group, rows in matrices:
-        if TABLE.search(_target(group)) or (said and not order_in(source)):
+        if TABLE.search(_target(group)) or (said and not source.order):
             named.append(rows)
     rows = max(named, key=len, default=None)
     if rows is None or len(rows) < 2:
@@ -163,9 +164,9 @@ def _with_more(order, rows, source):
     """The order where an index or a name stands before the four, or sigma and an offset after."""
     more = ("sigma", "offset")
     words, last = ({str(row[k]).strip("'\" ").upper() for row in rows} for k in (4, -1))
-    if last <= {"R", "P", "REVOLUTE", "PRISMATIC"} and len(rows[0]) == 6 and _is_labelled(rows):
+    if last <= {*TYPES} and len(rows[0]) == 6 and _is_labelled(rows):
         return ("label", *order, "type")
-    if words <= {"R", "P", "REVOLUTE", "PRISMATIC"}:
+    if words <= {*TYPES}:
         more = ("type", "offset")
     elif any(source.value(row[4]) not in (Value(0.0), Value(1.0)) for row in rows):
         more = ("offset", "sigma")
@@ -181,7 +182,7 @@ def _with_more(order, rows, source):
             " names; what is it? Name all columns in a comment above the rows"
         )
     first, width = [str(row[0]).strip("'\" ") for row in rows], len(rows[0])
-    if all(word.upper() in ("R", "P", "REVOLUTE", "PRISMATIC") for word in first):
+    if all(word.upper() in TYPES for word in first):
         return ("type", *order, *more[: width - 5])
     if _is_labelled(rows):
         return ("label", *order, *more[: width - 5])

@@ -68,8 +68,8 @@ def order_in(source):
     if len(picked) >= 4 and len(set(list(picked.values())[:4])) == 4:
         roles = tuple(picked[k] for k in sorted(picked))[:4]
         return (roles, {}, "as the program says", 0)
-    beside = {_roles_beside(group, source) for group in groups(source.code) if source.comments}
-    beside -= {None}
+    said = dict(reversed(source.comments))
+    beside = {_roles_beside(group, said) for group in groups(source.code) if said} - {None}
     return (
         (beside.pop(), {}, "as the comments beside the numbers say", 0)
         if len(beside) == 1
@@ -77,11 +77,10 @@ def order_in(source):
     )
 
 
-def _roles_beside(group, source):
-    """The roles of four numbers, one a line, as the comments behind these say; None where not all
-    are said.
+def _roles_beside(group, said):
+    """The roles of four numbers, one a line, as the comments behind these say ({line: comment});
+    None where not all are said.
     """
-    said = dict(reversed(source.comments))
     at, roles, lines = 0, [], set()
     for item in group.items[:4]:
         at = group.text.find(item.text, at) + len(item.text)
@@ -133,7 +132,7 @@ def order_of_three(source):
     elsewhere or nowhere, or alpha, theta and the one length that the text does not say to be 0;
     None where nothing says the order.
     """
-    four = order_in(source)
+    four = source.order
     if four and "r" not in four[0]:
         return tuple(role for role in four[0] if role != "theta"), four[2]
     for text, why in (

@@ -23,6 +23,7 @@ from ..language.restated import restated
 from ..language.roles import role_of
 from .makers import called_convention
 from .matrices import link_matrix_in
+from .orders import order_in
 
 __all__ = ["Source", "source_of"]
 
@@ -97,6 +98,8 @@ class Source:
     def link_matrix(self):
         """The link matrix that the text computes, None without one."""
         return link_matrix_in(self.code)
+
+    order = cached_property(order_in)  # every reader asks for it
 
     @property
     def lines(self):
