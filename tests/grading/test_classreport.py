@@ -6,6 +6,7 @@ import re
 import sys
 from collections import Counter
 from html import unescape
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -248,20 +249,21 @@ def test_item_analysis_against_numbers_worked_by_hand():
     assert items(results[:9])[0].discrimination is None and items([]) == []
 
 
+def _program(seed):
+    """25 lines that nobody else writes."""
+    r = np.random.default_rng(seed)
+    words = [f"v{k}" for k in range(30)]
+    return "\n".join(
+        f"{r.choice(words)} = {r.choice(words)} {r.choice(['+', '*', '-', '@'])}"
+        f" {r.choice(['sin', 'cos'])}({r.choice(words)}) / {r.integers(2, 99)}"
+        for _ in range(25)
+    )
+
+
 def test_renaming_reordering_and_comments_hide_no_copy_and_a_common_answer_is_none():
     rng = np.random.default_rng(0)
-    words = [f"v{k}" for k in range(30)]
-
-    def program(seed):
-        r = np.random.default_rng(seed)
-        return "\n".join(
-            f"{r.choice(words)} = {r.choice(words)} {r.choice(['+', '*', '-', '@'])}"
-            f" {r.choice(['sin', 'cos'])}({r.choice(words)}) / {r.integers(2, 99)}"
-            for _ in range(25)
-        )
-
     common = "\n".join(f"x{k} = y{k} + {k}" for k in range(40))
-    codes = {f"s{k}": {"05.1": common, "05.2": program(k)} for k in range(30)}
+    codes = {f"s{k}": {"05.1": common, "05.2": _program(k)} for k in range(30)}
     copied = re.sub(r"v(\d+)", r"my_\1_name", codes["s3"]["05.2"])
     codes["thief"] = {
         "05.1": common,
@@ -270,6 +272,16 @@ def test_renaming_reordering_and_comments_hide_no_copy_and_a_common_answer_is_no
     [pair] = alike(codes, {})
     assert pair.students == ("s3", "thief") and pair.share > 0.95 and pair.exercises == ("05.2",)
     assert alike(codes, {"05.2": codes["s3"]["05.2"]}) == [], "what was handed out is nobody's copy"
+
+
+def test_four_of_twenty_who_share_one_program_are_found():
+    codes = {f"s{k:02d}": {"05.1": _program(k)} for k in range(20)}
+    for size in (2, 3, 4):
+        circle = {f"s{k:02d}": codes["s00"] for k in range(size)}
+        found = {pair.students for pair in alike(codes | circle, {})}
+        assert found == set(combinations(circle, 2))
+    many = {f"s{k:02d}": codes["s00"] for k in range(12)}
+    assert alike(codes | many, {}) == [], "what most of a class writes is how one writes it"
 
 
 @pytest.mark.parametrize(

@@ -21,8 +21,9 @@ from .cells import answered
 __all__ = ["Pair", "alike", "answers"]
 
 RUN = 12  # tokens: about a line of a formula
-# a run that more than this share of the class, or this many, wrote is how one writes it, no copy
-FEW, MANY = 0.1, 10
+# a run that more than this share of the class, or this many, wrote is how one writes it, no copy:
+# of twenty, four who copied one from the other are still found
+FEW, MANY = 0.2, 10
 # rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
 ENOUGH, SHARE = 40, 0.8
 LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
