@@ -45,11 +45,25 @@ def _room(module, names):
 
 
 def _entry(name):
-    """With a class come its methods, and those of ``SerialChain`` with ``Arm``."""
-    kind = "class" if inspect.isclass(pkgutil.resolve_name(name)) else "function"
-    members = "\n   :members:" if kind == "class" else ""
-    members += "\n   :inherited-members:" if name == "dhlab.Arm" else ""
-    return f".. auto{kind}:: {name}{members}"
+    """With a class come its methods; those that it has from another class of ours first, as a chain
+    comes before what an arm adds to it.
+    """
+    named = pkgutil.resolve_name(name)
+    if not inspect.isclass(named):
+        return f".. autofunction:: {name}"
+    inherited = "\n".join(f"\n   .. automethod:: {name}.{method}" for method in _inherited(named))
+    return f".. autoclass:: {name}\n   :members:\n{inherited}"
+
+
+def _inherited(named):
+    """The public methods of a class's bases that are ours and that it does not define itself."""
+    return [
+        method
+        for base in named.__mro__[1:]
+        if base.__module__.startswith("dhlab.")
+        for method, value in vars(base).items()
+        if not method.startswith("_") and inspect.isfunction(value) and method not in vars(named)
+    ]
 
 
 def _rooms(pages):
