@@ -9,8 +9,9 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-# one test after another to every core, but together what tests/conftest.py groups, in its order
-PYTEST := $(BIN)/python -m pytest --numprocesses logical --dist loadgroup --no-loadscope-reorder
+# one test after another to every core, but together what tests/conftest.py groups, in its order;
+# nbval, half a second to load, for the notebooks alone
+PYTEST := $(BIN)/python -m pytest --numprocesses logical --dist loadgroup --no-loadscope-reorder -p no:nbval
 # bytecode is kept, whatever a shell says: some hundred tests start Python anew
 export PYTHONDONTWRITEBYTECODE :=
 # what Jupyter asks for and runs without, 70 MB: completion that reads code (there is the one that

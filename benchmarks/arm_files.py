@@ -14,7 +14,7 @@ from functools import cache
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from ruamel.yaml import YAML
+import yaml
 
 import dhlab as dh
 from dhlab.formats.files import write_text
@@ -30,8 +30,11 @@ CATALOGUE = "PyPI robotkinematicscatalogue 1.1.2 (AGPL-3; numbers only)"  # wher
 
 @cache
 def sources():
-    """What `arm_sources.yaml` says, by the arm's name."""
-    return YAML(typ="safe", pure=True).load((HERE / "arm_sources.yaml").read_text("utf-8"))
+    """What `arm_sources.yaml` says, by the arm's name; read by libyaml where it is there, since
+    every process of the tests reads it.
+    """
+    text = (HERE / "arm_sources.yaml").read_text("utf-8")
+    return yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
 
 
 @cache

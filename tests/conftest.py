@@ -109,7 +109,7 @@ NEEDS = {
 }
 # set up once a session: the tests of all files that use one of these run in one process
 SHARED = ("site", "packages", "built")
-COSTLY = tuple(NEEDS.values())
+COSTLY = frozenset(NEEDS.values())
 
 
 @pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
@@ -118,30 +118,26 @@ def pytest_collection_modifyitems(items):
     first: what is shared by files, by the tests of a file, then the other costly ones, which are
     short, so that at the end no core is left without work.
     """
+    when = {}
     for item in items:
-        for name in set(NEEDS) & set(getattr(item, "fixturenames", ())):
+        for name in NEEDS.keys() & getattr(item, "fixturenames", ()):
             item.add_marker(NEEDS[name])
         if item.path.suffix == ".ipynb":
             item.add_marker("notebook")
-        group = _group(item)
+        costly = not COSTLY.isdisjoint(mark.name for mark in item.iter_markers())
+        group = _group(item, costly)
         if group:
             item.add_marker(pytest.mark.xdist_group(group))
-    items.sort(key=_when)
+        when[item] = (2 if group is None else 0 if group in SHARED else 1) if costly else 3
+    items.sort(key=when.get)
 
 
-def _when(item):
-    if not any(map(item.get_closest_marker, COSTLY)):
-        return 3
-    group = item.get_closest_marker("xdist_group")
-    return 2 if group is None else 0 if group.args[0] in SHARED else 1
-
-
-def _group(item):
+def _group(item, costly):
     """The tests that run in one process: the cells of a notebook, the examples of a module, the
     users of a fixture that lives longer than a test, and the quick tests of one file, which share
     what is worked out once (arms that are loaded, letters that are drawn).
     """
-    if not (isinstance(item, pytest.Function) and any(map(item.get_closest_marker, COSTLY))):
+    if not (isinstance(item, pytest.Function) and costly):
         return str(item.path)
     fixtures = item._fixtureinfo.name2fixturedefs
     shared = [name for name in SHARED if name in fixtures]

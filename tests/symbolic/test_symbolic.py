@@ -13,13 +13,14 @@ from dhlab import Arm, DHTable, load, robots, symbolic
 from dhlab.symbolic.numbers import the_sympy
 from dhlab.transform import from_xyz_rpy, rot_x, rot_z, trans_x, trans_z
 
-sympy = pytest.importorskip("sympy")
-
 
 @pytest.fixture(autouse=True)
 def seeded():
-    """Every test draws the same numbers, whichever ran before it."""
-    global rng
+    """Every test draws the same numbers, whichever ran before it; sympy is loaded by the process
+    that runs the tests, not by every one that collects them.
+    """
+    global rng, sympy
+    sympy = pytest.importorskip("sympy")
     rng = np.random.default_rng(7)
 
 
