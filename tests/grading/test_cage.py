@@ -285,8 +285,9 @@ def test_a_level_that_does_not_work_is_said(monkeypatch):
         cage.Cage("bubblewrap")
 
 
-def test_marks_are_given_in_bubblewrap_unless_another_cage_is_named(monkeypatch):
-    monkeypatch.setattr(launch.shutil, "which", lambda name: "/bin/false")
+@pytest.mark.parametrize("program", ["/bin/false", "/not/installed/bwrap"])
+def test_marks_are_given_in_bubblewrap_unless_another_cage_is_named(program, monkeypatch):
+    monkeypatch.setattr(launch.shutil, "which", lambda name: program)
     with pytest.raises(ValueError, match="expected bubblewrap, .* --cage landlock"):
         cage.Cage()
 

@@ -27,7 +27,7 @@ try:
 except ImportError:  # Windows, where check_system says what to do
     fcntl = None  # type: ignore[assignment]
 
-__all__ = ["Cage", "check_system", "required_level"]
+__all__ = ["Cage", "check_system"]
 
 AS_NEEDED = ("dhlab.grading.inside.magics",)
 START = 60  # seconds to load the libraries
@@ -66,7 +66,7 @@ class Cage:
         lessons: Iterable[str] = (),
     ) -> None:
         check_system()
-        self.level, self.limits = level or required_level(), limits
+        self.level, self.limits = level or "bubblewrap", limits
         self.warm = frozenset({*AS_NEEDED, *warm})
         self.room, self.lessons = room, tuple(lessons)
         # of the modules to be warm: those that submissions loaded, and those that are warm by now
@@ -77,7 +77,16 @@ class Cage:
         self._process: Any = None
         self._folder: Any = None
         self._control: Any = None
-        self._start()
+        try:
+            self._start()
+        except ValueError:
+            if level is not None:
+                raise
+            raise ValueError(
+                "grade: expected bubblewrap, in which submissions run closed in, found that it does"
+                " not work here; install it (apt install bubblewrap), or, where you know what a"
+                " submission could then do, name a weaker cage: --cage landlock or --cage rlimits"
+            ) from None
 
     def __enter__(self) -> Self:
         return self
@@ -199,16 +208,19 @@ class Cage:
             command, environment = launch(
                 self.level, self.limits, self.room, self._folder, theirs.fileno(), proc
             )
-            self._process = subprocess.Popen(
-                command,
-                pass_fds=[theirs.fileno()],
-                env=environment,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=errors,
-                start_new_session=True,
-                cwd="/",
-            )
+            try:
+                self._process = subprocess.Popen(
+                    command,
+                    pass_fds=[theirs.fileno()],
+                    env=environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=errors,
+                    start_new_session=True,
+                    cwd="/",
+                )
+            except FileNotFoundError:
+                errors.write(b"it is not installed")
         problem = self._greeting()
         if problem:
             self.close()
@@ -233,9 +245,10 @@ class Cage:
 
     def close(self) -> None:
         """Kill everything in the cage and remove its folder."""
-        if self._process is not None:
+        if self._control is not None:
             with contextlib.suppress(OSError):
                 self._control.close()
+        if self._process is not None:
             self._process.kill()
             self._process.wait()
         if self._folder is not None:
@@ -257,21 +270,3 @@ def check_system() -> None:
             "grade: expected Linux or macOS, found a system that cannot run submissions apart; on"
             " Windows use the Windows Subsystem for Linux"
         )
-
-
-def required_level() -> str:
-    """The level that marks are given at when none is named: bubblewrap.
-
-    Raises
-    ------
-    ValueError
-        It does not work here; what can be done instead.
-    """
-    check_system()
-    with contextlib.suppress(ValueError), Cage("bubblewrap"):
-        return "bubblewrap"
-    raise ValueError(
-        "grade: expected bubblewrap, in which submissions run closed in, found that it does not"
-        " work here; install it (apt install bubblewrap), or, where you know what a submission"
-        " could then do, name a weaker cage: --cage landlock or --cage rlimits"
-    )
