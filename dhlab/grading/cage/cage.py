@@ -16,7 +16,7 @@ from typing import Any, Self
 from ..inside.clock import WAIT
 from ..settings import Limits
 from . import stage
-from .folder import Folder
+from .folder import Folder, staged
 from .launch import launch
 from .listener import Listener, Run, used
 from .sight import OPEN
@@ -202,11 +202,11 @@ class Cage:
         """Start the warm parent; empty when it is ready, otherwise what is wrong."""
         self._folder = Folder()
         self._loaded = set()
-        stage.stage(self._folder.staged, self.room)
+        seen = self._seen()
         self._control, theirs = socket.socketpair()
         with theirs, open(os.path.join(self._folder.path, "errors"), "wb") as errors:
             command, environment = launch(
-                self.level, self.limits, self.room, self._folder, theirs.fileno(), proc
+                self.level, self.limits, self.room, seen, self._folder.work, theirs.fileno(), proc
             )
             try:
                 self._process = subprocess.Popen(
@@ -225,6 +225,15 @@ class Cage:
         if problem:
             self.close()
         return problem
+
+    def _seen(self):
+        """The folder with the library; without walls, where it might be written to, one's own."""
+        if self.level != "rlimits":
+            return staged(self.room)
+        own = os.path.join(self._folder.path, "staged")
+        os.mkdir(own)
+        stage.stage(own, self.room)
+        return own
 
     def _greeting(self):
         """Empty when the warm parent is ready, otherwise what it says, or what Python printed."""

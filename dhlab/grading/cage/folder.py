@@ -1,5 +1,5 @@
-"""The folder of a cage: what is staged, and what a submission may write. It goes when the grader
-goes, however that ends.
+"""The folders of cages: the library as a room sees it, and what a submission may write. They go
+when the grader goes, however that ends.
 """
 
 import contextlib
@@ -8,24 +8,40 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from multiprocessing import util
 
+from . import stage
 from .sight import packages
 
-__all__ = ["Folder", "readable_by_others"]
+__all__ = ["Folder", "readable_by_others", "staged"]
 
 PREFIX = "dhlab-cage-"
 # waits until the other end of its input closes, which happens also when the grader is killed
 CLEARING = 'read _; chmod -R u+rwx -- "$1" 2>/dev/null; rm -rf -- "$1"'
 
 
+_staged: dict[str, "Folder"] = {}
+
+
+def staged(room: str) -> str:
+    """A folder with the library as a room sees it, made once in this process, for all cages in
+    which nobody can write to it.
+    """
+    if room not in _staged or not os.path.isdir(_staged[room].work):
+        folder = Folder()
+        util.Finalize(None, folder.remove, exitpriority=0)
+        stage.stage(folder.work, room)
+        _staged[room] = folder
+    return _staged[room].work
+
+
 class Folder:
-    """A new folder, with ``staged`` and ``work`` in it."""
+    """A new folder, with ``work`` in it."""
 
     def __init__(self) -> None:
         self.path = tempfile.mkdtemp(prefix=PREFIX)
-        self.staged, self.work = (os.path.join(self.path, name) for name in ("staged", "work"))
-        for folder in (self.staged, self.work):
-            os.mkdir(folder)
+        self.work = os.path.join(self.path, "work")
+        os.mkdir(self.work)
         os.chmod(self.path, 0o711)
         self._clearing = subprocess.Popen(
             ["/bin/sh", "-c", CLEARING, "clearing", self.path],

@@ -7,7 +7,7 @@ from dataclasses import asdict
 
 from ..settings import Limits
 from . import stage
-from .folder import Folder, readable_by_others
+from .folder import readable_by_others
 from .sight import OWN, hidden, kept, packages, readable_without
 
 __all__ = ["launch"]
@@ -18,7 +18,7 @@ ALWAYS_WARM = tuple(
 
 
 def launch(
-    level: str, limits: Limits, room: str, folder: Folder, control: int, proc: bool
+    level: str, limits: Limits, room: str, staged: str, work: str, control: int, proc: bool
 ) -> tuple[list[str], dict[str, str]]:
     """The command that starts the warm parent, and its environment.
 
@@ -27,13 +27,13 @@ def launch(
     level : str
     limits : Limits
     room : "open" or "own"
-    folder : Folder
+    staged, work : str
+        The folders with the library, and that can be written to.
     control : int
         The open socket that the grader speaks through.
     proc : bool
         Whether bubblewrap gives it a /proc.
     """
-    staged, work = folder.staged, folder.work
     bubblewrap = level == "bubblewrap"
     root = os.geteuid() == 0
     user = (

@@ -8,6 +8,7 @@ import site
 import sys
 import sysconfig
 from collections.abc import Iterable
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 
@@ -38,18 +39,23 @@ def packages() -> list[str]:
     ]
 
 
-def kept() -> list[str]:
-    """What stands in the folders of packages and may be seen in the room ``OWN``."""
+@cache
+def kept() -> tuple[str, ...]:
+    """What stands in the folders of packages and may be seen in the room ``OWN``: what is allowed
+    and what it needs, not what only an extra of theirs asks for (their own tests, and half of all
+    there is).
+    """
     found, wanted, known = {"__pycache__"}, [*ALLOWED], _installed()
     while wanted:
         path = known.pop(_plain(wanted.pop()), None)
         if path is not None:
             one = metadata.Distribution.at(path)
-            wanted += [re.split(r"[^\w.-]", text)[0] for text in one.requires or ()]
+            needed = [text for text in one.requires or () if "extra" not in text.partition(";")[2]]
+            wanted += [re.split(r"[^\w.-]", text)[0] for text in needed]
             found |= _tops(one)
-    return [
+    return tuple(
         entry.path for folder in packages() for entry in os.scandir(folder) if entry.name in found
-    ]
+    )
 
 
 def _installed():
