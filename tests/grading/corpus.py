@@ -20,6 +20,7 @@ from dhlab.course.exercises import exercises
 
 ROOT = Path(__file__).parents[2]
 FULL, ANY = frozenset(), "any"
+HONEST = "-honest"  # ends the ids of the honest students, who are graded among the others
 LESSON = [key for key, e in exercises().items() if key.startswith("05.") and e.points]
 _SOLVED = json.loads((ROOT / "solutions" / "05-link-matrix.ipynb").read_text(encoding="utf-8"))
 
@@ -65,6 +66,7 @@ def answer(key, source):
         )
         cell["source"] += "\n" + source.replace("FACTS", repr(facts))
 
+    make.answers = key
     return make
 
 
@@ -77,6 +79,7 @@ def spy(source):
         )
         answer("05.2", 'rule = "a" if leaked else rule')(notebook, facts)
 
+    make.looks = source
     return make
 
 
@@ -232,7 +235,7 @@ RESOURCES = [
         first("with open('f', 'wb') as f:\n    for _ in range(300): f.write(bytes(1_000_000))"),
         FULL,
     ),
-    ("many files", first("for i in range(3000): open(f'f{i}', 'w').close()"), FULL),
+    ("many files", first("for i in range(1000): open(f'f{i}', 'w').close()"), FULL),
     (
         "deep folders",
         first(
@@ -241,7 +244,7 @@ RESOURCES = [
         ),
         FULL,
     ),
-    ("print flood", first("for _ in range(200_000): print('x' * 1000)"), FULL),
+    ("print flood", first("for _ in range(400): print('x' * 1_000_000)"), FULL),
     (
         "output flood past Python",
         first(
@@ -827,9 +830,7 @@ CASES = [
 
 
 def write(folder, cases, facts):
-    """The class: a folder per case, with an honest student before and after each room of the
-    corpus.
-    """
+    """The class: a folder per case, with an honest student after every twenty and the last."""
     for number, (_, make, _) in enumerate(cases):
         own = folder / student(number)
         own.mkdir()
@@ -846,8 +847,8 @@ def write(folder, cases, facts):
         )
         for name, data in files.items():
             (own / name).write_bytes(data)
-    for number in range(0, len(cases) + 1, 20):
-        own = folder / f"honest{number:03d}"
+    for number in {*range(0, len(cases), 20), len(cases)}:
+        own = folder / f"{student(number)}{HONEST}"
         own.mkdir()
         (own / "05-link-matrix.ipynb").write_text(json.dumps(solved()), encoding="utf-8")
     os.mkfifo(folder / student(0) / "pipe.ipynb")

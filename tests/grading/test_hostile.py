@@ -18,40 +18,49 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus
+from corpus_together import together
 
 from dhlab.grading import grade
-from dhlab.grading.cage import cage, levels
+from dhlab.grading.cage import levels
 from dhlab.grading.reports import publish
 from dhlab.grading.settings import Limits, Settings
 
-LIMITS = Limits(cell_seconds=1.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
+# after so little what hears nothing is ended by the kernel, which counts whole seconds
+LIMITS = Limits(cell_seconds=0.9, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
+# Below bubblewrap only what the level has a part in is run once more: what another user, other
+# processes, other files and other calls decide. The clock, the answers and the notebooks are in the
+# hands of the same code at each level.
+ALIKE = (
+    "late thread, segmentation fault, ends the process, sys.exit, exit in a function, keyboard"
+    " interrupt, memory of numpy, print flood, many answers, a huge answer, a deep answer, a huge"
+    " number, forges lines, forges the end, json patched, asks for another variant"
+).split(", ")
+ROOMS = corpus.PROCESSES, corpus.RESOURCES, corpus.CHANNEL, corpus.READING, corpus.LEFT_BEHIND
+ATTACKS = [case for room in ROOMS for case in room if case[0] not in ALIKE]
+# Where the grader itself has no rights: another user outside, a user namespace, no rights to give
+# up, files that are the submission's own. The filter of calls and the channel are the same.
+AS_A_USER = "DHLAB_CORPUS_AS_A_USER"
+OF_A_USER = [
+    case
+    for case in (*corpus.PROCESSES, *corpus.RESOURCES)
+    if case[0]
+    in "fork bomb, thread bomb, kills its parent, kills everybody, higher limits, disk, one large"
+    " file, many files, deep folders".split(", ")
+] + [case for case in (*corpus.READING, *corpus.LEFT_BEHIND) if case[0] not in ALIKE]
 # for the level that protects nobody
-HARMLESS = [*corpus.TIME[:1], *corpus.LIBRARY, *corpus.PATCHES[:5], *corpus.NOTEBOOKS[:8]]
-# what depends on the level
-ATTACKS = [
-    *corpus.TIME[-4:],
-    *corpus.PROCESSES,
-    *corpus.RESOURCES,
-    *corpus.CHANNEL,
-    *corpus.READING,
-    *corpus.LEFT_BEHIND,
+HARMLESS = [
+    *corpus.TIME[:1],
+    *corpus.LIBRARY[:2],
+    *corpus.LIBRARY[-2:],
+    *corpus.PATCHES[:1],
+    *corpus.NOTEBOOKS[:2],
 ]
 CANARY = "canary-5731"  # what the files and the environment of the grader hold
-AS_A_USER = "DHLAB_CORPUS_AS_A_USER"
 LEVELS = {
-    "bubblewrap": ATTACKS if AS_A_USER in os.environ else corpus.CASES,
+    "bubblewrap": OF_A_USER if AS_A_USER in os.environ else corpus.CASES,
     "landlock": ATTACKS,
     "rlimits": HARMLESS,
 }
-
-
-def works(level):
-    """Whether this machine has a level."""
-    try:
-        cage.Cage(level).close()
-    except (ValueError, TypeError):
-        return False
-    return True
 
 
 @pytest.fixture(scope="module", params=LEVELS)
@@ -59,9 +68,7 @@ def graded(request, tmp_path_factory):
     """(cases, marks by student, output folder, what was found damaged) of the corpus on one
     level.
     """
-    level, cases = request.param, LEVELS[request.param]
-    if (level == "bubblewrap" and not shutil.which("bwrap")) or not works(level):
-        pytest.skip(f"{level} does not work on this machine")
+    level, cases = request.param, together(LEVELS[request.param])
     top = tmp_path_factory.mktemp(level)
     with (
         closing(socket.create_server(("127.0.0.1", 0))) as server,
@@ -71,9 +78,14 @@ def graded(request, tmp_path_factory):
         facts = _facts(top, server.getsockname()[1])
         corpus.write(top / "class", cases, facts)
         before = _prints(top)
-        results, planned = grade.grade(
-            top / "class", top / "out", settings=Settings(limits=LIMITS, cage=level)
-        )
+        try:
+            results, planned = grade.grade(
+                top / "class", top / "out", settings=Settings(limits=LIMITS, cage=level)
+            )
+        except ValueError as error:
+            if "expected the cage" not in str(error):
+                raise
+            pytest.skip(f"{level} does not work on this machine")
         publish.publish(planned, results, (), top / "out")
         server.setblocking(False)
         with pytest.raises(BlockingIOError):
@@ -114,18 +126,22 @@ def _prints(top):
     }
 
 
-def test_a_spy_that_succeeds_is_seen():
-    notebook, names = corpus.solved(), {}
-    corpus.spy("leaked = FACTS['key'] == 'k'")(notebook, {"key": "k"})
-    for source in (c["source"] for c in notebook["cells"] if c["cell_type"] == "code"):
-        if "leaked" in source:
-            exec(source, names)
-    assert names["leaked"] and names["rule"] == "a"
+@pytest.mark.parametrize("key, rule", [("k", "1"), ("other", "b")])
+def test_a_spy_that_succeeds_is_seen(key, rule):
+    spies = [corpus.spy("leaked = False"), corpus.spy("leaked = FACTS['key'] == 'k'")]
+    ((_, make, _),) = together([(str(spy), spy, corpus.FULL) for spy in spies])
+    for one, seen in ((make, rule), (spies[1], rule.replace("1", "a"))):
+        notebook, names = corpus.solved(), {}
+        one(notebook, {"key": key})
+        for source in (c["source"] for c in notebook["cells"] if c["cell_type"] == "code"):
+            if "known" in source or "rule = " in source:
+                exec(source, names)
+        assert names["rule"] == seen
 
 
 def test_marks_are_fair(graded):
     cases, results, _, _ = graded
-    worth = {mark.exercise: mark.of for mark in results["honest000"].marks}
+    worth = {mark.exercise: mark.of for mark in results["s000-honest"].marks}
     unfair = {}
     for number, (name, _, lost) in enumerate(cases):
         one = results.get(corpus.student(number))
@@ -139,14 +155,15 @@ def test_marks_are_fair(graded):
         else:
             fair = one is not None and one.status == "graded" and found == set(lost)
         if not fair:
-            unfair[name] = (one and one.status, found, one and one.notes)
+            told = one and {mark.exercise: mark.headline for mark in one.marks}["05.2"]
+            unfair[name] = (one and one.status, found, one and one.notes, told)
         assert one is None or {mark.exercise: mark.of for mark in one.marks} == worth
     assert not unfair
 
 
 def test_neighbours_are_graded(graded):
     _, results, _, _ = graded
-    honest = [one for student, one in results.items() if student.startswith("honest")]
+    honest = [one for student, one in results.items() if student.endswith(corpus.HONEST)]
     assert len(honest) >= 2
     assert all(
         one.status == "graded"
@@ -193,7 +210,7 @@ def test_the_level_is_told(graded):
     assert {one.cage for one in results.values() if one.status == "graded"} == {
         top.name.rstrip("0123456789")
     }
-    assert results["honest000"].cage in levels.RISKS
+    assert results["s000-honest"].cage in levels.RISKS
 
 
 def test_every_line_of_the_grades_has_a_status(graded):

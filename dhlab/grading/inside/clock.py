@@ -17,7 +17,7 @@ __all__ = ["TimeLimit", "limited", "WAIT"]
 WAIT = 6  # times the seconds of processor, on the wall's clock, whatever the machine is busy with
 IDLE = 0.02  # who takes less of a processor than this is waiting, not working
 TICK = 0.2
-KERNEL = 2  # seconds later the kernel ends what does not listen
+KERNEL = 1  # seconds later the kernel ends what does not listen
 
 
 class TimeLimit(BaseException):
