@@ -14,12 +14,11 @@ import corpus
 from corpus_honest import HONEST
 from corpus_inside import INSIDE
 
-from dhlab.grading.cage import cage
 from dhlab.grading.grade import grade
 from dhlab.grading.reports.publish import publish
 from dhlab.grading.settings import Limits, Settings
 
-LIMITS = Limits(cell_seconds=2.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
+LIMITS = Limits(cell_seconds=0.9, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
 # these take long and hurt nobody else; benchmarks/hostile.py runs them
 LONG = {"stops itself", "a tracer over the room", "twenty thousand cells"}
 ATTACKS = [one for one in INSIDE if one[0] not in LONG]
@@ -29,10 +28,6 @@ CANARY = "canary-8086"
 @pytest.fixture(scope="module", params=["bubblewrap", "landlock"])
 def graded(request, tmp_path_factory):
     """(marks by student, the folder that they were written to)."""
-    try:
-        cage.Cage(request.param).close()
-    except ValueError:
-        pytest.skip(f"{request.param} does not work on this machine")
     top = tmp_path_factory.mktemp(request.param)
     (top / "teacher.key").write_text(CANARY)
     facts = {"key": str(top / "teacher.key"), "class": str(top / "class")}
@@ -47,8 +42,16 @@ def graded(request, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("GRADER_SECRET", CANARY)
         settings = Settings(limits=LIMITS, cage=request.param)
-        results, planned = grade(top / "class", top / "out", settings=settings)
-        publish(planned, results, (), top / "out")
+        try:
+            results, planned = grade(top / "class", top / "out", settings=settings)
+        except ValueError as error:
+            if "expected the cage" not in str(error):
+                raise
+            pytest.skip(f"{request.param} does not work on this machine")
+        if (
+            request.param == "bubblewrap"
+        ):  # what is shown depends on what was found, not on the cage
+            publish(planned, results, (), top / "out")
     return {one.student: one for one in results}, top
 
 

@@ -114,15 +114,14 @@ def readable_without(covered: Iterable[str]) -> list[str]:
     """The readable paths with folders spread out wherever something in them must not be read:
     Landlock only allows.
     """
-    found = []
-    for root in readable():
-        found += _spread(os.path.realpath(root), [os.path.realpath(path) for path in covered])
-    return found
+    real = {os.path.realpath(path) for path in covered}
+    above = {str(parent) for path in real for parent in Path(path).parents}
+    return [found for root in readable() for found in _spread(os.path.realpath(root), real, above)]
 
 
-def _spread(path, covered):
+def _spread(path, covered, above):
     if path in covered:
         return []
-    if not any(inner.startswith(path + os.sep) for inner in covered):
+    if path not in above:
         return [path]
-    return [found for entry in os.scandir(path) for found in _spread(entry.path, covered)]
+    return [found for entry in os.scandir(path) for found in _spread(entry.path, covered, above)]
