@@ -16,6 +16,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus
+from terminal import dhlab
 
 from dhlab.course.exercises import exercises
 from dhlab.grading.grade import grade
@@ -28,9 +29,12 @@ from dhlab.grading.settings import Lesson, Settings
 ROSTER = tuple(Student(name) for name in ("ada", "bo", "cy", "dee", "eve", "fay", "gus"))
 WRONG = "def dh_closed(theta, d, a, alpha):\n    return dh_transform(theta, d, a, -alpha)"
 KEY = b"k" * 32
-pytestmark = pytest.mark.skipif(
-    not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
+    ),
+    pytest.mark.usefixtures("kept_cages"),
+]
 
 
 @pytest.fixture(scope="module")
@@ -59,9 +63,18 @@ def folder(reference, tmp_path):
     return shutil.copytree(reference[0], tmp_path / "class")
 
 
-def hand_in(folder, student, change=None, replace=()):
-    """Write a submission made from the right one."""
-    notebook = corpus.solved()
+def handed_out():
+    """The lesson as everybody gets it."""
+    path = corpus.ROOT / "lessons" / "05-link-matrix.ipynb"
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        cell["source"] = "".join(cell["source"])
+    return notebook
+
+
+def hand_in(folder, student, change=None, replace=(), of=corpus.solved):
+    """Write a submission made from the right one, or another."""
+    notebook = of()
     if change:
         change(notebook, {})
     text = json.dumps(notebook)
@@ -88,10 +101,6 @@ def on_disk(out):
 
 def marks_in(out):
     return sorted((out / "marks").glob("*.json"))
-
-
-def command(*words):
-    return [sys.executable, "-m", "dhlab", "grade", *map(str, words)]
 
 
 def test_a_class(reference):
@@ -130,9 +139,15 @@ def test_a_class(reference):
 
 
 def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(reference, tmp_path):
+    """Of the class only one has written programs, so that one worker alone needs a second cage."""
     distributed = pytest.importorskip("distributed")
-    folder, _, one = reference
-    grade(folder, tmp_path / "two", roster=ROSTER, jobs=2)
+    folder = tmp_path / "class"
+    shutil.copytree(reference[0], folder, ignore=shutil.ignore_patterns("ada", "cy", "eve"))
+    for student, letter in {"ada": "b", "cy": "a", "eve": "?"}.items():
+        hand_in(folder, student, corpus.answer("05.2", f'rule = "{letter}"'), of=handed_out)
+    outs = one, two, three = [tmp_path / name for name in ("one", "two", "three")]
+    grade(folder, one, roster=ROSTER)
+    grade(folder, two, roster=ROSTER, jobs=2)
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
     ) as cluster:
@@ -143,28 +158,21 @@ def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(refere
             if done == 1:
                 os.kill(first, signal.SIGKILL)
 
-        grade(
-            folder,
-            tmp_path / "three",
-            roster=ROSTER,
-            scheduler=cluster.scheduler_address,
-            progress=kill_one,
-        )
-    assert len(on_disk(one)) == 7
-    assert on_disk(one) == on_disk(tmp_path / "two") == on_disk(tmp_path / "three")
-    assert (
-        (one / "grades.csv").read_bytes()
-        == (tmp_path / "two" / "grades.csv").read_bytes()
-        == (tmp_path / "three" / "grades.csv").read_bytes()
-    )
+        address = cluster.scheduler_address
+        grade(folder, three, roster=ROSTER, scheduler=address, progress=kill_one)
+    points = {
+        student: sum(m["points"] for m in own["marks"]) for student, own in on_disk(one).items()
+    }
+    assert points == {**dict.fromkeys(points, 0), "ada": 1, "bo": 10}
+    assert on_disk(one) == on_disk(two) == on_disk(three)
+    grades = [(out / "grades.csv").read_bytes() for out in outs]
+    assert grades[0] == grades[1] == grades[2]
 
 
 def test_two_graders_do_not_share_a_folder(reference, tmp_path):
     folder, _, _ = reference
     with Gradebook(tmp_path / "out").alone():
-        second = subprocess.run(
-            command(folder, "--out", tmp_path / "out"), capture_output=True, text=True, timeout=300
-        )
+        second = dhlab("grade", folder, "--out", tmp_path / "out")
     assert (
         second.returncode != 0
         and "another grader is at work in it" in " ".join(second.stderr.replace("│", " ").split())
@@ -176,9 +184,13 @@ def test_two_graders_do_not_share_a_folder(reference, tmp_path):
 
 def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
     folder, _, whole = reference
-    out, roster = tmp_path / "out", _roster(tmp_path)
+    # who has no programs comes first: then the grader is killed with one cage, not with two
+    out, roster = (
+        tmp_path / "out",
+        _roster(tmp_path, sorted(ROSTER, key=lambda s: s.student != "dee")),
+    )
     process = subprocess.Popen(
-        command(folder, "--out", out, "--roster", roster),
+        [sys.executable, "-m", "dhlab", "grade", folder, "--out", out, "--roster", roster],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
@@ -196,12 +208,7 @@ def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
     assert 0 < len(before) < 7 and all(
         json.loads(path.read_text(encoding="utf-8"))["marks"] for path in before
     )
-    run = subprocess.run(
-        command(folder, "--out", out, "--roster", roster, "--json"),
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
+    run = dhlab("grade", folder, "--out", out, "--roster", roster, "--json")
     assert run.returncode == 0 and len(json.loads(run.stdout)) == 7
     assert all(path.stat().st_mtime_ns == moment for path, moment in before.items())
     assert on_disk(out) == on_disk(whole)
@@ -231,12 +238,7 @@ def test_a_full_disk_and_a_folder_that_cannot_be_written(reference, tmp_path):
         pytest.skip("mounting a small disk takes root")
     try:
         (out / "filler").write_bytes(bytes(248 * 1024))
-        full = subprocess.run(
-            command(folder, "--out", out, "--roster", _roster(tmp_path)),
-            capture_output=True,
-            text=True,
-            timeout=300,
-        )
+        full = dhlab("grade", folder, "--out", out, "--roster", _roster(tmp_path))
         assert (
             full.returncode == 2
             and full.stderr.count("\n") == 1
@@ -247,12 +249,7 @@ def test_a_full_disk_and_a_folder_that_cannot_be_written(reference, tmp_path):
             for path in (out / "marks").glob("*.json")
         )
         subprocess.run(["mount", "-o", "remount,ro", str(out)], check=True)
-        locked = subprocess.run(
-            command(folder, "--out", out, "--roster", _roster(tmp_path)),
-            capture_output=True,
-            text=True,
-            timeout=300,
-        )
+        locked = dhlab("grade", folder, "--out", out, "--roster", _roster(tmp_path))
         assert locked.returncode == 2 and locked.stderr.count("\n") == 1
         subprocess.run(["mount", "-o", "remount,rw,size=8m", str(out)], check=True)
         (out / "filler").unlink()
@@ -265,10 +262,10 @@ def test_a_full_disk_and_a_folder_that_cannot_be_written(reference, tmp_path):
         subprocess.run(["umount", str(out)], check=True)
 
 
-def _roster(folder):
+def _roster(folder, students=ROSTER):
     path = folder / "roster.csv"
     path.write_text(
-        "student\n" + "\n".join(student.student for student in ROSTER) + "\n", encoding="utf-8"
+        "student\n" + "\n".join(student.student for student in students) + "\n", encoding="utf-8"
     )
     return path
 
@@ -349,12 +346,7 @@ def test_variants_come_from_the_key_and_copies_show(tmp_path):
 
 def test_a_dry_run_runs_and_writes_nothing(folder, tmp_path):
     hand_in(folder, "bad", corpus.first(f"open({str(tmp_path / 'ran')!r}, 'w')"))
-    run = subprocess.run(
-        command(folder, "--out", tmp_path / "out", "--dry-run"),
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
+    run = dhlab("grade", folder, "--out", tmp_path / "out", "--dry-run")
     assert (
         run.returncode == 0
         and "bad" in run.stdout
