@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.text import Text
 from numpy.typing import NDArray
 
+from .letters import Letters
 from .paint import Panel
 from .scene import LAYERS, Dot, Face, Label, Scene
-from .style import FONT, QUIET, halo
+from .style import QUIET
 
 __all__ = ["place_labels"]
 
@@ -23,10 +23,9 @@ NEAR, FAR = (3.0, 7.0, 12.0), (7.0, 13.0, 20.0, 28.0, 38.0, 50.0)  # gaps betwee
 BESIDE = (0.0, 0.25, 0.45)  # of an arrow, from its tip back: where its letter may stand
 SAME = 9.0  # page points; one label for two of one text at points nearer than this
 SPACING = 2.5  # between the samples that stand for a line
-MEASURED: dict[tuple[str, bool, float, float], NDArray[np.float64]] = {}  # the sizes of texts
 
 
-def place_labels(scene: Scene, panel: Panel) -> list[Text]:
+def place_labels(scene: Scene, panel: Panel) -> list[Letters]:
     """Write every label of a scene where it is best read.
 
     Parameters
@@ -37,11 +36,11 @@ def place_labels(scene: Scene, panel: Panel) -> list[Text]:
 
     Returns
     -------
-    list of matplotlib Text
+    list of Letters
     """
     labels = _once(scene.labels, panel)
     texts = [_text(label, panel) for label in labels]
-    sizes = [_size(text) for text in texts]
+    sizes = [text.measured()[:2] for text in texts]
     ink = _ink(scene, panel)
     own = [_own_points(label, panel) for label in labels]
     choices = [
@@ -80,35 +79,17 @@ def _once(labels, panel):
 
 
 def _text(label, panel):
-    content = f"${label.text}$" if label.math else label.text
-    return panel.axes.text(
-        0,
-        0,
-        content,
+    letters = Letters(
+        label.text,
+        label.math,
         color=label.color,
         fontsize=label.size,
-        family=FONT,
-        math_fontfamily="dejavusans",
-        parse_math=label.math,
-        usetex=False,
-        ha="center",
-        va="center",
-        path_effects=halo(),
         zorder=LAYERS["mark"] + 1,
         gid=label.gid,
     )
-
-
-def _size(text):
-    """Width and height of a text, page points; measured once, since setting a formula costs more
-    than drawing it.
-    """
-    figure = text.get_figure(root=True)
-    key = text.get_text(), text.get_parse_math(), text.get_fontsize(), figure.dpi
-    if key not in MEASURED:
-        extent = text.get_window_extent(figure.canvas.get_renderer())
-        MEASURED[key] = np.array([extent.width, extent.height]) * 72 / figure.dpi
-    return MEASURED[key]
+    panel.axes.add_artist(letters)
+    letters.set_clip_on(False)
+    return letters
 
 
 def _ink(scene, panel):
