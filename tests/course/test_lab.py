@@ -28,6 +28,7 @@ def lab(tmp_path_factory):
     workspace.write_settings(folder)
     command = workspace.lab_command(folder, port=port, browser=False) + [
         "--IdentityProvider.token=",
+        "--LabApp.expose_app_in_browser=True",
         "--ServerApp.port_retries=0",
     ]
     with open(tmp_path / "lab.log", "w") as log:
@@ -72,42 +73,63 @@ def kernel_is_idle(page):
     wait_for(page, "an idle kernel", lambda: idle.wait_for())
 
 
-def asked_elsewhere(page):
-    """A list of what the page will have asked for that is not on this machine."""
-    asked = []
+def faults(page):
+    """A list of what the page will have asked for that is not on this machine, and of the errors
+    of the library's own JavaScript.
+    """
+    found = []
     page.on(
         "request",
         lambda request: (
-            asked.append(request.url)
+            found.append(request.url)
             if not re.match(r"(http|ws)s?://127\.0\.0\.1|data:|blob:", request.url)
             else None
         ),
     )
-    return asked
+    page.on("pageerror", lambda error: found.append(str(error)) if "dhlab" in str(error) else None)
+    return found
 
 
-def test_lesson_06_runs_in_the_browser(lab, new_page):
+@pytest.fixture(scope="module")
+def jupyter(lab, new_page):
+    """JupyterLab in a page, which all tests share: to load it takes longer than what they do."""
+    page = new_page(viewport={"width": 1280, "height": 1400})
+    page.faults = faults(page)
+    page.goto(f"{lab[0]}/lab/workspaces/tests?reset")
+    page.wait_for_function("window.jupyterapp")
+    page.evaluate("jupyterapp.restored.then(() => null)")
+    return page
+
+
+def opened(page, name):
+    """The panel of a notebook, opened as by a click on its file, with a kernel that answers."""
+    page.evaluate("path => void jupyterapp.commands.execute('docmanager:open', { path })", name)
+    page.get_by_role("tab", name=name, selected=True).wait_for()
+    kernel_is_idle(page)
+    return page.locator(".jp-NotebookPanel:not(.lm-mod-hidden)")
+
+
+def test_lesson_06_runs_in_the_browser(lab, jupyter):
     from playwright.sync_api import expect
 
-    address, folder = lab
-    page = new_page(viewport={"width": 1280, "height": 900})
-    asked = asked_elsewhere(page)
-    page.goto(f"{address}/lab/tree/06-forward-kinematics.ipynb")
-    heading = page.get_by_role("heading", name="06 Six axes")
-    wait_for(page, "the heading of lesson 06", lambda: heading.wait_for())
-    kernel_is_idle(page)
-    page.get_by_role("menuitem", name="Run", exact=True).click()
-    page.get_by_text("Run All Cells", exact=True).click()
-    lesson = json.loads((folder / "06-forward-kinematics.ipynb").read_text(encoding="utf-8"))
+    name, log = "06-forward-kinematics.ipynb", lab[1] / ".dhlab" / "progress.jsonl"
+    logged = log.read_text(encoding="utf-8") if log.exists() else None
+    panel = opened(jupyter, name)
+    heading = panel.get_by_role("heading", name="06 Six axes")
+    wait_for(jupyter, "the heading of lesson 06", lambda: heading.wait_for())
+    jupyter.get_by_role("menuitem", name="Run", exact=True).click()
+    jupyter.get_by_text("Run All Cells", exact=True).click()
+    lesson = json.loads((lab[1] / name).read_text(encoding="utf-8"))
     cells = sum(cell["cell_type"] == "code" for cell in lesson["cells"])
     # while JupyterLab builds its toolbar there may be two indicators
-    ran = page.locator(".jp-Notebook-ExecutionIndicator").filter(has_text=f"Executed {cells} cells")
-    wait_for(page, f"{cells} cells that have run", lambda: expect(ran.first).to_be_attached())
-    points = page.get_by_text(re.compile(r"^0 of \d+ points$")).first
-    wait_for(page, "0 of the points", lambda: expect(points).to_be_attached())
-    page.close()
-    assert asked == []
-    assert not (folder / ".dhlab" / "progress.jsonl").exists(), (
+    ran = panel.locator(".jp-Notebook-ExecutionIndicator").filter(
+        has_text=f"Executed {cells} cells"
+    )
+    wait_for(jupyter, f"{cells} cells that have run", lambda: expect(ran.first).to_be_attached())
+    points = panel.get_by_text(re.compile(r"^0 of \d+ points$")).first
+    wait_for(jupyter, "0 of the points", lambda: expect(points).to_be_attached())
+    assert jupyter.faults == []
+    assert (log.read_text(encoding="utf-8") if log.exists() else None) == logged, (
         "an untouched lesson leaves nothing in the log"
     )
 
@@ -126,17 +148,19 @@ placing""",
 ]
 
 
-def run(page, cell):
+def run(panel, cell):
     """Run one cell, from 0, and wait until it is done."""
-    cells = page.locator(".jp-CodeCell")
+    cells = panel.locator(".jp-CodeCell")
     cells.nth(cell).locator(".cm-content").click()
-    page.keyboard.press("Shift+Enter")
+    panel.page.keyboard.press("Shift+Enter")
     done = cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]"))
-    wait_for(page, f"cell {cell} to be run", lambda: done.wait_for())
+    wait_for(panel.page, f"cell {cell} to be run", lambda: done.wait_for())
     return cells.nth(cell)
 
 
-def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(lab, new_page):
+def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomorrow(
+    lab, jupyter, new_page
+):
     from playwright.sync_api import expect
 
     address, folder = lab
@@ -147,13 +171,8 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         "name": "python3",
     }
     nbformat.write(notebook, folder / "explorer.ipynb")
-    page = new_page(viewport={"width": 1280, "height": 1400})
-    faults = asked_elsewhere(page)
-    page.on("pageerror", lambda error: faults.append(str(error)) if "dhlab" in str(error) else None)
-    page.goto(f"{address}/lab/workspaces/explorer/tree/explorer.ipynb?reset")
-    page.locator(".jp-CodeCell").first.wait_for()
-    kernel_is_idle(page)
-    run(page, 0)
+    page, panel = jupyter, opened(jupyter, "explorer.ipynb")
+    run(panel, 0)
     first, second = (page.get_by_role("slider", name=f"Joint {k}, degrees") for k in (1, 2))
     box = first.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -165,7 +184,9 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         page.keyboard.press("ArrowRight")
     shown = [float(slider.evaluate("s => s.value")) for slider in (first, second)]
     assert shown[0] > 30 and shown[1] == 2.0
-    page.get_by_role("spinbutton", name="Joint 3, degrees, exactly").click()
+    exactly = page.get_by_role("spinbutton", name="Joint 3, degrees, exactly")
+    exactly.click()
+    expect(exactly).to_be_focused()
     page.keyboard.press("Control+a")
     for key in ["-", "1", "2", "Enter", "a", "b", "d", "d", "m"]:
         page.keyboard.press(key)
@@ -173,16 +194,16 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
         "aria-valuetext", "-12 degrees"
     )
     q = [round(1e4 * np.deg2rad(value)) for value in [*shown, -12]] + [0] * 3
-    expect(run(page, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
-    run(page, 2)
+    expect(run(panel, 1)).to_contain_text(f"q is {q} table {np.deg2rad(2):.4f} calls True")
+    run(panel, 2)
     expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
     expect(page.get_by_role("slider", name="Joint 6, degrees")).to_have_attribute(
         "aria-valuetext", "-14.32 degrees"
     )
-    assert page.locator(".jp-CodeCell").count() == len(CELLS), (
+    assert panel.locator(".jp-CodeCell").count() == len(CELLS), (
         "keys in the view are no commands of the notebook"
     )
-    run(page, 3)
+    run(panel, 3)
     page.get_by_role("radio", name="A: axis of joint 1, forward").check(force=True)
     page.get_by_role("button", name="Place it").click()
     expect(page.get_by_text("Along the axis of joint 1.")).to_be_visible()
@@ -193,7 +214,7 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
             "This points along the axis of joint 1; in the standard convention z1 is the axis of joint 2."
         )
     ).to_be_visible()
-    expect(run(page, 4)).to_contain_text("placed [0] None")
+    expect(run(panel, 4)).to_contain_text("placed [0] None")
     page.keyboard.press("Control+s")
     page.wait_for_function(
         "() => !document.querySelector('.lm-TabBar-tab.lm-mod-current.jp-mod-dirty')"
@@ -201,9 +222,9 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.get_by_role("menuitem", name="Kernel", exact=True).click()
     page.get_by_text("Shut Down Kernel", exact=True).click()
     page.get_by_text("No Kernel").first.wait_for()
-    page.close()
+    assert page.faults == []
     page = new_page(viewport={"width": 1280, "height": 1400})
-    asked = asked_elsewhere(page)
+    found = faults(page)
     page.goto(f"{address}/lab/workspaces/again/tree/explorer.ipynb?reset")
     kernel_is_idle(page)
     first = page.get_by_role("slider", name="Joint 1, degrees")
@@ -213,28 +234,24 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.get_by_role("button", name="Start over").click()
     expect(page.get_by_text("Python has not answered. Run the cell above again")).to_be_visible()
     page.close()
-    assert faults == asked == []
+    assert found == []
 
 
-def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page):
+def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, jupyter):
     from playwright.sync_api import expect
 
-    address, folder = lab
-    path = folder / "01-frames.ipynb"
+    path = lab[1] / "01-frames.ipynb"
     before = json.loads(path.read_text(encoding="utf-8"))["cells"]
     codes = ["".join(cell["source"]) for cell in before if cell["cell_type"] == "code"]
     checks = next(k for k, text in enumerate(codes) if text.startswith('check("01.6"'))
-    page = new_page(viewport={"width": 1280, "height": 1400})
-    page.goto(f"{address}/lab/workspaces/cards/tree/{path.name}?reset")
-    page.locator(".jp-CodeCell").first.wait_for()
-    kernel_is_idle(page)
+    page, panel = jupyter, opened(jupyter, path.name)
     for cell in (0, checks - 1, checks):
-        run(page, cell)
+        run(panel, cell)
     page.get_by_role("radio", name="the controller reported the flange").check(force=True)
-    expect(page.get_by_text("is not in the notebook yet").first).to_be_visible()
-    cell = run(page, checks - 1)
+    expect(panel.get_by_text("is not in the notebook yet").first).to_be_visible()
+    cell = run(panel, checks - 1)
     expect(cell.locator(".cm-content")).to_contain_text('why = "c"')
-    expect(run(page, checks)).to_contain_text("Right")
+    expect(run(panel, checks)).to_contain_text("Right")
     # the server empties the file before it writes it anew: read it when it says that it is saved
     with page.expect_response(lambda one: one.request.method == "PUT" and path.name in one.url):
         page.keyboard.press("Control+s")
@@ -242,4 +259,3 @@ def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, new_page
     changed = [one["id"] for one, old in zip(after, before) if one["source"] != old["source"]]
     assert len(after) == len(before) and len(changed) == 1
     assert 'why = "c"' in "".join(next(one for one in after if one["id"] == changed[0])["source"])
-    page.close()
