@@ -18,6 +18,7 @@ __all__ = ["MOST", "Reaches", "a_way_to", "draw_ur5e", "several_ways", "wrong_wa
 
 MOST = 45.0  # degrees that a joint may turn from where it stands
 METRES, DEGREES = 1e-3, 0.1  # how far off the end may be
+TOGETHER = 5  # steps between two looks at whether the loop stands still
 CUP_Q = np.deg2rad([30, 60, -80, -30, 40, 0])  # of the article's arm
 
 
@@ -41,10 +42,16 @@ def _is_there(q, found):
 
 
 def a_way_to(T: Any, q_now: Any) -> NDArray:
-    """The q to which the lesson's loop comes; every other one that is near enough counts as
-    well.
+    """The q to which a hundred steps of the lesson's loop come; every other one that is near
+    enough counts as well. A whole class may be compared with it: once q stands still, the steps
+    that are left are spared.
     """
-    return inverse_kinematics(load("ur5e").table.rows, np.array(T), np.deg2rad(q_now), 0.05, 100)
+    rows, q = load("ur5e").table.rows, np.deg2rad(q_now)
+    for _ in range(100 // TOGETHER):
+        before, q = q, inverse_kinematics(rows, np.array(T), q, 0.05, TOGETHER)
+        if np.abs(wrapped(q - before)).max() < 1e-12:
+            break
+    return q
 
 
 def wrong_ways(T: list[list[float]], q_now: list[float]) -> Mistakes:
