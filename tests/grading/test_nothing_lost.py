@@ -6,7 +6,6 @@ import csv
 import json
 import os
 import shutil
-import subprocess
 import sys
 import zipfile
 from datetime import UTC, datetime
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from terminal import dhlab
 
 from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.release import with_variant
@@ -37,9 +37,12 @@ ROSTER = (
 )
 RULE = 'rule = "b"'
 ZONE = UTC
-pytestmark = pytest.mark.skipif(
-    not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
-)
+pytestmark = [
+    pytest.mark.skipif(
+        not hasattr(os, "fork"), reason="submissions run apart on Linux and macOS only"
+    ),
+    pytest.mark.usefixtures("kept_cages"),
+]
 
 
 def notebook(lesson="05", number=0, answered=True):
@@ -331,17 +334,6 @@ def test_copied_files_that_are_all_late_are_doubted(tmp_path):
     assert (
         any("were the files copied?" in note for note in plan(tmp_path, settings=due).notes)
         and plan(tmp_path, settings=only("05")).notes == ()
-    )
-
-
-def dhlab(*arguments, **options):
-    return subprocess.run(
-        [sys.executable, "-m", "dhlab", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        env={**os.environ, "COLUMNS": "300"},
-        **options,
     )
 
 
