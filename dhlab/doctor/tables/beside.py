@@ -6,8 +6,9 @@ import re
 from dataclasses import replace
 from itertools import pairwise
 
-from .cells import Cell, cell_of, cell_or_none
+from .cells import Cell, cell_of, cell_or_none, plain
 from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
+from .language.roles import ROLES
 from .language.words import KINDS
 
 __all__ = [
@@ -32,6 +33,7 @@ OF_ONE = re.compile(  # types(3) = 'P', joint_type[2] = "prismatic"
 SMALL = re.compile(  # type = ['r', 'r', 'p']
     r"\w*(?:type|joint|kind)\w*\s*=\s*[\[{(]((?:\s*['\"][rp]['\"]\s*,?)+)[\]})]"
 )
+LINK = re.compile(r"(?:l|len|link)[\W_]*[ijkn]?[\W_]*")  # where a alone has no column
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -67,7 +69,8 @@ def explained(roles, heading, rows):
     roles, notes = list(roles), []
     whole = [cells for cells in rows if len(cells) == len(roles)]
     for k, (role, name) in enumerate(zip(roles, heading)):
-        found = [one for cells in whole if (one := cell_or_none(str(cells[k]))) is not None]
+        said = [str(cells[k]) for cells in whole if str(cells[k])[:1] not in ("'", '"')]
+        found = [one for text in said if (one := cell_or_none(text)) is not None]
         again = role == "label" and "label" in roles[:k]  # one column names the rows
         again = again and all(cell.is_constant for cell in found)
         if (role is not None and not again) or 2 * len(found) <= len(whole) or _counts(found):
@@ -81,6 +84,9 @@ def explained(roles, heading, rows):
             continue  # the variable is named once more
         elif APART.search(name):
             notes.append(f"the column {name[:20]} was left out")
+        elif LINK.fullmatch(plain(name)) and {*ROLES, "r"} - {*roles} == {"a", "r"}:
+            roles[k] = "a"
+            notes.append(f"the column {name[:20]} is taken for a")
         elif any(cell.value or cell.letters for cell in found):
             raise ValueError(
                 f"recognise_table: expected columns theta, d, a, alpha, found a column of numbers"

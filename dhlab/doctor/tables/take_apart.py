@@ -11,7 +11,7 @@ from .beside import APART, with_added, with_types
 from .conventions import with_convention
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
-from .dialects.grid import NoRows, from_grid
+from .dialects.grid import NoRows, NotFour, from_grid
 from .dialects.heading import header
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
@@ -109,7 +109,7 @@ def _from_text(text, values, nominal, length):
 
 
 def _read(source, nominal, length):
-    source.asked_length = length or ""
+    source.asked_length, stumbled = length or "", None
     for read in READERS:
         if nominal is not None and read is not universal.read:
             raise ValueError(
@@ -118,18 +118,30 @@ def _read(source, nominal, length):
             )
         try:
             found = read(source, nominal)
-        except ValueError:
+        except ValueError as error:
+            if isinstance(error, NotFour) and read is rows.read:
+                stumbled = error  # some other list: the links may be written otherwise
+                continue
             if said := axes_in(source):
                 raise ValueError(said) from None
-            raise
+            raise (stumbled or error) from None
         if read in (rows.read, functions.read) and found is not None:
             found = _larger(found, source)
         elif read in (keyed.read, numbered.read) and found is not None:
             found = _drawn(source, len(found.rows)) or found
+        if stumbled and found is not None and not _is_likelier(found, read):
+            raise stumbled
         if found is not None:
             require_whole(source)
             return _completed(found, read, source) if isinstance(found, Pasted) else found
     raise AssertionError  # the last reader answers or raises
+
+
+def _is_likelier(found, read):
+    """Whether what stands beside a list of another width is a table: rows with names, or calls."""
+    if not isinstance(found, Pasted):
+        return True
+    return len(found.rows) > 1 and (found.roles is not None or read is not lines.read)
 
 
 def _completed(found, read, source):
@@ -174,6 +186,9 @@ def _require_one_table(table, source):
         return
     lines = [line for line in rest.text.split("\n")[: other.lines[0]] if re.search(r"\w", line)]
     named = other.roles is not None and other.why.startswith(NAMED)
+    of_angles = rest.lines[other.lines[0] - 1 : other.lines[1]]
+    if any(OF_ANGLES.search(line) for line in of_angles):
+        return  # the links' matrices, written out
     apart = not named and any(APART.search(line) or OTHERS.search(line) for line in lines[-2:])
     if not apart and is_a_table(other) and not holds(table, other):
         raise ValueError(
@@ -204,6 +219,9 @@ def _larger(found, source):
     alone = len(found.rows) == 1
     if found.roles is None and (named := _read_or_none(numbered.read, source)):
         return named  # numbers with names say more than a list without
+    called = _read_or_none(functions.read, source) if alone else None
+    if called:
+        return called
     named = keyed.read(source) if alone or found.why == "as their names say" else None
     if named is None and (alone or found.form.startswith("calls")):
         named = _read_or_none(numbered.read, source)

@@ -49,7 +49,7 @@ def with_uses(table, source):
         One question: what else the program does, and whether it counts.
     """
     told = _of_calls(source) if not table.form else {}
-    if told.get("lying"):
+    if told.get("lying") and "a column for each link" not in table.why:
         raise ValueError(
             f"recognise_table: the program takes {told['lying'][:60]} for one link, a parameter"
             " from each row; which column is which link? Write a row for each link"

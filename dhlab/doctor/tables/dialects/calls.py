@@ -33,6 +33,8 @@ OLD_LINK = "alpha a theta d sigma offset"
 NAMED = ("theta", "d", "a", "alpha", "r", "offset")
 # DH(i,:), DH(i,2), dh[i][2]: one call makes all links
 OF_A_ROW = re.compile(r"\b[A-Za-z]\w*(?:\([a-z]\w*\s*,\s*[:\d]\)|\[[a-z]\w*\]\[\d\])")
+# Link(d=link.d, a=link.a)
+OF_LINKS = re.compile(r"\bd\s*=\s*(\w+)\.d\b.*\balpha\s*=\s*\1\.alpha\b", re.DOTALL)
 TOOLBOX = re.compile(
     r"rtb|robotic|toolbox|seriallink|dhrobot|corke|revolute(?:m?dh)\b|prismatic(?:m?dh)\b",
     re.IGNORECASE,
@@ -55,6 +57,8 @@ def read(source, nominal=None):
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
+        if OF_LINKS.search(group.text):
+            continue  # links made of links, one by one
         if known[1] == "DHLink" and not own.get(name) and source.order:
             known = (*known[:3], " ".join(source.order[0]))
         if own.get(name):  # a class of the text's own: its order is the one that it defines

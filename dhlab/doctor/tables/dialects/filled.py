@@ -44,9 +44,17 @@ def _one_a_call(found):
     rows: dict = {}
     for group in found:
         cells = _cells(group)
-        if group.outer is not None and group.outer.name and group.mark != "(" and len(cells) == 4:
+        made = group.outer is not None and group.outer.name and group.mark != "("
+        if made and len(cells) == 4 and not _is_property(group):
             rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
-    return max(rows.values(), key=len, default=[])
+    most = max(rows.values(), key=len, default=[])
+    return most if len(most) > 1 else []
+
+
+def _is_property(group):
+    """Whether a word in quotation marks says what the numbers are: ``'Position', [9, 9, 9, 3]``."""
+    before = group.outer.text.partition(group.text)[0].rstrip()
+    return bool(re.search(r"(['\"])\w+\1\s*,$", before))
 
 
 def _siblings(found, source):
@@ -56,7 +64,7 @@ def _siblings(found, source):
         cells = [item.text for item in group.items]
         alone = (
             group.outer is None and not group.name and not group.target and len(cells) in (4, 5, 6)
-        )
+        ) and cells != ["0", "0", "0", "1"]  # the origin, as a point of four numbers
         if alone and all(source.value(cell) is not None for cell in cells):
             rows = rows if rows and len(rows[0][1]) == len(cells) else []
             rows.append((f"line {group.line}", cells))

@@ -2,29 +2,26 @@
 
 import re
 from collections import Counter
-from dataclasses import replace
 
 from ..beside import labelled
-from ..cells import Cell, cell_of
+from ..cells import cell_of
 from ..evidence.orders import every_column_in
 from ..evidence.several import apart, in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import ROLES, role_of
 from ..language.words import KINDS
-from ..meaning.columns import orders as orders_of
 from ..pasted import Pasted
+from .factors import with_factors
 
 __all__ = ["definitions", "read"]
 
 FACTORED = re.compile(r"\bdhfactor\b", re.IGNORECASE)  # the Robotics Toolbox prints such calls
+HEAD = re.compile(r"\s*(?:def|function|fn|func)\b")  # of a function: no call
 CLASS = re.compile(r"\s*class\s+(\w+)")
 NAMES = ("frame", "joint")  # of calls that are no links, unless the text names their columns
 FLAGS = ("true", "false", "null", "nullptr", "none")
+JOINTS = ("theta", "q")  # what letters of a joint's variable look like
 MOST_ITEMS = 10  # the four with limits, a name and flags
-JOIN = r"\s*[.*@·]\s*"
-FACTOR = r"(?:t?rot|r|t|transl?)_?[xyz]\s*\([^()]*\)"
-PARTS = re.compile(r"([a-z_]+)\s*\(([^()]*)\)", re.IGNORECASE)
-MOVES_OF = {"rz": "theta", "tz": "d", "tx": "a", "rx": "alpha"}
 NOT_A_LINK = re.compile(
     r"(?:range|vector\d?|rpy|euler\w*|quaternion|linspace|np|array|color|plot\w*|print\w*|rotation|frame"
     r"|twist|pose|transl?|vec3|tuple|list|origin\w*|size|inertia|cuboid|box|mass|rgba|trplot|axis"
@@ -35,7 +32,11 @@ NOT_A_LINK = re.compile(
 
 def read(source, nominal=None):
     """The Pasted table of calls with four numbers each; None when there are none."""
-    calls = [group for group in groups(source.code) if group.mark == "(" and group.name]
+    calls = [
+        group
+        for group in groups(source.code)
+        if group.mark == "(" and group.name and not HEAD.match(source.lines[group.line - 1])
+    ]
     orders = definitions(source)
     found: dict = {}
     kinds: dict = {}
@@ -47,6 +48,7 @@ def read(source, nominal=None):
             found.setdefault((_last(call.name), len(cells)), []).append((call.line, cells))
             kinds[call.line, cells] = _kind(call)
     found = {name: rows for name, rows in found.items() if len(rows) >= 2}
+    found = found or _of_all_links(calls, source)
     if not found:
         return None
     (name, width), _ = Counter({one: len(rows) for one, rows in found.items()}).most_common(1)[0]
@@ -80,7 +82,7 @@ def read(source, nominal=None):
         because="as DHFactor has it" if factored else "", notes=notes,
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
-    return _with_factors(table, name, source)
+    return with_factors(table, name, source)
 
 
 def _with_behind(roles, rows, source):
@@ -139,6 +141,22 @@ def _kinds(said, source):
     return tuple("P" if (one == "true") == slides else "R" for one in said)
 
 
+def _of_all_links(calls, source):
+    """What :func:`read` collects, of one call that takes the numbers of all links, four of each:
+    ``fk(0, pi/2, 0.1, q1, 0.3, 0, 0, q2)``.
+    """
+    for call in calls:
+        values = [source.value(item.text) for item in call.items]
+        if len(values) < 8 or len(values) % 4 or None in values:
+            continue
+        cells = [cell_of(value, item.text) for value, item in zip(values, call.items)]
+        rows = [tuple(cells[at : at + 4]) for at in range(0, len(cells), 4)]
+        moving = [{k for k, cell in enumerate(row) if cell.variable in JOINTS} for row in rows]
+        if len(moving[0]) == 1 and all(one == moving[0] for one in moving):
+            return {(_last(call.name), 4): [(call.line, row) for row in rows]}
+    return {}
+
+
 def _require_all(name, width, calls, rows, source):
     """No call of the function is left out because a number in it cannot be read.
 
@@ -174,68 +192,6 @@ def _once(rows):
     same = [cells for _, cells in rows[:half]] == [cells for _, cells in rows[half:]]
     moving = any(not cell.is_constant for _, cells in rows for cell in cells)
     return rows[:half] if same and moving and half > 1 else rows
-
-
-def _with_factors(table, name, source):
-    """The table with what its calls are multiplied by: ``DH(…).DH(…).Rz(-90)``.
-
-    Raises
-    ------
-    ValueError
-        It is more than elementary moves, or it is not said in which column one is.
-    """
-    product = rf"(?<!\w){re.escape(name)}\s*\((?:[^()]|\([^()]*\))*\)"
-    behind = rf"{product}(?P<moves>(?:{JOIN}{FACTOR})*)"
-    other = rf"{behind}\s*[*@]\s*(?!{re.escape(name)}\b|{FACTOR})(?P<what>[A-Za-z][\w.]*)"
-    if left := re.search(other, source.code, re.IGNORECASE):
-        raise ValueError(
-            f"recognise_table: the product goes on with {left['what'][:30]} behind the calls of"
-            f" {name}; which row is it? Write it as a row without a joint, or leave it out"
-        )
-    if within := re.search(
-        rf"{product}{JOIN}({FACTOR}){JOIN}(?:{FACTOR}{JOIN})*{product}", source.code, re.I
-    ):
-        raise ValueError(
-            f"recognise_table: the product has {within[1][:30]} between two calls of {name}; to"
-            " which row does it belong? Write it as a row without a joint"
-        )
-    before = re.search(rf"(?P<moves>(?:{FACTOR}{JOIN})+){product}", source.code, re.IGNORECASE)
-    after = next(
-        (one for one in re.finditer(behind, source.code, re.IGNORECASE) if one["moves"]), None
-    )
-    first, last = (
-        _still(found["moves"] if found else "", table, name, source) for found in (before, after)
-    )
-    rows = (*first, *table.rows, *last)
-    if len(rows) == len(table.rows):
-        return table
-    kinds = (*("fixed" for _ in first), *table.kinds, *("fixed" for _ in last))
-    n = len(rows)
-    return replace(table, rows=rows, kinds=kinds, labels=("",) * n, signs=(1,) * n)
-
-
-def _still(moves, table, name, source):
-    """A row without a joint for each elementary move of a product.
-
-    Raises
-    ------
-    ValueError
-        One is no move along or about x or z by a number, or the columns may have several orders.
-    """
-    rows = []
-    for move, of in PARTS.findall(moves):
-        letters = re.sub("^trot", "rot", move.lower())
-        value, role = source.value(of), MOVES_OF.get(letters[0] + letters[-1])
-        place = {one.roles.index(role) for one in orders_of(table, None) if role in one.roles}
-        if value is None or value.letters or len(place) != 1:
-            raise ValueError(
-                f"recognise_table: the product has {move}({of[:30]}) beside the calls of {name};"
-                " which row is it? Write it as a row without a joint"
-            )
-        row = [Cell(0.0)] * len(table.rows[0])
-        row[place.pop()] = cell_of(value, of)
-        rows.append(tuple(row))
-    return rows
 
 
 def definitions(source):

@@ -18,14 +18,19 @@ from ..meaning.joint_types import kinds_by_number
 from ..pasted import Pasted
 from .heading import header, units_of
 
-__all__ = ["NoRows", "from_grid"]
+__all__ = ["NoRows", "NotFour", "from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
+EMPTY = ("-", "--", "---", "n/a", "n.a.", "none")  # a dash, or what stands for one
 OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
 
 class NoRows(ValueError):
     """No line of the text is a row."""
+
+
+class NotFour(ValueError):
+    """The rows have another number of columns, which nothing names."""
 
 
 def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
@@ -84,12 +89,13 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     notes = (*notes, *numbered)
     kept = roles and tuple(role for role in roles if role in KEPT)
     if any(cell is DASH for row in cells for cell in row):
-        notes = (*notes, "a dash is taken for 0")
+        notes = (*notes, "a dash, or n/a, is taken for 0")
     if any(cell is IMPLIED for row in cells for cell in row):
         notes = (*notes, "an empty cell of theta, or a range, is taken for the joint's variable")
     if kept:
         cells = tuple(slid(row, kept) for row in cells) if taken else cells
-        cells, kept, beside = with_theta(cells, kept) if None not in roles else (cells, kept, ())
+        unknown = _has_numbers(roles, [row for _, row in grid if len(row) == len(roles)])
+        cells, kept, beside = (cells, kept, ()) if unknown else with_theta(cells, kept)
         notes = (*notes, *beside)
     table = Pasted(
         cells, kept or None, why, heads, said if said != "i" else None, because,
@@ -101,6 +107,13 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     if said == "i" and named != "craig" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
     return table
+
+
+def _has_numbers(roles, rows):
+    """Whether a column of which nobody knows what it is holds numbers."""
+    unknown = [k for k, role in enumerate(roles) if role is None]
+    cells = [[_try(row[k]) for row in rows] for k in unknown]
+    return any(2 * sum(cell is not None for cell in column) > len(column) for column in cells)
 
 
 def _require_once(roles, cells):
@@ -235,9 +248,9 @@ def _cell(cell, where, k, source):
                 " look at where it was computed"
             )
         return Cell(float(cell))
-    if isinstance(cell, str) and plain(cell).strip("*` ") in ("-", "--", "---"):
+    if isinstance(cell, str) and plain(cell).strip("*` ").lower() in EMPTY:
         return DASH
-    if isinstance(cell, str) and plain(cell) in ("", "nan", "n/a", "?"):
+    if isinstance(cell, str) and plain(cell) in ("", "nan", "?"):
         raise ValueError(
             f"recognise_table: {where}, cell {k + 1}: expected a number, found"
             f" {cell.strip()[:20] or 'an empty cell'}; which number stands there? Write 0 where 0"
@@ -271,7 +284,7 @@ def _even(table):
             kinds=tuple("P" if row[4].value else "R" for row in table.rows),
         )
     if width != 4:
-        raise ValueError(
+        raise NotFour(
             f"recognise_table: expected four numbers in a row, found {width}; paste θ, d, a, α in"
             " any order, an index column before them or not"
         )

@@ -10,7 +10,7 @@ from ..beside import labelled, with_types
 from ..cells import cell_of
 from ..evidence.makers import made_by
 from ..evidence.orders import every_column_in, order_of_three
-from ..language.brackets import cells_in, groups
+from ..language.brackets import groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
 from ..language.words import KINDS
@@ -18,11 +18,12 @@ from ..meaning.columns import IMPLIED
 from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups
+from .matrix import WIDEST, heading_in, joined, laid_down, require_one, rows_in, target_of
 
 __all__ = ["read"]
 
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
-WIDE, WIDEST = 8, 24  # columns; beyond WIDE only where the text names the first four
+WIDE = 8  # columns; more only where the text names the first four
 TYPES = ("R", "P", "REVOLUTE", "PRISMATIC")
 LAST_ROW = ["0", "0", "0", "1"]
 
@@ -34,13 +35,21 @@ def read(source, nominal=None):
 
 def _numbers(source):
     found = groups(source.code)
-    matrices = [(group, rows) for group in found if _is_table(rows := _matrix(group), source)]
+    matrices = [
+        (group, rows)
+        for group in found
+        if _is_table(rows := rows_in(group), source) and not _is_vector(group, rows, source)
+    ]
     most = WIDEST if source.order else WIDE
     matrices = [one for one in matrices if len(one[1][0][1]) <= most]
-    matrices = [one for one in matrices if len(one[1][0][1]) > 3] or matrices
-    _require_one(matrices)
+    lying = [one for one in matrices if laid_down(one[1], target_of(one[0]), source)]
+    whole = [one for one in matrices if len(one[1][0][1]) > 3 and one not in lying]
+    lying = [] if whole else lying
+    matrices = lying or whole or matrices
+    matrices = joined(matrices, found)
+    require_one(matrices)
     upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
-    if matrices and len(matrices[0][1][0][1]) == 3 and not upright:
+    if matrices and len(matrices[0][1][0][1]) == 3 and not (upright or lying):
         return _of_three(matrices, source)
     grids = [_likeliest(matrices), *filled(found, source)]
     grid = max((grid for grid in grids if _is_read(grid, source)), key=_size, default=None)
@@ -49,16 +58,22 @@ def _numbers(source):
     order, convention, form = made_by(source)
     why, units = f"as {form} has them" if form else "", {}
     if order is None:
-        found = source.order
-        if found:
-            order, units, why, _ = found
+        said = source.order
+        if said:
+            order, units, why, _ = said
     width = len(grid[0][1])
-    if len(grid) in (4, 5) and width not in (4, 5) and "dq" in form.lower() + source.code.lower():
+    name = next((target_of(group) for group, rows in matrices if rows is grid), "")
+    sideways = laid_down(grid, name, source)
+    if sideways or (
+        len(grid) in (4, 5) and width not in (4, 5) and "dq" in form.lower() + source.code.lower()
+    ):
+        order, why = sideways or (order, why)
         grid = [
             (f"column {k}", list(column))
             for k, column in enumerate(zip(*(row for _, row in grid[:4])), 1)
         ]
         width = 4
+    heads = heading_in(found, width) if order is None else None
     fits, left = order if order and width in (4,) else None, ()
     named = every_column_in(source, width) if width > 4 else None
     if named:
@@ -73,7 +88,7 @@ def _numbers(source):
         left = (f"the columns behind {fits[-1]} were left out",)
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
-    table = from_grid(grid, source, fits, why, units, form)
+    table = from_grid([heads, *grid] if heads else grid, source, fits, why, units, form)
     table = replace(table, notes=(*table.notes, *left))
     table = labelled(with_types(table, source), grid, source)
     if convention:
@@ -91,17 +106,11 @@ def _words_in(grid):
     return found
 
 
-def _target(group):
-    """What a group is assigned to, itself or in a call: ``dh = np.array([…])``."""
-    outer = group.outer.target if group.outer is not None else ""
-    return (group.target or outer).lower()
-
-
 def _likeliest(matrices):
     """The rows that are named a table, else those of four or five numbers, else the largest."""
 
     def likely(one):
-        name, rows = _target(one[0]), one[1]
+        name, rows = target_of(one[0]), one[1]
         named = bool(re.search(r"dh|denavit", name)) - bool(NO_TABLE.search(name))
         return named, len(rows[0][1]) in (4, 5), _size(rows)
 
@@ -112,7 +121,7 @@ def _of_three(matrices, source):
     """The Pasted table of rows without theta, where something says that they are rows."""
     said, named = order_of_three(source), []
     for group, rows in matrices:
-        if TABLE.search(_target(group)) or (said and not source.order):
+        if TABLE.search(target_of(group)) or (said and not source.order):
             named.append(rows)
     rows = max(named, key=len, default=None)
     if rows is None or len(rows) < 2:
@@ -143,21 +152,6 @@ def _without_theta(table, source):
             row = (*row[:k], cell_of(source.value("0")), *row[k + 1 :])
         rows.append(row)
     return replace(table, rows=tuple(rows), notes=(*table.notes, *notes))
-
-
-def _require_one(matrices):
-    """Two tables by their names, dh_left and dh_right, are two arms: nobody can say which."""
-    tables: dict = {}
-    for group, rows in matrices:
-        if len(rows) > 1 and re.search(r"dh|table|param", _target(group)):
-            tables.setdefault(str([cells for _, cells in rows]), (_target(group), len(rows[0][1])))
-    widths = [width for _, width in tables.values()]
-    if len(tables) > 1 and len(set(widths)) == 1:
-        names = ", ".join(name for name, _ in tables.values())
-        raise ValueError(
-            f"recognise_table: expected one table, found two or more: {names[:60]}; paste one of"
-            " them"
-        )
 
 
 def _with_more(order, rows, source):
@@ -207,66 +201,6 @@ def _with_named(order, source):
     return order
 
 
-def _matrix(group):
-    """[(where, cells)] of the rows in a group."""
-    rows, items = [], [item for item in group.items if item.text not in ("None", "null", "nil")]
-    inner = [
-        item.groups[-1]
-        for item in items
-        if item.groups
-        and item.text.rstrip().endswith(item.groups[-1].text)
-        and re.fullmatch(r"[\w.:]*\s*", item.text[: -len(item.groups[-1].text)] or "")
-    ]
-    alone = len(items) == 1 and len(items[0].groups) > 1
-    if alone and not "".join(_between(items[0])).strip():
-        inner = items = items[0].groups  # Lisp: no mark between the rows
-    if len(inner) >= 1 and len(inner) == len(items):
-        rows = [(f"line {part.line}", [item.text for item in part.items]) for part in inner]
-        rows = [(where, cells_in(cells[0]) if len(cells) == 1 else cells) for where, cells in rows]
-    elif all(part.mark == "(" for part in inner):
-        line: list = []
-        for item in group.items:
-            line.append(item)
-            if item.after != ",":
-                rows.append(line)
-                line = []
-        rows = [
-            (
-                f"line {row[0].line}",
-                cells_in(row[0].text) if len(row) == 1 else [item.text for item in row],
-            )
-            for row in [*rows, *([line] if line else [])]
-        ]
-    rows = _without_maker(rows)
-    if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= WIDEST:
-        return []
-    if len(rows) == 1 and (
-        (group.outer is not None and group.outer.mark != "(" and len(group.outer.items) > 1)
-        or group.mark == "("
-        or (not inner and group.mark != "[")
-        or len(rows[0][1]) > 5
-    ):
-        return []
-    return rows
-
-
-def _between(item):
-    """What of an item stands between its groups."""
-    rest = item.text
-    for part in item.groups:
-        before, _, rest = rest.partition(part.text)
-        yield before
-    yield rest
-
-
-def _without_maker(rows):
-    """The rows without one name that stands before the numbers of each: ``Link 0 0.3 0 90``."""
-    first = {cells[0] for _, cells in rows if cells}
-    if len(rows) > 1 and len(first) == 1 and re.fullmatch(r"[A-Z]\w+", str(*first)):
-        return [(where, cells[1:]) for where, cells in rows]
-    return rows
-
-
 def _is_read(rows, source):
     """Whether all cells are numbers, but for names in quotation marks."""
     cells = (cell for _, row in rows for cell in row if str(cell)[:1] not in "'\"")
@@ -278,8 +212,25 @@ def _is_table(rows, source):
     read = _is_read(rows, source) and bool(
         re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row))
     )
-    last = len(rows) in (1, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
-    return read and bool(rows) and not last
+    last = len(rows) in (1, 2, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
+    return read and bool(rows) and not last and not _is_unit(rows)
+
+
+def _is_vector(group, rows, source):
+    """Whether four numbers are no row: an argument among others, or a part of an expression."""
+    if len(rows) > 1 or TABLE.search(target_of(group)):
+        return False
+    if group.outer is not None and group.outer.mark == "(" and len(group.outer.items) > 1:
+        return True
+    alone = source.lines[group.line - 1].strip(" ;,") == group.text
+    return not target_of(group) and group.outer is None and "\n" not in group.text and not alone
+
+
+def _is_unit(rows):
+    """Whether a matrix is the unit one, or the rows of it that take a part of another."""
+    cells = [[str(cell).strip() for cell in row] for _, row in rows]
+    ones = all(row.count("1") == 1 and row.count("0") == len(row) - 1 for row in cells)
+    return ones and [row.index("1") for row in cells] == list(range(len(rows))) and len(rows) > 2
 
 
 def _size(grid):

@@ -21,6 +21,7 @@ MATRIX = re.compile(  # tool_transform = np.array([[
     r"\b(\w*(?:tool|tcp|base|flange)\w*)['\"]?\s*(?:=(?!=)|:(?!:))\s*(?:[\w.]+\()?\[\s*\[",
     re.IGNORECASE,
 )
+VECTOR = re.compile(r"['\"]?\b(tool|base)\b['\"]?\s*[,=]\s*(\[[^\[\]\n]*[1-9][^\[\]\n]*\])")
 BY_THREE = re.compile(r"(?:SE3(?:\.Trans)?|transl|trans|translation)$", re.IGNORECASE)
 
 
@@ -38,6 +39,9 @@ def with_ends(table, source):
     found = [found[k] for k in last.values() if not found[k][1].lower().startswith("eye")]
     for end, t, rpy in PRINTED.findall(source.text):
         found.append((end.lower(), "SE3" if not re.search(r"[1-9]", rpy) else f"rpy {rpy}, t", t))
+    for end, numbers in VECTOR.findall(source.code) if table.form else ():
+        note = f"the text sets a {end}, {numbers[:30]}, which is not in the rows"
+        table = replace(table, notes=(*table.notes, note))
     for name in MATRIX.findall(source.code):
         note = f"the text has a matrix {name[:30]}, which is not in the rows"
         table = replace(table, notes=(*table.notes, note))

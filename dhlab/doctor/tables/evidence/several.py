@@ -4,7 +4,7 @@ are given two values.
 
 import re
 
-from ..language.assigned import ASSIGNED, is_joint_value
+from ..language.assigned import ASSIGNED, joint_values
 from ..language.expressions import key
 from ..language.vocabulary import CONSTANTS
 
@@ -81,7 +81,7 @@ def require_one_value(table, source):
         again = re.search(rf"\b{re.escape(match[1])}\b", match[2])
         if name not in words or again or value is None or value.letters or name in CONSTANTS:
             continue
-        if not is_joint_value(match[1], match[2]):
+        if not joint_values({match[1]: match[2]}):
             line = source.code.count("\n", 0, match.start(1)) + 1
             said.setdefault(name, {}).setdefault(round(value.number, 9), (match, line))
     for values in said.values():

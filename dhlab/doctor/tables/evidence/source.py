@@ -11,7 +11,7 @@ from ..language.assigned import (
     assigned_in,
     counted_from_zero,
     from_zero,
-    is_joint_value,
+    joint_values,
     listed_in,
     without_overwritten,
 )
@@ -165,12 +165,13 @@ def source_of(text, values=None):
         counted_from_zero(key(str(name)), code): float(value)
         for name, value in (values or {}).items()
     }
+    stands = joint_values(known)
     return Source(
         text,
         code,
         known,
         comments,
-        {**{name: said for name, said in known.items() if not is_joint_value(name, said)}, **given},
+        {**{name: said for name, said in known.items() if name not in stands}, **given},
         called_convention(code) or _convention(text),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),

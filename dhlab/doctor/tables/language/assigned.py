@@ -10,7 +10,7 @@ __all__ = [
     "assigned_in",
     "counted_from_zero",
     "from_zero",
-    "is_joint_value",
+    "joint_values",
     "listed_in",
     "without_overwritten",
 ]
@@ -30,6 +30,8 @@ BEGINS = re.compile(
     r"\s*(?:(?:async\s+)?def|class|function|func|fn|if|elif|else|for|while|switch|case|end|try|with)\b"
     r"|[^=]*[{}]"
 )
+JOINT = re.compile(r"(?:theta|th|q|t|joint|phi)\d*|q\[\d+\]")
+OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
     r"\b([A-Za-z_]\w*)(?:\[\w*\])?\s*=\s*(?:\w+\.)?(?:array\(\s*)?"
@@ -141,8 +143,21 @@ def counted_from_zero(name, code):
     return f"{found[1]}[{int(found[2]) - 1}]"
 
 
-def is_joint_value(name, said):
-    """Whether this is where a joint stands, as ``theta1 = 0.3``, and nothing a table needs."""
-    if not re.fullmatch(r"(theta|th|q|t|joint|phi)\d*|q\[\d+\]", name.lower()):
-        return False
-    return not re.search(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d", said)
+def joint_values(known):
+    """The names that say where a joint stands, as ``theta1 = 0.3``, and nothing a table needs; a
+    number among names that most joints have for their variables, ``theta1 = req.q1``, is a fixed
+    angle.
+
+    Examples
+    --------
+    >>> joint_values({"theta1": "0.3", "theta2": "q2 - 90", "d1": "0.1"})
+    {'theta1'}
+    >>> joint_values({"theta1": "q1", "theta2": "q2 - 90", "theta3": "0"})
+    set()
+    """
+    names = [name for name in known if JOINT.fullmatch(name.lower())]
+    stands = {name for name in names if not OF_ANOTHER.search(known[name])}
+    stems = [name.rstrip("0123456789") for name in names if name not in stands]
+    given = [name.rstrip("0123456789") for name in stands]
+    defined = {stem for stem in stems if stems.count(stem) > max(given.count(stem), 1)}
+    return {name for name in stands if name.rstrip("0123456789") not in defined}

@@ -123,6 +123,27 @@ def unit_in(text):
     return UNIT_OF.get(said, said)
 
 
+def _misspelt(word):
+    """The Greek letter of which a word differs in one letter, or in the order of two; "" of none.
+
+    Examples
+    --------
+    >>> _misspelt("aplha"), _misspelt("thetha"), _misspelt("beta")
+    ('alpha', 'theta', '')
+    """
+    for name in ("alpha", "theta"):
+        if word[:1] != name[0] or abs(len(word) - len(name)) > 1:
+            continue
+        longer, shorter = sorted((word, name), key=len, reverse=True)
+        if len(longer) > len(shorter):
+            near = any(longer[:k] + longer[k + 1 :] == shorter for k in range(len(longer)))
+        else:
+            near = sum(a != b for a, b in zip(word, name)) == 1 or sorted(word) == sorted(name)
+        if near:
+            return name
+    return ""
+
+
 def role_of(text):
     """(role, whether it is the previous row's) that a heading or a name means; role None when none.
 
@@ -164,6 +185,8 @@ def _role_of(text):
             return role, previous
     if words in LETTERS:
         return LETTERS[words], previous
+    if meant := _misspelt(words.rstrip("0123456789_")):
+        return meant, previous
     first = words.split(" ")
     if len(first) > 1 and len(first[-1]) <= 2 and first[-1] in LETTERS:
         return LETTERS[first[-1]], previous  # "link distance d", "ur5 a"

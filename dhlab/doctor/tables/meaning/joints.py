@@ -9,6 +9,7 @@ from dataclasses import replace
 from ..cells import Cell
 
 __all__ = [
+    "MOVES",
     "by_number",
     "joints_of",
     "named_alone",
@@ -19,7 +20,7 @@ __all__ = [
 
 # what turns a joint's value in degrees, or a stroke in mm or cm, into the unit of the table
 FACTORS = {"R": (1.0, math.pi / 180), "P": (1.0, 0.001, 0.01, 0.1, 10.0, 1000.0)}
-MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "?")}
+MOVES = {"theta": ("theta", "q", "?"), "d": ("d", "q", "theta", "?")}
 
 
 def joints_of(table, columns, still):
@@ -45,7 +46,8 @@ def joints_of(table, columns, still):
             and (
                 named_alone(columns, i)
                 if d.is_constant
-                else d.variable in MOVES["d"] and (turning or d.variable == "q" or "*" in d.text)
+                else d.variable in MOVES["d"]
+                and (turning or d.variable in MOVES["theta"][:2] or "*" in d.text)
             )
         )
         letter = silent.get(i, "P" if slides else "R")

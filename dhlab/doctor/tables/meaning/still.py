@@ -4,7 +4,7 @@ a row of numbers only may be among rows of variables.
 
 import re
 
-from .joints import by_number, named_alone
+from .joints import MOVES, by_number, named_alone
 
 __all__ = ["on_one_axis", "unwritten"]
 
@@ -49,7 +49,7 @@ def unwritten(table, columns, right):
     moves = [
         (kinds[i] or by_number(columns, i)) in ("R", "P")
         or not columns["theta"][i].is_constant
-        or columns["d"][i].variable in ("d", "q", "?")
+        or columns["d"][i].variable in MOVES["d"]
         for i in range(n)
     ]
     fixed = [
