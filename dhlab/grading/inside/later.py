@@ -1,0 +1,58 @@
+"""Packages that others name and do not use: a rotation of scipy's brings numpy's tests, its reader
+of Fortran and scipy's trees with it, two thirds of what it takes. Here they wait until something of
+theirs is used, and cost the process that uses it.
+"""
+
+import sys
+from importlib import import_module
+from importlib.machinery import PathFinder
+from types import ModuleType
+from typing import Any
+
+__all__ = ["LATER", "let_wait"]
+
+# by package, the names that are found in one of its modules without the rest
+LATER: dict[str, dict[str, str]] = {
+    "numpy.f2py": {},
+    "numpy.polynomial": {},
+    "numpy.testing": {},
+    "scipy.spatial": {},
+    "scipy.spatial.transform": {"Rotation": "_rotation", "Slerp": "_rotation"},
+}
+
+
+class _Waiting(ModuleType):
+    """A package that is read when a name of its own is wanted; the modules in it can be imported
+    before.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        if inner := sys.modules.get(f"{self.__name__}.{name}"):
+            return inner
+        if home := LATER[self.__name__].get(name):
+            try:
+                return getattr(import_module(f"{self.__name__}.{home}"), name)
+            except (ImportError, AttributeError):
+                pass  # another release has it elsewhere
+        self.__class__ = ModuleType  # type: ignore[assignment]
+        loader: Any = self.__spec__ and self.__spec__.loader
+        type(loader).exec_module(loader, self)  # not the loader's own, which is _wait
+        return getattr(self, name)
+
+
+def _wait(module):
+    module.__class__ = _Waiting
+
+
+class _Finder:
+    @staticmethod
+    def find_spec(name, path=None, target=None):
+        spec: Any = PathFinder.find_spec(name, path) if name in LATER else None
+        if spec is not None:
+            spec.loader.exec_module = _wait
+        return spec
+
+
+def let_wait() -> None:
+    """From here on the packages of ``LATER`` wait."""
+    sys.meta_path.insert(0, _Finder)
