@@ -40,3 +40,13 @@ def test_a_rotation_leaves_waiting_what_it_does_not_use():
     loaded = set(done.stdout.split())
     assert "scipy.spatial.transform._rotation" in loaded, done.stderr
     assert not loaded & {"scipy.spatial._kdtree", "scipy.linalg", "numpy.testing._private.utils"}
+
+
+def test_the_warm_parent_loads_what_its_copies_want_of_it():
+    done = _run(
+        "from dhlab.grading.inside.later import load\nload('scipy.spatial.transform')\n"
+        "load('numpy.polynomial')\nprint(*sys.modules)"
+    )
+    loaded = set(done.stdout.split())
+    assert {"scipy.spatial.transform._rotation", "numpy.polynomial.chebyshev"} <= loaded
+    assert "scipy.linalg" not in loaded, done.stderr

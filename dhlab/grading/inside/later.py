@@ -9,7 +9,7 @@ from importlib.machinery import PathFinder
 from types import ModuleType
 from typing import Any
 
-__all__ = ["LATER", "let_wait"]
+__all__ = ["let_wait", "load"]
 
 # by package, the names that are found in one of its modules without the rest
 LATER: dict[str, dict[str, str]] = {
@@ -51,6 +51,17 @@ class _Finder:
         if spec is not None:
             spec.loader.exec_module = _wait
         return spec
+
+
+def load(name: str) -> ModuleType:
+    """A module, with what is wanted of it where it waits: the modules that hold its names, or all
+    of it.
+    """
+    module = import_module(name)
+    if isinstance(module, _Waiting):
+        for wanted in LATER[name] or ("__all__",):
+            getattr(module, wanted)
+    return module
 
 
 def let_wait() -> None:

@@ -8,7 +8,6 @@ says that it is over, one line answers how it ended.
 
 import contextlib
 import gc
-import importlib
 import json
 import os
 import re
@@ -18,9 +17,8 @@ import socket
 import sys
 import time
 
-from dhlab.grading.inside import confine
+from dhlab.grading.inside import confine, later
 from dhlab.grading.inside.examples import used_once
-from dhlab.grading.inside.later import let_wait
 
 LOADED = re.compile(r"""\bdh\.load\(["']([\w.-]+)["']\)""")
 LOOK = 0.03  # seconds between two looks at what a submission writes
@@ -152,7 +150,7 @@ def _warm(modules, lessons):
     """Load what submissions will ask for, and read the cells that most of them hold unchanged and
     the arms that these load; what this machine does not have is passed over.
     """
-    let_wait()
+    later.let_wait()
     import dhlab
     from dhlab.grading.inside import rehearsal, slices
 
@@ -174,7 +172,7 @@ def _load(modules):
     loaded = []
     for name in modules:
         with contextlib.suppress(Exception):
-            loaded.append(importlib.import_module(name))
+            loaded.append(later.load(name))
     for module in loaded:
         with contextlib.suppress(Exception):
             used_once(module)
