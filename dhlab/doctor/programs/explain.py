@@ -172,7 +172,11 @@ def _wrong_version(answers, cases, kind):
 
 
 def _same(a, b, tolerance=1e-9):
-    return np.allclose(a, b, rtol=tolerance, atol=tolerance)
+    """``np.allclose`` in less than half of its time: wrong versions are many."""
+    b = np.asarray(b) * 1.0  # of truth values as well
+    if not np.isfinite(b).all():
+        return np.allclose(a, b, rtol=tolerance, atol=tolerance)
+    return bool((np.abs(a - b) <= tolerance * (1 + np.abs(b))).all())
 
 
 def _changed_as_wholes(answers, expected, tolerance):
