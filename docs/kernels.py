@@ -1,5 +1,6 @@
-"""Kernels for the notebooks of the site, forked from one process that has imported and drawn once
-what nearly all of them import and draw: that is a third of what they take of the processor.
+"""Kernels for the notebooks of the site, and for the solutions when they are tested
+(`solutions/conftest.py`), forked from one process that has imported and drawn once what nearly all
+of them import and draw: that is a third of what they take of the processor.
 """
 
 import json
@@ -12,16 +13,16 @@ from functools import cache
 from threading import Lock
 
 from ipykernel.kernelapp import launch_new_instance
-from jupyter_client import AsyncKernelManager
+from jupyter_client import AsyncKernelManager, KernelManager
 from jupyter_client.provisioning import LocalProvisioner
 
-__all__ = ["Forked"]
+__all__ = ["Forked", "ForkedInStep"]
 
 LOCK = Lock()
 
 
-class Forked(AsyncKernelManager):
-    """The manager of a kernel that is forked; on Windows, where nothing can be, of one that is
+class _Forks:
+    """What makes a manager one of a kernel that is forked; on Windows, where nothing can be, it is
     started as any other.
     """
 
@@ -31,6 +32,14 @@ class Forked(AsyncKernelManager):
             self.provisioner = Provisioner(
                 parent=self, kernel_id=self.kernel_id, kernel_spec=self.kernel_spec
             )
+
+
+class Forked(_Forks, AsyncKernelManager):
+    """The manager of a kernel that is forked."""
+
+
+class ForkedInStep(_Forks, KernelManager):
+    """The same, for who waits for each of its answers."""
 
 
 class Provisioner(LocalProvisioner):
