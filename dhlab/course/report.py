@@ -2,6 +2,7 @@
 says.
 """
 
+from functools import cached_property
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -164,12 +165,13 @@ class Report:
             self._words(),
         ]
         words += [(small, "The repaired table"), arm_html(repaired)] if repaired else []
+        check, frames = self._figures
         pictures = [
             (small, "The check"),
             f"<p>{escape(self._evidence())}</p>",
-            _figure(self._diagnosis.picture),
+            check,
             (small, "The arm and its frames"),
-            _figure(self._picture()),
+            frames,
         ]
         top = [(large, self._name), f'<p class="verdict">{escape(self._diagnosis.headline)}</p>']
         return (
@@ -204,6 +206,11 @@ class Report:
         """The repaired arm, where the doctor has one that differs."""
         repair = self._diagnosis.findings[0].repair if self._diagnosis.findings else None
         return None if repair == self._arm else repair
+
+    @cached_property
+    def _figures(self):
+        """The check and the arm, drawn once for all pages: nearly all that a page takes."""
+        return _figure(self._diagnosis.picture), _figure(self._picture())
 
     def _picture(self):
         """The arm where it is stretched furthest, of the poses at hand."""

@@ -90,7 +90,6 @@ def test_what_a_user_wrote_is_only_text(page):
     assert not any(name.startswith("on") for name, _ in parsed.attributes)
 
 
-@pytest.mark.slow
 def test_nothing_is_asked_of_the_outside(page):
     assert not re.search(
         r"https?://|//[a-z]|@import|url\(",
@@ -100,7 +99,6 @@ def test_nothing_is_asked_of_the_outside(page):
     assert sources and all(source.startswith("data:image/png;base64,") for source in sources)
 
 
-@pytest.mark.slow
 def test_the_same_data_give_the_same_bytes(page, sick, tmp_path):
     page.save(tmp_path / "one.html")
     report(sick[0], sick[1]).save(tmp_path / "two.html")
@@ -111,7 +109,6 @@ def test_the_same_data_give_the_same_bytes(page, sick, tmp_path):
     )
 
 
-@pytest.mark.slow
 def test_an_existing_page_is_kept(page, tmp_path):
     file = tmp_path / "arm.html"
     file.write_text("my page of last year")
