@@ -22,6 +22,7 @@ from dhlab.course.exercises import exercises
 from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.variants import variant
 from dhlab.grading.intake.roster import Student
+from dhlab.grading.judging import running
 from dhlab.grading.plan import plan
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.settings import Lesson, Settings
@@ -140,7 +141,7 @@ def test_a_class(reference):
 
 def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(reference, tmp_path):
     """Of the class only one has written programs, so that one worker alone needs a second cage."""
-    distributed = pytest.importorskip("distributed")
+    dask, distributed = pytest.importorskip("dask"), pytest.importorskip("distributed")
     folder = tmp_path / "class"
     shutil.copytree(reference[0], folder, ignore=shutil.ignore_patterns("ada", "cy", "eve"))
     for student, letter in {"ada": "b", "cy": "a", "eve": "?"}.items():
@@ -148,11 +149,16 @@ def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(refere
     outs = one, two, three = [tmp_path / name for name in ("one", "two", "three")]
     grade(folder, one, roster=ROSTER)
     grade(folder, two, roster=ROSTER, jobs=2)
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
-    ) as cluster:
+    with (
+        # looks into every worker a hundred times a second: a quarter of all that this test takes
+        dask.config.set({"distributed.worker.profile.enabled": False}),
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+    ):
         with distributed.Client(cluster) as client:
             first = next(iter(client.run(os.getpid).values()))
+            client.run(_for_good, nanny=True)
 
         def kill_one(done, of):
             if done == 1:
@@ -160,13 +166,17 @@ def test_one_job_two_jobs_and_a_cluster_that_loses_a_worker_give_the_same(refere
 
         address = cluster.scheduler_address
         grade(folder, three, roster=ROSTER, scheduler=address, progress=kill_one)
-    points = {
-        student: sum(m["points"] for m in own["marks"]) for student, own in on_disk(one).items()
-    }
-    assert points == {**dict.fromkeys(points, 0), "ada": 1, "bo": 10}
-    assert on_disk(one) == on_disk(two) == on_disk(three)
+    found = on_disk(one)
+    points = {student: sum(m["points"] for m in own["marks"]) for student, own in found.items()}
+    assert points == {**dict.fromkeys(points, 0), "ada": 1, "bo": 10} and len(points) == 7
+    assert found == on_disk(two) == on_disk(three)
     grades = [(out / "grades.csv").read_bytes() for out in outs]
     assert grades[0] == grades[1] == grades[2]
+
+
+def _for_good(dask_worker):
+    """A worker that is lost is not started again."""
+    dask_worker.auto_restart = False
 
 
 def test_two_graders_do_not_share_a_folder(reference, tmp_path):
@@ -370,7 +380,10 @@ def test_what_cannot_be_graded(folder, change, words):
 
 
 @pytest.mark.cage
-def test_every_lessons_solution_earns_everything_and_its_stubs_nothing(tmp_path):
+def test_every_lessons_solution_earns_everything_and_its_stubs_nothing(
+    tmp_path, kept_cages, monkeypatch
+):
+    monkeypatch.setattr("dhlab.grading.grade.close", kept_cages)
     for student in ("solutions", "lessons"):
         shutil.copytree(
             corpus.ROOT / student,
@@ -378,10 +391,11 @@ def test_every_lessons_solution_earns_everything_and_its_stubs_nothing(tmp_path)
             ignore=shutil.ignore_patterns("*.md", "teacher"),
         )
     solutions, lessons = sorted(
-        grade(tmp_path / "class", tmp_path / "out", jobs=2)[0],
+        grade(tmp_path / "class", tmp_path / "out")[0],
         key=lambda graded: graded.student,
         reverse=True,
     )
+    assert running._cages == {}, "no cage stays when a class is graded"
     assert {m.exercise: m.status for m in solutions.marks if m.status != "right"} == {}
     assert solutions.points == solutions.of == sum(e.points for e in exercises().values())
     assert {m.status for m in lessons.marks} == {
