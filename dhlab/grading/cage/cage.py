@@ -131,7 +131,7 @@ class Cage:
 
     @contextlib.contextmanager
     def talk(self, request: Mapping[str, Any], notebook: bytes, seconds: float) -> Iterator[Talk]:
-        """Talk with one program of a notebook: what ``with`` gives asks it.
+        """Talk with one program of a notebook: what ``with`` gives asks it, call after call.
 
         Parameters
         ----------

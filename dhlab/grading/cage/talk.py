@@ -1,4 +1,6 @@
-"""Asks a program in the cage and hears its answers; nothing that it says is trusted."""
+"""Asks a program in the cage, one call at a time, and hears its answers; nothing that it says is
+trusted.
+"""
 
 import contextlib
 import json
@@ -6,14 +8,12 @@ import select
 import signal
 import socket
 import time
-from collections.abc import Iterable, Iterator, Mapping
-from itertools import accumulate
+from collections.abc import Mapping
 from typing import Any
 
 __all__ = ["Talk"]
 
 MOST = 200_000  # bytes of one answer
-AHEAD = 60_000  # bytes of questions that wait; a socket holds more
 
 
 class Talk:
@@ -36,34 +36,22 @@ class Talk:
         """How it ended, when it did not answer: "timed out" or "crashed"."""
         return "timed out" if self.late or self.status == -signal.SIGXCPU else "crashed"
 
-    def hear(self) -> dict[str, Any] | None:
-        """What it says next, which at first is whether there is a program; None when it says
-        nothing.
+    def ask(self, question: Mapping[str, Any] | None = None) -> dict[str, Any] | None:
+        """The answer to a question, or to none, which is how a talk begins; None when there is no
+        answer.
         """
-        with contextlib.suppress(OSError, ValueError, RecursionError):
-            found = json.loads(self._line(min(time.monotonic() + self._most, self._deadline)))
-            if isinstance(found, dict):
-                self.first = self.first or [found]
+        with contextlib.suppress(OSError):
+            if question is not None:
+                self._channel.sendall(json.dumps(question).encode() + b"\n")
+            line = self._line(min(time.monotonic() + self._most, self._deadline))
+            with contextlib.suppress(ValueError, RecursionError):
+                found = json.loads(line)
+                if not isinstance(found, dict):
+                    return None
+                if question is None:
+                    self.first.append(found)
                 return found
         return None
-
-    def ask(self, questions: Iterable[Mapping[str, Any]]) -> Iterator[dict[str, Any] | None]:
-        """What it says to each question, in their order, as long as these are values.
-
-        They are handed over together, which spares both sides a wait for each; as many as its end
-        holds, so that neither waits for the other.
-        """
-        asked = [json.dumps(question).encode() + b"\n" for question in questions]
-        while asked:
-            count = 1 + sum(size <= AHEAD for size in accumulate(map(len, asked[1:])))
-            with contextlib.suppress(OSError):
-                self._channel.sendall(b"".join(asked[:count]))
-            for _ in range(count):
-                line = self.hear()
-                yield line
-                if line is None or "value" not in line:
-                    return
-            del asked[:count]
 
     def _line(self, deadline):
         while b"\n" not in self._rest:

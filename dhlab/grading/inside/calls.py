@@ -1,5 +1,5 @@
 """One program of a student, called. It runs here with only the statements that it depends on;
-arguments arrive from outside once it has run, answers leave as plain numbers.
+arguments arrive one call at a time from outside, answers leave as plain numbers.
 
 Where the task is to write kinematics, this room has none: ``stand_in/own.py`` stands in for dhlab.
 """
@@ -10,7 +10,6 @@ import marshal
 import os
 import random
 import sys
-import time
 import types
 from base64 import b64decode
 from collections.abc import Collection
@@ -28,47 +27,32 @@ from .wire import decode, encode
 
 __all__ = ["answer"]
 
-MOMENT = 0.2  # seconds
-
 
 def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[str]) -> None:
     """Find the program that a notebook hands in for an exercise, say whether there is one, then
-    answer until nobody asks any more.
+    answer call after call until nobody asks any more.
     """
     room = _Room(request, notebooks.read(raw, request["checks"]))
-    line = room.begin()
-    with quiet():
-        _say(channel, [room.said(line | {"loaded": loaded(warm)})])
-        rest = b""
-        while "ready" in line or "value" in line:
-            more = os.read(channel, 1 << 16)
-            if not more:
+    line = room.begin() | {"loaded": loaded(warm)}
+    with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked, quiet():
+        while line is not None:
+            data = json.dumps(line | {"closed": room.closed()}).encode() + b"\n"
+            while data:
+                data = data[os.write(channel, data) :]
+            if "ready" not in line and "value" not in line:
                 return
-            *asked, rest = (rest + more).split(b"\n")
-            line = _answers(room, asked, channel) or line
+            question = _line(asked)
+            line = room.call(question) if question else None
 
 
-def _answers(room, asked, channel):
-    """Answer some questions; the last answer, or the first that is no value. What has been said
-    waits for the rest of it, not longer than a moment.
-    """
-    line, said, since = None, [], time.monotonic()
-    for question in asked:
-        line = room.call(json.loads(question))
-        said.append(room.said(line))
-        if "value" not in line:
-            break
-        if time.monotonic() - since > MOMENT:
-            _say(channel, said)
-            said, since = [], time.monotonic()
-    _say(channel, said)
-    return line
-
-
-def _say(channel, lines):
-    data = b"".join(lines)
-    while data:
-        data = data[os.write(channel, data) :]
+def _line(file):
+    found = b""
+    while not found.endswith(b"\n"):
+        more = file.read(1 << 16)
+        if not more:
+            return None
+        found += more
+    return json.loads(found)
 
 
 class _Room:
@@ -87,10 +71,6 @@ class _Room:
     def closed(self):
         """The parts of dhlab that were asked for and are not here."""
         return sorted(getattr(sys.modules["dhlab"], "asked", ()))[:20]
-
-    def said(self, line):
-        """A line as it is sent."""
-        return json.dumps(line | {"closed": self.closed()}).encode() + b"\n"
 
     def begin(self):
         """Run what the program depends on; a line that says how that went."""

@@ -45,8 +45,7 @@ class Asked:
 def ask(
     cage: Cage, request: Mapping[str, Any], notebook: bytes, exercise: Function, number: int
 ) -> Asked:
-    """Call a program with the inputs of an exercise, one after the other, and once more with the
-    first.
+    """Call a program with the inputs of an exercise, one after the other.
 
     Parameters
     ----------
@@ -66,12 +65,14 @@ def ask(
     cases = exercise.cases(number)
     answers: list[Any] = []
     with cage.talk(request, notebook, cage.limits.seconds) as talk:
-        line = talk.hear()
-        if line is not None and "ready" in line:
-            asked = ({"case": [encode(value) for value in case]} for case in [*cases, cases[0]])
-            for line in talk.ask(asked):
-                if line is not None and "value" in line:
-                    answers.append(_plain(line["value"]))
+        line = talk.ask()
+        while line is not None and ("ready" in line or "value" in line):
+            if "value" in line:
+                answers.append(_plain(line["value"]))
+            if len(answers) > len(cases):
+                break
+            case = cases[len(answers) % len(cases)]  # the first once more at the end
+            line = talk.ask({"case": [encode(value) for value in case]})
     closed = _closed(line)
     if line is None:
         return Asked(stopped=talk.stopped, closed=closed, seconds=talk.seconds)

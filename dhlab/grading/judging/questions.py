@@ -210,7 +210,7 @@ def call_request(
 ) -> dict[str, Any]:
     """What the cage is told of one program before it is called; ``cell`` is that of its check.
 
-    The arguments are not among it: they arrive when the program has been made.
+    The arguments are not among it: they arrive call by call.
     """
     asked = request(course, variant, skip)
     return {name: asked[name] for name in ("checks", "given", "skip", "cell_seconds")} | {
