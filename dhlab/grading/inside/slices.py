@@ -94,7 +94,8 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
     (['g', 'k'], ['f'])
     """
     reads, binds = _names(text or ast.unparse(node))
-    changed = _changed(node)
+    within = _within(node)
+    changed = _changed(within)
     writes = binds | (changed & reads)
     star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
     call = _call(node)
@@ -107,7 +108,7 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
         frozenset(_assigned(node)),
         acts=call is not None and called not in SHOWING,
         always=star or bool(reads & UNREADABLE),
-        defines=any(isinstance(inner, DEFINING) for inner in ast.walk(node)),
+        defines=any(isinstance(inner, DEFINING) for inner in within),
         harmless=isinstance(node, ast.FunctionDef) and not changed and binds == {node.name},
         imports=isinstance(node, (ast.Import, ast.ImportFrom)),
     )
@@ -162,10 +163,23 @@ def _names(text):
     return reads, binds
 
 
-def _changed(node):
+def _within(node):
+    """A node and all that is in it: ast.walk in half the time, and walked once."""
+    found = [node]
+    for one in found:  # grows meanwhile
+        for name in one._fields:
+            value = getattr(one, name, None)
+            if type(value) is list:
+                found += [entry for entry in value if isinstance(entry, ast.AST)]
+            elif isinstance(value, ast.AST):
+                found.append(value)
+    return found
+
+
+def _changed(within):
     """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``."""
     found = set()
-    for inner in ast.walk(node):
+    for inner in within:
         if isinstance(inner, (ast.Subscript, ast.Attribute)) and not isinstance(
             inner.ctx, ast.Load
         ):

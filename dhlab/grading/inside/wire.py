@@ -20,6 +20,7 @@ TEXT = 400  # characters
 DTYPES = {"f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "b1"}
 # what decode raises for what is not of this form
 DECODED = (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError)
+NUMBERS = frozenset({int, float, bool})
 WHOLE = 2**63  # a larger number is sent as a float
 
 
@@ -164,9 +165,7 @@ def _decode_array(content):
         or len(data) > LONGEST
     ):
         raise ValueError("expected an array of the wire, found something else")
-    if not all(type(n) is int and n >= 0 for n in shape) or not all(
-        type(entry) in (int, float, bool) for entry in data
-    ):
+    if not all(type(n) is int and n >= 0 for n in shape) or not NUMBERS.issuperset(map(type, data)):
         raise ValueError("expected an array of numbers, found something else")
     with np.errstate(all="ignore"):
         try:
