@@ -43,6 +43,7 @@ LAST_ROW = Said(  # of a place that is read off a pose
     "every number is 0, as in the last row of a pose",
     next="Where in a 4×4 does the place stand: in its last row, or in its last column?",
 )
+MOST_DEGREES = 1e6  # off by more, an angle has no digits left in which turns could be told apart
 HARDLY = 0.1  # of the largest number: further off, a rounded answer is hardly the right one
 
 
@@ -229,6 +230,7 @@ class Value(Exercise):
         size = np.abs(value)
         if self.turns:
             angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
+            angles &= np.abs(difference) < MOST_DEGREES
             difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
             size = np.abs(np.where(angles, value - 360 * np.round(value / 360), value))
         allowed = np.maximum(tolerance * size, self.tolerance * (1 + size))
