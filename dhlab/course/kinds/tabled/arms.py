@@ -48,6 +48,8 @@ def size(off: tuple[float, float]) -> str:
 
 
 def _rounded(value):
+    if not np.isfinite(value):  # lengths that no float can add
+        return "∞"
     if value < 1e-5:
         return "0"
     return number(value, 0 if value >= 10 else max(0, 1 - int(np.floor(np.log10(value)))))
