@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ...course.kinds import Function, Table
+from ...course.kinds import Function
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
 from ..inside.wire import DECODED, decode, error_name
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
+from .shares import share
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,6 +28,7 @@ __all__ = ["mark", "Answers"]
 
 TEXT = 300
 WORD = 12  # letters; the longest text that a right answer has
+ENTRY = 3  # of a text in a list; else it is an option's id
 MOST_NUMBERS = 1000  # of an answer that is compared; right ones have a few dozen
 READ = "Run the notebook from top to bottom and read the last line of the message."
 
@@ -120,7 +122,7 @@ def _judged(exercise, line, variant, settings, worth):
         answer = decode(line["value"])
         if _size(answer) > MOST_NUMBERS:
             raise ValueError("expected an answer of a few numbers, found many")
-        answer = _short(answer)
+        answer = _short(answer, exercise.texts() if isinstance(exercise, Lettered) else ())
     except DECODED:
         headline = (
             "the answer cannot be read: give plain numbers, text, a list, a table or a function"
@@ -139,16 +141,19 @@ def _size(answer):
     return int(getattr(rows, "size", 1))
 
 
-def _short(answer):
+def _short(answer, known, most=WORD):
     """An answer without texts of its own: what is repeated to its student are letters and words of
-    the course.
+    the course; ``known`` are the ids of options.
     """
     if isinstance(answer, str):
-        return answer if len(answer) <= WORD and answer.isascii() and answer.isprintable() else "…"
+        plain = len(answer) <= most and answer.isascii() and answer.isprintable()
+        return answer if plain or answer.strip().lower() in known else "…"
     if isinstance(answer, list):
-        return [_short(entry) for entry in answer]
+        return [_short(entry, known, ENTRY) for entry in answer]
     if isinstance(answer, dict):
-        return {_short(key): _short(entry) for key, entry in answer.items()}
+        return {
+            _short(key, known, ENTRY): _short(entry, known, ENTRY) for key, entry in answer.items()
+        }
     return answer
 
 
@@ -160,10 +165,11 @@ def _compared(exercise, answer, number, settings, worth):
         headline = "this answer could not be compared; your teacher will look at it"
         note = f"the judge stopped with {type(error).__name__}: {error}"[:TEXT]
         return Mark(exercise.id, ERROR, 0, worth, headline=headline, note=note)
+    earned = share(exercise, answer, number, verdict, settings)
     return Mark(
         exercise.id,
         TO_MARK if verdict.status == RECORDED else verdict.status,
-        round(_share(exercise, verdict, settings) * worth, 4),
+        round(earned * worth, 4),
         worth,
         verdict.mistake,
         verdict.headline,
@@ -195,19 +201,6 @@ def _program(exercise, asked, number, settings, worth):
     if asked.closed and found.status != RIGHT:
         return _own(found, asked, settings)
     return found
-
-
-def _share(exercise, verdict, settings):
-    """The share of the points: all, none, or the teacher's share for a program or a table whose
-    mistake is recognised.
-    """
-    if verdict.status == RIGHT:
-        return 1.0
-    return (
-        settings.partial
-        if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table))
-        else 0.0
-    )
 
 
 def _own(found, asked, settings):

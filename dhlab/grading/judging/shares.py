@@ -1,0 +1,70 @@
+"""What share of its points an answer earns: what is wrong earns some only where it is work, and the
+mistake in it one that was made.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...course.kinds import Function, Table
+from ...course.kinds.tabled.arms import IN_DEGREES
+from ...course.kinds.tabled.copied import Copied
+from ...course.kinds.tabled.entries import differing
+from ...course.verdict import RIGHT, WRONG
+from ...doctor.mistakes.registry import only_seen
+
+if TYPE_CHECKING:
+    from ...course.kinds.exercise import Exercise
+    from ...course.verdict import Verdict
+    from ..settings import Settings
+
+__all__ = ["share"]
+
+
+def share(
+    exercise: Exercise, answer: Any, number: int, verdict: Verdict, settings: Settings
+) -> float:
+    """The share of the points: all, none, or the teacher's share for a program or a table whose
+    mistake is recognised and that is work all the same.
+    """
+    if verdict.status == RIGHT:
+        return 1.0
+    if verdict.status != WRONG or not verdict.mistake or not settings.partial:
+        return 0.0
+    if isinstance(exercise, Function):
+        work = _computes(exercise, answer, number) and not only_seen(verdict.mistake)
+    else:
+        # what is to be repaired has a mistake that is recognised when it is handed out
+        work = isinstance(exercise, Table) and not exercise.handed_out
+        work = work and not _of_many_numbers(exercise, answer, number, verdict.mistake)
+    return settings.partial if work else 0.0
+
+
+def _computes(exercise, called, number):
+    """Whether a program gives something of its own: not the same whatever goes in, and none of its
+    arguments.
+    """
+    given = called.answers
+    if called.fault or all(_same(one, given[0]) for one in given):
+        return False
+    cases = exercise.cases(number)
+    return not any(
+        all(_same(one, case[k]) for one, case in zip(given, cases))
+        for k in range(len(exercise.names))
+    )
+
+
+def _of_many_numbers(exercise, answer, number, mistake):
+    """Whether a table to be copied has several numbers that are no more than wrong."""
+    if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
+        return False
+    right = exercise.right_arm(number)
+    rows = exercise.arm_of(answer, right).table.rows
+    return differing(rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() > 1
+
+
+def _same(one, other):
+    with np.errstate(all="ignore"):
+        return bool(np.shape(one) == np.shape(other) and np.allclose(one, other, equal_nan=True))
