@@ -52,17 +52,21 @@ fanotify_init quotactl acct syslog iopl ioperm mknod mknodat migrate_pages move_
 setgid setreuid setregid setresuid setresgid setgroups setfsuid setfsgid capset sethostname
 setdomainname settimeofday clock_settime clock_adjtime adjtimex lookup_dcookie chown fchown lchown
 fchownat link linkat symlink symlinkat
+bind connect listen accept accept4 sendmsg sendmmsg inotify_init inotify_init1 inotify_add_watch
 """.split()
 # where a submission has the grader's own user: no file of that user may change what it is
 DENIED_TO_OWN_USER = """
 chmod fchmod fchmodat fchmodat2 utime utimes utimensat futimesat setxattr lsetxattr fsetxattr
 removexattr lremovexattr fremovexattr
-fallocate rename renameat renameat2 openat2
+fallocate rename renameat renameat2 openat2 truncate
 """.split()
 # there nothing is removed, though it looks so: a file that is open and has no name any more would
 # take room that nobody can count
 UNDONE = "unlink", "unlinkat"
 NAMELESS = 0x400000  # O_TMPFILE: a file that never had a name
+ONLY_CUT, CUT = 0x203, 0x200  # O_TRUNC with O_RDONLY: a right that Landlock knows from 6.2 on
+# kinds of ioctl that set what a file is, or seal it, and want no right to write to it
+FLAGS = "f", "X", "v"
 # the same by calls that are newer than many a libseccomp; these have one number on every machine:
 # setxattrat, removexattrat, file_setattr
 NEWER = 463, 466, 469
@@ -107,8 +111,12 @@ def filter_of_calls(library: Any, own_user: bool = True) -> bytes:
     for name, commands in OWNERS.items():
         for command in commands:
             _rule(library, filter_, EPERM, name, Compare(1, MASKED, INT, command))
-    # PR_SET_PDEATHSIG: it dies with its parent, which is not its to take back
-    _rule(library, filter_, EPERM, "prctl", Compare(0, MASKED, INT, 1))
+    # PR_SET_PDEATHSIG, PR_SET_DUMPABLE: that it dies with its parent, and leaves no core to the
+    # machine's handler, is not its to take back
+    for option in (1, 4):
+        _rule(library, filter_, EPERM, "prctl", Compare(0, MASKED, INT, option))
+    # half of a pair may write to the other half, and to no socket that has a name
+    _rule(library, filter_, EPERM, "sendto", Compare(4, NOT_EQUAL, 0))
     # the C library then takes clone, whose flags can be looked at
     _rule(library, filter_, ENOSYS, "clone3")
     _rule(library, filter_, EPERM, "clone", Compare(0, MASKED, CLONE_THREAD, 0))
@@ -145,6 +153,9 @@ def _keep_files(library, filter_):
         _rule(library, filter_, DONE, name)
     for argument, name in ((1, "open"), (2, "openat")):
         _rule(library, filter_, EPERM, name, Compare(argument, MASKED, NAMELESS, NAMELESS))
+        _rule(library, filter_, EPERM, name, Compare(argument, MASKED, ONLY_CUT, CUT))
+    for kind in FLAGS:
+        _rule(library, filter_, EPERM, "ioctl", Compare(1, MASKED, 0xFF00, ord(kind) << 8))
 
 
 def _rule(library, filter_, action, name, *comparisons):
