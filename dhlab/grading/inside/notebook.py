@@ -191,9 +191,9 @@ def _lesson(notebook, code, names, checks):
     seen = Counter(of[key] for cell in code for key in cell.ids if key in of)
     if seen:
         return seen.most_common(1)[0][0]
-    said = _dict(_dict(notebook.get("metadata")).get("dhlab"))
-    if said.get("lesson") in checks:
-        return said["lesson"]
+    said = _text(_dict(_dict(notebook.get("metadata")).get("dhlab")).get("lesson"))
+    if said in checks:
+        return said
     stubs = Counter(
         lesson
         for lesson, exercises in checks.items()
