@@ -10,7 +10,7 @@ import re
 from typing import Any
 
 import numpy as np
-from numpy import array, asarray, float64, generic, ndarray
+from numpy import array, asarray, float64, generic, matrix, ndarray, str_
 
 __all__ = ["encode", "decode", "error_name", "Opaque", "DECODED"]
 
@@ -37,6 +37,9 @@ class Opaque:
     cage.
     """
 
+    def __repr__(self) -> str:
+        return f"a thing of the type {type(self).__name__}"
+
 
 def encode(value: Any, depth: int = 0) -> Any:
     """A value as something that JSON can hold.
@@ -60,8 +63,10 @@ def _encoded(value, depth):
         return {"...": 1}
     if kind is int:
         return value if -WHOLE < value < WHOLE else float(value)
-    if kind is str:
-        return value[:TEXT]
+    if kind is str or kind is str_:
+        return str(value)[:TEXT]
+    if kind is ndarray and value.dtype.kind == "U":
+        value, kind = value.tolist(), list
     if depth < DEEPEST and kind in (list, tuple) and len(value) <= LONGEST:
         return [_encoded(entry, depth + 1) for entry in value]
     if depth < DEEPEST and kind is dict and len(value) <= LONGEST:
@@ -71,6 +76,8 @@ def _encoded(value, depth):
                 for key, entry in value.items()
             ]
         }
+    if kind is matrix:  # of which a row is a vector to the judge, as to the check
+        return {"matrix": _array(value)}
     return _table(value) or _array(value)
 
 
@@ -99,7 +106,7 @@ def _array(value):
         return {"other": _type_name(value)}
     numbers = array(value) if isinstance(value, (ndarray, generic)) else asarray(value)
     numbers = numbers.view(ndarray)
-    if numbers.dtype.kind == "O":
+    if numbers.dtype.kind == "O" or numbers.dtype.str[1:] == "f16":  # longdouble
         numbers = numbers.astype(float64)
     dtype = numbers.dtype.str[1:]
     if dtype not in DTYPES:
@@ -174,6 +181,10 @@ def _decode_array(content):
             raise ValueError(str(error)) from None
 
 
+def _decode_matrix(content):
+    return _decode_array(content["array"]).view(np.matrix)
+
+
 def _decode_dict(content):
     return {
         key if isinstance(key := decode(k), (str, int, float, bool)) else str(key): decode(entry)
@@ -213,6 +224,7 @@ def _decode_other(content):
 _DECODERS = {
     "...": lambda content: Ellipsis,
     "array": _decode_array,
+    "matrix": _decode_matrix,
     "dict": _decode_dict,
     "table": _decode_table,
     "arm": _decode_arm,
