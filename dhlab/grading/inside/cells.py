@@ -2,6 +2,8 @@
 this machine does not have.
 """
 
+import __future__
+
 import ast
 import builtins
 import linecache
@@ -143,7 +145,9 @@ def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None
     """Run one statement of a cell in a namespace; raises what it raises."""
     space["get_ipython"] = lambda: Shell(name, space)
     space.setdefault("display", lambda *values, **options: None)
-    code = compile(ast.Module([statement], []), name, "exec", flags=FLAGS)
+    later = space.get("annotations") is __future__.annotations  # imported by any cell before
+    flags = FLAGS | (__future__.annotations.compiler_flag if later else 0)
+    code = compile(ast.Module([statement], []), name, "exec", flags=flags)
     try:
         if code.co_flags & 0x80:  # CO_COROUTINE: it awaits something
             import asyncio  # large, and hardly anybody awaits

@@ -107,11 +107,16 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
         frozenset(writes),
         frozenset(_assigned(node)),
         acts=call is not None and called not in SHOWING,
-        always=star or bool(reads & UNREADABLE),
+        always=star or _of_the_future(node) or bool(reads & UNREADABLE),
         defines=any(isinstance(inner, DEFINING) for inner in within),
         harmless=isinstance(node, ast.FunctionDef) and not changed and binds == {node.name},
         imports=isinstance(node, (ast.Import, ast.ImportFrom)),
     )
+
+
+def _of_the_future(node):
+    """What changes how all that follows is read."""
+    return isinstance(node, ast.ImportFrom) and node.module == "__future__"
 
 
 def _assigned(node):
