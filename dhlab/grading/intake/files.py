@@ -28,6 +28,7 @@ LONGEST = 255  # letters of a name, as on a disk; a zip may have others
 FOLDERS = 40  # in folders
 # whatever Python raises at a zip that a stranger made: it costs nobody else anything
 BROKEN = Exception
+LATEST = 7_258_118_400  # seconds, the year 2200: a file may claim times that no calendar has
 TOO_DEEP = "refused: too many folders in folders"
 # where the time of a submission comes from
 FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
@@ -101,7 +102,7 @@ def _in_folder(place, zone, room):
                 break
             if stat.S_ISDIR(status.st_mode) or _boring(name):
                 continue
-            when = datetime.fromtimestamp(status.st_mtime, UTC)
+            when = datetime.fromtimestamp(min(max(status.st_mtime, 0), LATEST), UTC)
             if not stat.S_ISREG(status.st_mode):
                 refused = "refused: a link, a pipe or a device, not a file"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)

@@ -41,16 +41,16 @@ class Names:
     def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
         self.lessons = [re.escape(name) for name in lessons]
         self.known: dict[str, set[str]] = {}
+        self.ids = {_plain(student.student): student.student for student in roster}
         for student in roster:
+            mails = [_plain(student.email), _plain(student.email.partition("@")[0])]
             for called in (
-                student.student,
-                student.email,
-                student.email.partition("@")[0],
-                _words(student.name),
+                _plain(student.student),
+                *(mail for mail in mails if mail not in self.ids),  # it may be anybody's id
+                _plain(_words(student.name)),
             ):
                 if called:
-                    self.known.setdefault(_plain(called), set()).add(student.student)
-        self.ids = {_plain(student.student): student.student for student in roster}
+                    self.known.setdefault(called, set()).add(student.student)
 
     def find(self, called: str) -> str | None:
         """The one student of this name, or None."""
@@ -105,6 +105,7 @@ def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
     -------
     Owner
     """
+    strange = False  # within what a platform calls by a name that nobody has, names are its owner's
     for place, part in enumerate(parts):
         known, sure = _known(part, names)
         if known:
@@ -112,9 +113,13 @@ def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
             # an id is one person's, whatever numbers stand beside it
             by_id = _plain(known) in map(_plain, numbered[:2])
             name, number, where = numbered if numbered and not by_id else ("", "", ())
-            return Owner(known, True, name, number, where, sure)
+            return Owner(known, True, name, number, where, sure and not strange)
+        strange = strange or from_platform(part)
     called = _called(parts[0], names, is_file=len(parts) == 1)
-    return Owner(_safe(called or folder), False, *_numbered(parts[0], ()))
+    safe = _safe(called or folder)
+    if _plain(safe) in names.ids:  # by other signs, which a name of a file cannot have
+        safe = f"{safe}-{hashlib.sha256(parts[0].encode('utf-8', 'replace')).hexdigest()[:6]}"
+    return Owner(safe, False, *_numbered(parts[0], ()))
 
 
 def from_platform(part: str) -> bool:

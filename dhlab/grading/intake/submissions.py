@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, tzinfo
 from functools import cached_property
+from itertools import count
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
@@ -201,6 +202,10 @@ def _take(mine, entry):
     if fault:
         mine.notes.append(f"{name}: {fault}")
     elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(mine, read)):
+        taken = {one.name for one in mine.notebooks}
+        # signs that are not shown make one name of two
+        others = (f"{name} [{k}]" for k in count(2))
+        name = name if name not in taken else next(one for one in others if one not in taken)
         mine.notebooks.append(Notebook(name, read, entry.when, entry.source, entry.size))
     else:
         mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")
