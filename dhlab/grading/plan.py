@@ -150,7 +150,10 @@ def _lessons(found, settings):
     known = {lesson: count for lesson, count in seen.items() if lesson in handed_out_checks()}
     common = tuple(
         sorted(
-            lesson for lesson, count in known.items() if count >= HANDED_IN * max(known.values())
+            lesson
+            for lesson, count in known.items()
+            # what one student alone hands in counts for nobody else
+            if count >= max(HANDED_IN * max(known.values()), min(2, max(known.values())))
         )
     )
     rare = [
