@@ -26,6 +26,7 @@ RUN = 12  # tokens: about a line of a formula
 FEW, MANY = 0.2, 10
 # rare runs in common, and as a share of the shorter one's; measured in benchmarks/classroom.py
 ENOUGH, SHARE = 40, 0.8
+SINK = 3  # people, of whom no two are alike, that one person's code is alike to
 LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
 MOST = 20_000  # of all answers to one lesson; the longest lesson's have eight thousand
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
@@ -91,7 +92,9 @@ def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str])
     -------
     list of Pair
     """
-    given = {exercise: runs(code) for exercise, code in handed_out.items()}
+    given: dict[str, set[int]] = defaultdict(set)
+    for exercise, code in handed_out.items():
+        given[exercise[:2]] |= runs(code)
     written = {student: _written(own, given) for student, own in codes.items()}
     writers = defaultdict(list)
     for student, own in written.items():
@@ -118,32 +121,55 @@ def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str])
         for pair, share in found.items()
         if share >= SHARE
     ]
-    return sorted(pairs, key=lambda pair: (-pair.share, pair.students))
+    return sorted(_without_sinks(pairs), key=lambda pair: (-pair.share, pair.students))
 
 
 def _written(own, given):
-    """A student's fingerprints, each bound to its exercise, without those that were handed out."""
+    """A student's fingerprints, each bound to its lesson, without those that were handed out. In
+    which cell of the lesson something is defined says nothing.
+    """
     return {
-        hash((exercise, run))
+        hash((exercise[:2], run))
         for exercise, code in own.items()
-        for run in runs(code) - given.get(exercise, set())
+        for run in runs(code) - given.get(exercise[:2], set())
     }
 
 
 def _where(codes, pair, is_rare):
-    """The exercises in which two students share rare runs."""
-    first, second = (codes[student] for student in pair)
-    shared = {
-        exercise: runs(first[exercise]) & runs(second[exercise])
-        for exercise in first.keys() & second.keys()
+    """The exercises, of either, whose code holds rare runs of the other's lesson."""
+    found = [
+        {
+            (exercise, hash((exercise[:2], run)))
+            for exercise, code in own.items()
+            for run in runs(code)
+        }
+        for own in (codes[student] for student in pair)
+    ]
+    shared = {run for _, run in found[0]} & {run for _, run in found[1]}
+    rare = {run for run in shared if is_rare(run)}
+    return tuple(sorted({exercise for own in found for exercise, run in own if run in rare}))
+
+
+def _without_sinks(pairs):
+    """The pairs, and in place of one person's with several who have nothing in common one line: an
+    answer that holds what many would write says nothing of them.
+    """
+    near: dict[str, set[str]] = defaultdict(set)
+    for pair in pairs:
+        for one, other in (pair.students, pair.students[::-1]):
+            near[one].add(other)
+    sinks = {
+        one
+        for one, others in near.items()
+        if len(others) >= SINK and not any(near[other] & others for other in others)
     }
-    return tuple(
-        sorted(
-            exercise
-            for exercise, both in shared.items()
-            if any(is_rare(hash((exercise, run))) for run in both)
-        )
-    )
+    kept = [pair for pair in pairs if not sinks & set(pair.students)]
+    for one in sinks:
+        own = [pair for pair in pairs if one in pair.students]
+        told = f"{len(own)} others who have no code in common: look at this one's answers"
+        where = {exercise for pair in own for exercise in pair.exercises}
+        kept.append(Pair((one, told), max(p.share for p in own), tuple(sorted(where))))
+    return kept
 
 
 def runs(code):
