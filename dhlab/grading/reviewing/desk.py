@@ -14,10 +14,12 @@ from ..results.decisions import Student as Of
 from ..results.gradebook import Gradebook
 from ..results.marks import ERROR, NOT_ALLOWED, NOT_HANDED_IN, TIMED_OUT, TO_MARK, WRONG, Graded
 from .edit import decide, hold
+from .pictures import openable
 
 __all__ = ["Desk"]
 
 LONGEST = 4000  # letters of a comment
+NOT_SHOWN = "# a picture is not shown: it is too large to be opened, or no picture"
 
 
 class Desk:
@@ -78,7 +80,13 @@ class Desk:
         letters also what it says.
         """
         kept = read_answers(student, self.folder)
-        found = {key: own.code for key, own in kept.items()}
+        shown = {key: openable(own.pictures) for key, own in kept.items()}
+        found = {
+            key: f"{own.code}\n\n{NOT_SHOWN}".strip()
+            if len(shown[key]) < len(own.pictures)
+            else own.code
+            for key, own in kept.items()
+        }
         for mark in self.marks[student].marks:
             known = exercises().get(mark.exercise)
             if mark.chosen and isinstance(known, Lettered) and "?" not in mark.chosen:
@@ -86,15 +94,16 @@ class Desk:
                 found[mark.exercise] = (
                     f"{found.get(mark.exercise, '')}\n\n# {text} ({letters} in the lesson for all)"
                 ).strip()
-        kinds = {key: [picture.kind for picture in own.pictures] for key, own in kept.items()}
+        kinds = {key: [picture.kind for picture in own] for key, own in shown.items()}
         return {key: [text, kinds.get(key, [])] for key, text in found.items()}
 
     def picture(self, student: str, exercise: str, place: int) -> tuple[str, bytes] | None:
         """(kind, bytes) of a picture of an answer; None where there is none."""
         answer = read_answers(student, self.folder).get(exercise)
-        if student not in self.marks or answer is None or place >= len(answer.pictures):
+        shown = openable(answer.pictures) if answer else []
+        if student not in self.marks or place >= len(shown):
             return None
-        kind, data = answer.pictures[place]
+        kind, data = shown[place]
         return kind, base64.b64decode(data)
 
     def save(self, given: Any) -> dict[str, Any]:
