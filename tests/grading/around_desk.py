@@ -53,7 +53,7 @@ def asked(address, path, method="GET", body=None, headers=None):
     try:
         connection.request(method, path, body, headers or {})
         reply = connection.getresponse()
-        return reply.status, reply.read().decode(), dict(reply.getheaders())
+        return reply.status, reply.read().decode("utf-8", "replace"), dict(reply.getheaders())
     except (http.client.HTTPException, OSError):
         return 0, "", {}
     finally:
