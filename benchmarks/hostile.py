@@ -15,6 +15,7 @@ import argparse
 import contextlib
 import json
 import os
+import socket
 import sys
 import tempfile
 import time
@@ -24,7 +25,9 @@ ROOT = Path(__file__).parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "grading")]
 import corpus  # noqa: E402
 from around import AROUND  # noqa: E402
+from around_people import PEOPLE  # noqa: E402
 from corpus import ANY  # noqa: E402
+from corpus_calls import CALLED, HONEST_KINDS  # noqa: E402
 from corpus_honest import HONEST  # noqa: E402
 from corpus_inside import INSIDE  # noqa: E402
 from hostile_company import COMPANY  # noqa: E402
@@ -40,7 +43,7 @@ from dhlab.grading.settings import Limits, Settings  # noqa: E402
 LIMITS = Limits(cell_seconds=2.0, seconds=12.0, memory_mb=256, files_mb=8, threads=16)
 CANARY = "canary-8086"
 APART = 5  # an honest notebook after so many attacks
-ATTACKS = [*EARN, *COMPANY, *READ, *STOP, *INSIDE]
+ATTACKS = [*EARN, *COMPANY, *READ, *STOP, *INSIDE, *CALLED]
 # not run where nothing protects the machine: they signal others or take its room
 HARMFUL = {
     "a signal by way of an open file",
@@ -57,6 +60,11 @@ HARMFUL = {
     "memory in pipes",
     "rights by the newest calls",
     "outlives the grader",
+    "a letter to the machine",
+    "flags of a file",
+    "a core for the machine",
+    "cut off by an older kernel",
+    "threads without number",
 }
 
 
@@ -70,12 +78,13 @@ def run(level, top, attacks):
         _put(top / "class" / f"attack{number:02d}", make, facts)
         if number % APART == 0:
             _put(top / "class" / f"honest{number:02d}", lambda notebook, facts: None, facts)
-    for number, (_, make) in enumerate(HONEST):
+    for number, (_, make) in enumerate([*HONEST, *HONEST_KINDS]):
         _put(top / "class" / f"honest-{number}", make, facts)
     os.environ["GRADER_SECRET"] = CANARY
-    results, planned = grade(
-        top / "class", top / "out", settings=Settings(limits=LIMITS, cage=level)
-    )
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as outside:
+        outside.bind(facts["class"] + ".socket")
+        settings = Settings(limits=LIMITS, cage=level)
+        results, planned = grade(top / "class", top / "out", settings=settings)
     publish(planned, results, (), top / "out")
     found = {graded.student: graded for graded in results}
     unfair = [
@@ -130,7 +139,8 @@ def _fair(graded, lost):
 def around():
     """Those that need no program: each says what happened where it should not."""
     failed = 0
-    for name, attack in AROUND:
+    attacks = [*AROUND, *PEOPLE]
+    for name, attack in attacks:
         begun = time.process_time()
         with tempfile.TemporaryDirectory() as top:
             try:
@@ -139,7 +149,7 @@ def around():
                 failed += 1
                 print(f"  got through: {name}: {type(error).__name__}: {str(error)[:300]}")
         print(f"    {name}: {time.process_time() - begun:.1f} s", flush=True)
-    print(f"around: {len(AROUND) - failed} of {len(AROUND)} attacks came to nothing")
+    print(f"around: {len(attacks) - failed} of {len(attacks)} attacks came to nothing")
 
 
 def main():

@@ -201,6 +201,25 @@ def tables_without_end(top):
                 assert (found.points, found.status) == (0, "wrong"), (exercise.id, found.note)
 
 
+def an_arm_that_is_no_number(top):
+    """Forged on the wire: couplings, bases and tools in which an infinity becomes NaN, in the
+    rotation of the last joint alone or everywhere.
+    """
+    for exercise in (e for e in exercises().values() if isinstance(e, Table) and e.points):
+        right = exercise.right_arm(7)
+        n = len(right)
+        sent = encode(right)["arm"]
+        infinite = {"array": ["f8", [n, n], (np.eye(n) * 1.7e308).ravel().tolist()]}
+        odd = np.eye(n)
+        odd[-1, 0] = 1.7e308
+        tool = np.eye(4)
+        tool[:3, :3] = np.nan
+        for place, value in ((4, infinite), (4, encode(odd)), (2, encode(tool)), (1, encode(tool))):
+            forged = {"arm": [*sent[:place], value, *sent[place + 1 : 5], False]}
+            found = _judged(exercise, {"value": forged}, 7, Settings(), exercise.points)
+            assert found.points == 0, (exercise.id, place, found.headline)
+
+
 def half_the_points_for_nothing(top):
     """A share for a mistake that is recognised, and no work: programs that change their inputs,
     give back nothing or an argument; what was handed out, hardly touched.
@@ -249,5 +268,6 @@ PEOPLE = [
     ("a picture of gigabytes", a_picture_of_gigabytes),
     ("angles without end", angles_without_end),
     ("tables without end", tables_without_end),
+    ("an arm that is no number", an_arm_that_is_no_number),
     ("half the points for nothing", half_the_points_for_nothing),
 ]
