@@ -361,15 +361,15 @@ def tally(results, made):
     return len(wrong), sum(mark.mistake is not None for mark, _ in wrong), len(known), rightly
 
 
-COURSE = """late: {percent_per_day: 10, floor: 50}
-limits: {cell_seconds: 8}
+COURSE = """late: {{percent_per_day: 10, floor: 50}}
+limits: {{cell_seconds: {seconds}}}
 lessons:
 """
 
 
-def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1):
+def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1, seconds=8):
     """Hand out, answer, hand in, grade and report in a folder; (results, plans, the class report's
-    path).
+    path). A cell has so many seconds, and one student has an endless loop.
     """
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -381,7 +381,8 @@ def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1):
     everybody = roster(size)
     due = (datetime.now(UTC) - timedelta(days=1.2)).isoformat(timespec="seconds")
     (folder / "course.yaml").write_text(
-        COURSE + "".join(f'  "{lesson}": {{due: {due}}}\n' for lesson in lessons)
+        COURSE.format(seconds=seconds)
+        + "".join(f'  "{lesson}": {{due: {due}}}\n' for lesson in lessons)
     )
     settings = read_settings(folder / "course.yaml")
     release(folder / "handed-out", everybody, key, tuple(settings.lessons))

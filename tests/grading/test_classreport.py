@@ -33,7 +33,7 @@ import classroom
 
 @pytest.fixture(scope="module")
 def simulated(tmp_path_factory):
-    return classroom.simulate(tmp_path_factory.mktemp("class"), lessons=("05",))
+    return classroom.simulate(tmp_path_factory.mktemp("class"), lessons=("05",), seconds=1)
 
 
 @pytest.fixture(scope="module")
