@@ -10,7 +10,7 @@ import numpy as np
 from ...mistakes.entries import slips_of_the_pen, wrong_entries
 from ...mistakes.themes.links import mistyped
 from .steps import chain_product, right_link, slips
-from .trial import columns, read
+from .trial import Trial, columns, read
 
 __all__ = ["one_slip", "two_slips"]
 
@@ -42,6 +42,20 @@ def _tuples(made):
 
 def one_slip(trial):
     """Blocks of programs with one slip, the likeliest first."""
+    return _one_slip(trial.kind, trial.rows.shape, trial.rows.tobytes(), trial.q.tobytes())
+
+
+@lru_cache(maxsize=1)
+def _one_slip(kind, shape, rows, q):
+    """The same, of a first case that is given by its bytes: kept for the next try at the same
+    exercise.
+    """
+    rows, q = np.frombuffer(rows).reshape(shape), np.frombuffer(q)
+    case = (rows, q) if kind == "forward_kinematics" else rows[0]
+    return [*_with_one_slip(Trial((), [case], kind, 0))]
+
+
+def _with_one_slip(trial):
     yield lambda k: trial.early[1 + k], chain_product(right_link(*columns(trial.table[1:])))
     right = trial.table[0]
     yield from _late(trial, [()], right_link(*columns(right))[None])
@@ -50,15 +64,7 @@ def one_slip(trial):
         np.stack([chain_product(slip.change(*columns(right))) for slip in slips("link")]),
     )
     candidates = wrong_entries()
-    yield lambda k: (mistyped(*candidates[k]),), _mistyped(right.shape, right.tobytes())
-
-
-@lru_cache(maxsize=1)
-def _mistyped(shape, numbers):
-    """The poses of a table, given by its bytes, with every wrong entry: kept for the next try at
-    the same exercise.
-    """
-    return chain_product(_with_entries(np.frombuffer(numbers).reshape(shape), wrong_entries()))
+    yield (lambda k: (mistyped(*candidates[k]),), chain_product(_with_entries(right, candidates)))
 
 
 def _late(trial, names, links):

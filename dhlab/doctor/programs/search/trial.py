@@ -2,6 +2,8 @@
 right answers to all others.
 """
 
+from functools import cached_property
+
 import numpy as np
 
 from .steps import run_chain, run_link, slips
@@ -18,7 +20,7 @@ class Trial:
 
     def __init__(self, answers, cases, kind, tolerance):
         self.answers, self.cases, self.tolerance = answers, cases, tolerance
-        self.is_chain = kind == "forward_kinematics"
+        self.kind, self.is_chain = kind, kind == "forward_kinematics"
         if self.is_chain:
             rows, q = (np.asarray(part, dtype=float) for part in cases[0])
         else:  # one link is a chain of one row
@@ -28,7 +30,10 @@ class Trial:
             slips(step) if self.is_chain else [] for step in ("reading", "product", "each link")
         )
         self.early = [(), *((slip,) for slip in self.reading + slips("arguments"))]
-        self.table = np.stack([read(made, rows, q) for made in self.early])
+
+    @cached_property
+    def table(self):
+        return np.stack([read(made, self.rows, self.q) for made in self.early])
 
     def fitting(self, blocks):
         """The slips, tuples, of every candidate that fits all cases; blocks are (slips of candidate
