@@ -226,6 +226,8 @@ def _named_zero(source, table):
     for name in BY_NAME.findall(source.code):
         if own and "." in name and name.split(".")[-1] not in arrays_in(source):
             continue  # dh.theta_offset of a row is its column theta
+        if own and re.search(rf"\bfor\b[^\n:]*\b{re.escape(name)}\b[^\n:]*\bin\b", source.code):
+            continue  # for theta_offset, d, a, alpha in rows
         if not _is_zero(name, source):
             return f"{name} added to joint angles"
     used = " ".join(cell.text for row in table.rows for cell in row)

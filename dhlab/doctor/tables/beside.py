@@ -34,6 +34,7 @@ SMALL = re.compile(  # type = ['r', 'r', 'p']
     r"\w*(?:type|joint|kind)\w*\s*=\s*[\[{(]((?:\s*['\"][rp]['\"]\s*,?)+)[\]})]"
 )
 LINK = re.compile(r"(?:l|len|link)[\W_]*[ijkn]?[\W_]*")  # where a alone has no column
+COUNTED = re.compile(r"(?:joint|link|axis|motor|servo|frame)_?\d+", re.IGNORECASE)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -80,6 +81,8 @@ def explained(roles, heading, rows):
         if letters and "theta" not in roles:
             roles[k] = "theta"
             notes.append(f"the column {name[:20]} is taken for theta")
+        elif k == 0 and letters and all(COUNTED.fullmatch(letter) for letter in letters):
+            roles[k] = "label"
         elif letters and letters <= _letters(whole, k) | _plain(roles, whole):
             continue  # the variable is named once more
         elif APART.search(name):

@@ -9,10 +9,11 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
+from .dialects.lines import TwoTables
 from .meaning.columns import LENGTHS, misplaced
 from .meaning.joints import require_one_column, require_values
 from .meaning.scales import UNIT_WORDS
-from .readings import QUESTIONS, Reading, readings
+from .readings import BOOKS, QUESTIONS, Reading, readings
 from .recognised import Recognised
 from .take_apart import take_apart
 
@@ -77,7 +78,13 @@ def recognise_table(
     array([ 0.    , -1.5708])
     """
     _check_answers(order, convention, angle, length)
-    table = take_apart(given, values, nominal, length)
+    try:
+        table = take_apart(given, values, nominal, length)
+    except TwoTables as error:
+        said = {"order": order, "angle": angle, "length": length, "values": values, "tidy": tidy}
+        if found := _of_one_arm(error.parts, right, convention, said):
+            return found
+        raise
     if isinstance(table, list):  # read as an arm: nothing is left to ask of columns
         told = [replace(one, arm=one.arm.to(convention)) for one in table] if convention else table
         kept = _different(told)
@@ -92,6 +99,23 @@ def recognise_table(
         )
     kept = _different(found)[:MOST_READINGS]
     return _answer(kept, (*table.notes, *_notes(table, kept)), right)
+
+
+def _of_one_arm(parts, right, convention, said):
+    """What is Recognised in the first of two tables, where the second is the same arm by another
+    convention; None where they are not, or where a question is open.
+    """
+    try:
+        found = [recognise_table(part, right, **said) for part in parts]
+    except ValueError:
+        return None
+    one, other = (part.readings[0] for part in found)
+    if any(len(part.readings) > 1 for part in found) or not _same_arm(one.arm, other.arm):
+        return None
+    meant = [part for part in found if part.arm.table.convention == convention] or found
+    words = BOOKS[other.arm.table.convention]
+    note = f"the text has the arm twice; the second table is the same one, in {words}"
+    return replace(meant[0], notes=(*meant[0].notes, note))
 
 
 def _equivalent(right, readings):

@@ -11,8 +11,9 @@ from .beside import APART, with_added, with_types
 from .conventions import with_convention
 from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
 from .dialects.chains import opw, segments, sequences, universal
-from .dialects.grid import NoRows, NotFour, from_grid
+from .dialects.grid import NoRows, from_grid
 from .dialects.heading import header
+from .dialects.widths import NotFour
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends

@@ -2,7 +2,6 @@
 without headings, labels and joint types; also rows of numbers.
 """
 
-import itertools
 import math
 import re
 from dataclasses import replace
@@ -17,8 +16,9 @@ from ..meaning.columns import IMPLIED
 from ..meaning.joint_types import kinds_by_number
 from ..pasted import Pasted
 from .heading import header, units_of
+from .widths import even
 
-__all__ = ["NoRows", "NotFour", "from_grid"]
+__all__ = ["NoRows", "from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
 EMPTY = ("-", "--", "---", "n/a", "n.a.", "none")  # a dash, or what stands for one
@@ -27,10 +27,6 @@ OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the h
 
 class NoRows(ValueError):
     """No line of the text is a row."""
-
-
-class NotFour(ValueError):
-    """The rows have another number of columns, which nothing names."""
 
 
 def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
@@ -102,7 +98,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         labels, kinds, signs, form=form, notes=notes,
         lines=(min(lines), max(lines)) if lines else (), behind=behind,
     )  # fmt: skip
-    table = _even(table)
+    table = even(table)
     named = source.convention if source else ""
     if said == "i" and named != "craig" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
@@ -260,41 +256,3 @@ def _cell(cell, where, k, source):
         return read_cell(str(cell), source.known if source else None)
     except ValueError as error:
         raise ValueError(f"recognise_table: {where}, cell {k + 1}: {error}") from None
-
-
-def _even(table):
-    """The table with four columns (or those its header names), an index column taken off."""
-    widths = {len(row) for row in table.rows}
-    if len(widths) > 1:
-        found = ", ".join(map(str, sorted(widths)))
-        raise ValueError(
-            f"recognise_table: expected as many cells in every row, found rows of {found} cells;"
-            " fill in what is missing"
-        )
-    width = widths.pop()
-    if table.roles is not None and width == len(table.roles):
-        return table
-    if width == 5 and _counts([row[0] for row in table.rows]):
-        labels = tuple(str(int(row[0].value)) for row in table.rows)
-        return _even(replace(table, rows=tuple(row[1:] for row in table.rows), labels=labels))
-    if width == 5 and all(row[4].is_constant and row[4].value in (0, 1) for row in table.rows):
-        return replace(
-            table,
-            rows=tuple(row[:4] for row in table.rows),
-            kinds=tuple("P" if row[4].value else "R" for row in table.rows),
-        )
-    if width != 4:
-        raise NotFour(
-            f"recognise_table: expected four numbers in a row, found {width}; paste θ, d, a, α in"
-            " any order, an index column before them or not"
-        )
-    return table
-
-
-def _counts(cells):
-    values = [cell.value for cell in cells]
-    return (
-        all(cell.is_constant for cell in cells)
-        and values[0] in (0, 1)
-        and all(b - a == 1 for a, b in itertools.pairwise(values))
-    )

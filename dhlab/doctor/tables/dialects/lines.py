@@ -8,11 +8,12 @@ from ..cells import read_cell
 from ..evidence.orders import order_of_names
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
+from .copied import MOST_WORDS, named_one_a_line, one_cell_a_line
 from .grid import NoRows, from_grid
 from .heading import header, units_of
 from .spaced import is_cell, require_whole_row, spaced_cells, under_names, with_fifth
 
-__all__ = ["read"]
+__all__ = ["TwoTables", "read"]
 
 RULE = re.compile(r"[-|:+=\s().;_*#~]*")  # a line that only separates
 # a row with its name before it: Joint 1: (0, 0.1, 0, 90), J2 = [0, 0, 0.4, 0]
@@ -21,7 +22,17 @@ ROW = re.compile(
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
 MARKS = ("|", "\t", ";", ",")
-MOST_LINES, MOST_WORDS = 60, 4  # the words are those of a row's label
+MOST_LINES = 60
+
+
+class TwoTables(ValueError):
+    """Two tables with a heading each; ``last`` is the last line of the first, ``parts`` the text up
+    to it and from there.
+    """
+
+    def __init__(self, said, last):
+        super().__init__(said)
+        self.last, self.parts = last, ()
 
 
 def read(source, nominal=None):
@@ -38,6 +49,9 @@ def read(source, nominal=None):
     try:
         return _from_lines(_broken(code).split("\n"), source)
     except ValueError as error:
+        if isinstance(error, TwoTables):
+            lines = source.text.split("\n")
+            error.parts = ("\n".join(lines[: error.last]), "\n".join(lines[error.last :]))
         table = _in_comments(source)
         if table is not None:
             return table
@@ -76,7 +90,7 @@ def _from_lines(texts, source):
     split, mark = _splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
     grid = _with_heading(_upright(grid), source, split)
-    grid = _one_cell_a_line(grid, lines) or _named_one_a_line(lines) or _table_only(grid)
+    grid = one_cell_a_line(grid, lines) or named_one_a_line(lines) or _table_only(grid)
     if len(grid) > MOST_LINES:
         raise ValueError(
             f"recognise_table: expected at most {MOST_LINES} lines, found {len(grid)}; paste the"
@@ -183,43 +197,6 @@ def _trimmed(cells, mark):
     return cells
 
 
-def _one_cell_a_line(grid, lines):
-    """The grid of a page that was copied with every cell on a line of its own; None of others."""
-    for k, (_, cells) in enumerate(grid):
-        if len(cells) < 4 or not header(cells):
-            continue
-        rest = [(number, line) for number, line in lines if number > int(grid[k][0].split()[1])]
-        if len(rest) < 2 * len(cells) or any(
-            "|" in line or len(spaced_cells(line, True)) > 1 for _, line in rest
-        ):
-            return None
-        rows = [rest[at : at + len(cells)] for at in range(0, len(rest), len(cells))]
-        if len(rows[-1]) < len(cells):
-            rows.pop()
-        return [grid[k], *((f"line {row[0][0]}", [line for _, line in row]) for row in rows)]
-    return None
-
-
-def _named_one_a_line(lines):
-    """The same where the cells of the heading stand in lines of their own, too."""
-    words = [line for _, line in lines]
-    if len(words) < 8 or any("|" in word or len(spaced_cells(word, True)) > 1 for word in words):
-        return None
-    windows = [(first, width) for first in range(len(words)) for width in (5, 6, 4)]
-    heads = {}
-    for first, width in windows:
-        cells = words[first : first + width]
-        long = any(is_cell(cell) or len(re.findall(r"\w+", cell)) > MOST_WORDS for cell in cells)
-        if not long and (head := header(cells)):
-            known = len(set(ROLES) & set(head[0]))
-            heads[first, width] = -known, head[0][1:].count(None), first
-    if not heads:
-        return None
-    first, width = min(heads, key=heads.get)
-    rest = range(first, len(words) - width + 1, width)
-    return [(f"line {lines[at][0]}", words[at : at + width]) for at in rest]
-
-
 def _table_only(grid):
     """The lines of the table: its heading and its rows, without the prose around them.
 
@@ -245,9 +222,10 @@ def _table_only(grid):
             rows = sorted([*rows, k])
     rows = _without_what_follows(rows, grid) if len(heads) < 2 else rows
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
-        raise ValueError(
+        raise TwoTables(
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
-            f" {grid[heads[1]][0]}; paste one of them"
+            f" {grid[heads[1]][0]}; paste one of them",
+            int(grid[max(k for k in rows if k < heads[1])][0].split()[1]),
         )
     if len(rows) > 1 and rows[-1] > rows[-2] + 1 and _is_last_of_matrix(grid[rows[-1]][1]):
         rows.pop()

@@ -4,16 +4,18 @@ other.
 
 import re
 
+from ..cells import cell_or_none
 from ..evidence.orders import order_of_names
 from ..language.brackets import cells_in, groups
 from ..language.roles import ROLES, role_of
 from .functions import definitions
 from .heading import header
 
-__all__ = ["heading_in", "joined", "laid_down", "require_one", "rows_in", "target_of"]
+__all__ = ["heading_in", "instances", "joined", "laid_down", "require_one", "rows_in", "target_of"]
 
 WIDEST = 24  # columns, of which the text names the first four
 STACKED = ("vstack", "concatenate", "vertcat", "append")
+NO_NUMBER = re.compile(r"(?:np\.|math\.|float\(['\"])?(?:inf|nan)(?:['\"]\))?", re.IGNORECASE)
 PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 
 
@@ -53,7 +55,7 @@ def rows_in(group):
             )
             for row in [*rows, *([line] if line else [])]
         ]
-    rows = _without_maker(rows)
+    rows = [(where, [_variable(cell) for cell in cells]) for where, cells in _without_maker(rows)]
     if not rows or len({len(cells) for _, cells in rows}) > 1 or not 3 <= len(rows[0][1]) <= WIDEST:
         return []
     if len(rows) == 1 and (
@@ -64,6 +66,11 @@ def rows_in(group):
     ):
         return []
     return rows
+
+
+def _variable(cell):
+    """``inf`` and ``nan`` stand where a joint's variable does."""
+    return "q" if isinstance(cell, str) and NO_NUMBER.fullmatch(cell.strip()) else cell
 
 
 def _between(item):
@@ -81,6 +88,34 @@ def _without_maker(rows):
     if len(rows) > 1 and len(first) == 1 and re.fullmatch(r"[A-Z]\w+", str(*first)):
         return [(where, cells[1:]) for where, cells in rows]
     return rows
+
+
+def instances(matrices):
+    """The matrices without one that is another with letters in the place of its numbers: the same
+    table before and after its values are put in.
+    """
+    kept = list(matrices)
+    for one in matrices:
+        for other in matrices:
+            if one in kept and other in kept and one is not other and _is_general(one[1], other[1]):
+                kept.remove(one)
+    return kept
+
+
+def _is_general(rows, others):
+    """Whether rows say what others do, with letters for some of their numbers."""
+    if len(rows) < 2 or [len(cells) for _, cells in rows] != [len(cells) for _, cells in others]:
+        return False
+    pairs = [
+        (cell_or_none(str(a)), cell_or_none(str(b)))
+        for (_, one), (_, other) in zip(rows, others)
+        for a, b in zip(one, other)
+    ]
+    if any(a is None or b is None for a, b in pairs):
+        return False
+    fixed = [(a, b) for a, b in pairs if a.is_constant or a.variable in ("theta", "q")]
+    same = all(a.is_constant == b.is_constant and abs(a.value - b.value) < 1e-9 for a, b in fixed)
+    return same and len(pairs) - len(fixed) > 0
 
 
 def require_one(matrices):

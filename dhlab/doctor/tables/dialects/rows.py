@@ -18,7 +18,16 @@ from ..meaning.columns import IMPLIED
 from .filled import TABLE, filled
 from .grid import from_grid
 from .keyed import in_groups
-from .matrix import WIDEST, heading_in, joined, laid_down, require_one, rows_in, target_of
+from .matrix import (
+    WIDEST,
+    heading_in,
+    instances,
+    joined,
+    laid_down,
+    require_one,
+    rows_in,
+    target_of,
+)
 
 __all__ = ["read"]
 
@@ -46,7 +55,7 @@ def _numbers(source):
     whole = [one for one in matrices if len(one[1][0][1]) > 3 and one not in lying]
     lying = [] if whole else lying
     matrices = lying or whole or matrices
-    matrices = joined(matrices, found)
+    matrices = instances(joined(matrices, found))
     require_one(matrices)
     upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
     if matrices and len(matrices[0][1][0][1]) == 3 and not (upright or lying):
