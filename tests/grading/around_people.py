@@ -140,10 +140,13 @@ def a_lesson_for_all(top):
 
 
 def _png(width, height):
-    """A PNG of no more than a head."""
+    """A PNG of no more than a head and an end."""
     head = struct.pack(">II5B", width, height, 8, 6, 0, 0, 0)
-    chunk = struct.pack(">I", 13) + b"IHDR" + head + struct.pack(">I", zlib.crc32(b"IHDR" + head))
-    return b"\x89PNG\r\n\x1a\n" + chunk
+    chunks = (b"IHDR", head), (b"IDAT", b""), (b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks
+    )
 
 
 def a_picture_of_gigabytes(top):
