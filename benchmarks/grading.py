@@ -118,11 +118,25 @@ class Watched:
             for root in [process, *self.others]:
                 for one in [root, *_children(root)]:
                     try:
+                        if _borrows_its_memory(one):
+                            continue
                         memory += one.memory_full_info().pss
                         processor += sum(one.cpu_times()[:4])  # its own, and those it has buried
                     except psutil.Error:
                         continue
             self.peak, self.processor = max(self.peak, memory), max(self.processor, processor)
+
+
+def _borrows_its_memory(process):
+    """Whether a process is about to become another program: until then it has its parent's memory,
+    which waits for it (vfork) and is counted there.
+    """
+    parent = process.parent()
+    return (
+        parent is not None
+        and parent.status() == psutil.STATUS_DISK_SLEEP
+        and parent.cmdline() == process.cmdline()
+    )
 
 
 def _children(process):
