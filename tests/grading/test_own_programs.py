@@ -185,7 +185,7 @@ def lost(name):
 
 
 @pytest.fixture(scope="module")
-def by_name(tmp_path_factory):
+def by_name(kept_cages, tmp_path_factory):
     """Every student's Graded, by the name of what they did."""
     if not shutil.which("bwrap"):
         pytest.skip("bubblewrap is not installed")

@@ -6,6 +6,7 @@ import base64
 import http.client
 import json
 import os
+import shutil
 import threading
 from urllib.parse import urlsplit
 
@@ -41,10 +42,11 @@ students:
 """
 
 
-@pytest.fixture
-def folder(tmp_path):
+@pytest.fixture(scope="module")
+def graded_folder(tmp_path_factory):
     """A class of 120; 05.4 is wrong and has no name for every tenth."""
-    book = Gradebook(tmp_path)
+    top = tmp_path_factory.mktemp("class")
+    book = Gradebook(top)
     with book.alone():
         for k in range(120):
             marks = (
@@ -56,8 +58,14 @@ def folder(tmp_path):
             book.write(graded)
             cells = [{"source": f"{HOSTILE}x = {k}"}, {"source": 'check("05.4", x)'}]
             notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
-            keep_answers(graded, {"a.ipynb": own_answers(notebook)}, tmp_path)
-    return tmp_path
+            keep_answers(graded, {"a.ipynb": own_answers(notebook)}, top)
+    return top
+
+
+@pytest.fixture
+def folder(graded_folder, tmp_path):
+    """A copy of the class, to be decided upon."""
+    return shutil.copytree(graded_folder, tmp_path, dirs_exist_ok=True)
 
 
 @pytest.fixture
@@ -221,7 +229,7 @@ def handed_in(answer, picture=False):
 
 @pytest.mark.cage
 def test_an_explanation_counts_when_it_is_marked_and_never_for_another_answer(
-    tmp_path, monkeypatch
+    tmp_path, monkeypatch, kept_cages
 ):
     monkeypatch.setitem(exercises(), "05.99", EXPLAIN)
     answers = {"ada": ('"Air presses."', False), "bo": ("...", True), "cy": ("...", False)}
