@@ -28,6 +28,7 @@ PACKAGE = HERE.parents[1] / "dhlab"
 CACHE = Path(os.environ.get("DHLAB_LIVE_CACHE") or Path.home() / ".cache" / "dhlab" / "live")
 CORE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 SQUEEZED = ("pyodide.asm.mjs", "pyodide.asm.wasm")  # not every host compresses what it serves
+LEVEL = 9  # of compression; 1 takes a fifth of the time
 OWN = ("*.js", "*.css", "bridge.py", "anywidget.py", "bench.py")
 # of a wheel, what nobody in a page imports or reads
 LEFT_OUT = re.compile(
@@ -58,7 +59,7 @@ def gather(out):
     for name in CORE:
         data = (CACHE / name).read_bytes()
         if name in SQUEEZED:  # .bin: a server that knows .gz would undo it once more
-            (out / f"{name}.gz.bin").write_bytes(gzip.compress(data, 9, mtime=0))
+            (out / f"{name}.gz.bin").write_bytes(gzip.compress(data, LEVEL, mtime=0))
         elif name.endswith(".zip"):
             _smaller(CACHE / name, out / name, STDLIB_LEFT_OUT)
         else:
@@ -172,9 +173,9 @@ def _own_wheel(out):
 
 def zipped(out, files):
     """The same files are the same bytes."""
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=LEVEL) as archive:
         for name in sorted(files):
-            archive.writestr(zipfile.ZipInfo(name), files[name], zipfile.ZIP_DEFLATED, 9)
+            archive.writestr(zipfile.ZipInfo(name), files[name], zipfile.ZIP_DEFLATED, LEVEL)
 
 
 def into(html):

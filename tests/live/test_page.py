@@ -20,7 +20,6 @@ from dhlab.cli.app import app
 
 ROOT = Path(__file__).parents[2]
 LESSON = "05-link-matrix"
-RAN = '[data-live="ran"]'
 
 
 def gathered():
@@ -36,7 +35,9 @@ def address(site, tmp_path_factory):
     """Where the site with its Python is served."""
     folder = tmp_path_factory.mktemp("live") / "html"
     shutil.copytree(site, folder)
-    gathered().into(folder)
+    gather = gathered()
+    gather.LEVEL = 1  # how small the files are is not looked at here
+    gather.into(folder)
     handler = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
     with ThreadingHTTPServer(("127.0.0.1", 0), partial(handler, directory=folder)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -46,7 +47,7 @@ def address(site, tmp_path_factory):
 
 @pytest.fixture
 def lesson(address, new_page):
-    """The page, begun; what it asked for elsewhere and what went wrong in it must be nothing."""
+    """The lesson's page; what it asked for elsewhere and what went wrong in it must be nothing."""
     page = new_page(accept_downloads=True)
     wrong = []
     page.on("request", lambda r: r.url.startswith((address, "blob:")) or wrong.append(r.url))
@@ -80,9 +81,51 @@ def cells_of(exercise):
     return ids[at - 1], ids[at]
 
 
-def test_a_lesson_runs_in_its_page_and_leaves_as_a_notebook(lesson, tmp_path):
-    answer, check = cells_of("05.2")
+# of five answers, which are the solution's, and what stands in the others
+RIGHT = ("05.1", "05.5", "05.6")
+WRONG = {
+    "05.3": 'order = ["c", "d", "a", "b"]',
+    "05.4": "def dh_transform(theta, d, a, alpha):\n"
+    "    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(-alpha)",
+}
+OLDER = "05.9"  # of which an older version of the lesson was answered
+
+
+@pytest.mark.cage
+def test_a_lesson_runs_in_its_page_and_leaves_as_a_notebook_with_the_marks_shown(lesson, tmp_path):
+    """On one page, since Python takes long to begin in it."""
+    older = work_on_an_older_lesson_stays_beside_the_new_one(lesson)
+    changed = {**answered_by_hand_then_in_words(lesson), **all_answered(lesson)}
+    shown = marks_shown(lesson)
+    file = tmp_path / "handed-in" / f"ada_{LESSON}.ipynb"
+    saved(lesson, file, changed)
+    assert graded(file.parent, tmp_path / "graded") == shown
+    stopped_while_a_cell_does_not_end(lesson, cells_of("05.2")[0])
+
+    lesson.reload()  # the work has stayed
     lesson.click("text=Run this lesson")
+    for name, source in (changed | older).items():
+        assert cell(lesson, name).locator("textarea").input_value() == source
+
+
+def work_on_an_older_lesson_stays_beside_the_new_one(lesson):
+    """Begins the lesson; the text of the cell whose older version had been answered."""
+    answer, _ = cells_of(OLDER)
+    old = {"handedOut": {answer: "an older text"}, "mine": {answer: "mine"}}
+    lesson.evaluate(
+        "work => localStorage.setItem('dhlab:work:05-link-matrix', work)", json.dumps(old)
+    )
+    lesson.click("text=Run this lesson")
+    place = cell(lesson, answer)
+    place.get_by_text("This cell has changed since you wrote in it").wait_for()
+    given = code("lessons")[answer]
+    assert place.locator("textarea").input_value() == given
+    return {answer: given}
+
+
+def answered_by_hand_then_in_words(lesson):
+    """05.2 with its cards, then with the solution's text; {id: text} of its cell."""
+    answer, check = cells_of("05.2")
     run(cell(lesson, "05-001"))
     run(cell(lesson, answer))
     run(cell(lesson, check))
@@ -98,81 +141,72 @@ def test_a_lesson_runs_in_its_page_and_leaves_as_a_notebook(lesson, tmp_path):
     run(cell(lesson, answer))
     run(cell(lesson, check))
     cell(lesson, check).get_by_text("Right").wait_for()
-
-    cell(lesson, answer).locator("textarea").fill("while True: pass")
-    cell(lesson, answer).locator("textarea").press("Control+Enter")
-    lesson.click("text=Stop")  # the page answers while a cell does not end
-    lesson.get_by_text("Python begins anew").wait_for()
-    cell(lesson, answer).locator("textarea").fill(solution)
-
-    lesson.click("text=My work")
-    with lesson.expect_download() as saved:
-        lesson.click("text=Save as a notebook")
-    saved.value.save_as(tmp_path / "mine.ipynb")
-    mine = nbformat.read(tmp_path / "mine.ipynb", as_version=4)
-    nbformat.validate(mine)
-    given = nbformat.read(ROOT / "lessons" / f"{LESSON}.ipynb", as_version=4)
-    assert [one.id for one in mine.cells] == [one.id for one in given.cells]
-    changed = [a.id for a, b in zip(mine.cells, given.cells) if a.source != b.source]
-    assert changed == [answer]
-    assert mine.metadata == given.metadata
-
-    lesson.reload()  # the work has stayed
-    lesson.click("text=Run this lesson")
-    assert cell(lesson, answer).locator("textarea").input_value() == solution
+    return {answer: solution}
 
 
-def test_work_on_an_older_lesson_stays_beside_the_new_one(lesson):
-    answer, _ = cells_of("05.2")
-    old = {"handedOut": {answer: "an older text"}, "mine": {answer: "mine"}}
-    lesson.evaluate(
-        "work => localStorage.setItem('dhlab:work:05-link-matrix', work)", json.dumps(old)
-    )
-    lesson.click("text=Run this lesson")
-    lesson.get_by_text("This cell has changed since you wrote in it").wait_for()
-    assert cell(lesson, answer).locator("textarea").input_value() == code("lessons")[answer]
-
-
-# of five answers, which are the solution's, and what stands in the others
-RIGHT = ("05.1", "05.5", "05.6")
-WRONG = {
-    "05.3": 'order = ["c", "d", "a", "b"]',
-    "05.4": "def dh_transform(theta, d, a, alpha):\n"
-    "    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(-alpha)",
-}
-
-
-@pytest.mark.cage
-def test_the_notebook_that_leaves_the_page_gets_the_marks_that_the_page_showed(lesson, tmp_path):
-    lesson.click("text=Run this lesson")
+def all_answered(lesson):
+    """RIGHT and WRONG, and the whole lesson run; {id: text} of the cells."""
     solutions = code("solutions")
     answers = {cells_of(exercise)[0]: solutions[cells_of(exercise)[0]] for exercise in RIGHT}
     answers |= {cells_of(exercise)[0]: text for exercise, text in WRONG.items()}
     for name, source in answers.items():
         cell(lesson, name).locator("textarea").fill(source)
     lesson.click("text=Run all")
+    return answers
+
+
+def marks_shown(lesson):
+    """{exercise: points} of the table at the end, once every cell has run."""
     places = [cell(lesson, name) for name in code("lessons")]
     for place in places:
         place.and_(lesson.locator('[data-live="ran"], [data-live="failed"]')).wait_for()
     rows = places[-1].locator("tbody tr").all()
     table = [row.locator("td").all_inner_texts() for row in rows]
     shown = {name: points.split(" of ") for name, _, _, points in table}
-    assert {name for name, (mine, most) in shown.items() if mine == most} == set(RIGHT)
+    assert {name for name, (mine, most) in shown.items() if mine == most} == {*RIGHT, "05.2"}
     for exercise in WRONG:
         assert "Not attempted" not in cell(lesson, cells_of(exercise)[1]).inner_text()
+    return {name: float(mine) for name, (mine, _) in shown.items()}
 
-    handed_in = tmp_path / "handed-in"
-    handed_in.mkdir()
+
+def saved(lesson, file, changed):
+    """The notebook that leaves the page is the lesson's own, but for the answers."""
+    file.parent.mkdir()
     lesson.click("text=My work")
-    with lesson.expect_download() as saved:
+    with lesson.expect_download() as download:
         lesson.click("text=Save as a notebook")
-    saved.value.save_as(handed_in / f"ada_{LESSON}.ipynb")
-    done = CliRunner().invoke(app, ["grade", str(handed_in), "--out", str(tmp_path / "graded")])
+    download.value.save_as(file)
+    mine = nbformat.read(file, as_version=4)
+    nbformat.validate(mine)
+    given = nbformat.read(ROOT / "lessons" / f"{LESSON}.ipynb", as_version=4)
+    assert [one.id for one in mine.cells] == [one.id for one in given.cells]
+    assert {a.id: a.source for a, b in zip(mine.cells, given.cells) if a.source != b.source} == (
+        changed
+    )
+    assert mine.metadata == given.metadata
+
+
+def graded(handed_in, out):
+    """{exercise: points} of the one student, as ``dhlab grade`` gives them."""
+    done = CliRunner().invoke(app, ["grade", str(handed_in), "--out", str(out)])
     assert done.exit_code == 0, done.output
-    with open(tmp_path / "graded" / "grades.csv", encoding="utf-8") as file:
+    with open(out / "grades.csv", encoding="utf-8") as file:
         marks = next(csv.DictReader(file))
-    graded = {name: float(mark) for name, mark in marks.items() if re.fullmatch(r"05\.\d", name)}
-    assert graded == {name: float(mine) for name, (mine, _) in shown.items()}
+    return {name: float(mark) for name, mark in marks.items() if re.fullmatch(r"05\.\d", name)}
+
+
+def stopped_while_a_cell_does_not_end(lesson, name):
+    """The page answers meanwhile; its text is then as before."""
+    area = cell(lesson, name).locator("textarea")
+    before = area.input_value()
+    area.fill("while True: pass")
+    area.press("Control+Enter")
+    lesson.route(
+        "**/worker.js", lambda route: route.fulfill(body="", content_type="text/javascript")
+    )  # Python is not wanted again
+    lesson.click("text=Stop")
+    lesson.get_by_text("Python begins anew").wait_for()
+    area.fill(before)
 
 
 def test_the_bench_takes_a_name_and_bare_numbers_and_says_what_it_misses(address, new_page):
