@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from draws import few
 from scipy.spatial.transform import Rotation
 from test_poses import NOISE, entry, general, noisy
 
@@ -23,16 +24,21 @@ def turned_joint_and_offset(right):
     )
 
 
+def bent_and_longer(right):
+    return entry(entry(right, 2, 2, lambda a: 1.1 * a), 4, 3, np.negative)
+
+
+# every second of them holds both pairs of mistakes, and a base that is free and one that is not
+PAIRS = [
+    (True, turned_joint_and_offset),
+    (False, turned_joint_and_offset),
+    (False, bent_and_longer),
+    (True, bent_and_longer),
+]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("free", [False, True])
-@pytest.mark.parametrize(
-    "wrong_of",
-    [
-        turned_joint_and_offset,
-        lambda right: entry(entry(right, 2, 2, lambda a: 1.1 * a), 4, 3, np.negative),
-    ],
-    ids=["sense and offset", "alpha and length"],
-)
+@pytest.mark.parametrize("free, wrong_of", few(PAIRS, 2))
 def test_two_mistakes_are_found_from_positions_alone(free, wrong_of):
     """Of which at least one turns what is behind it: the tape measure sees no rotation."""
     right = dh.load("article-6r")
