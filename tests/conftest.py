@@ -2,6 +2,7 @@
 from which seeds numbers are drawn.
 """
 
+import gc
 import importlib
 import os
 import platform
@@ -62,6 +63,19 @@ def pytest_configure(config):
             f"expected pytest before 9.2, found {pytest.__version__}, where pytest-xdist does not"
             " keep groups together; install what constraints.txt names, as make does"
         )
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    """All that is collected stays to the end: to look again and again, then and later, what of it
+    may go would take a third of the time.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def _shifted(default_rng):
