@@ -80,3 +80,26 @@ def test_a_second_table_is_asked_about():
     named = "".join(f"a{i} = 0.{i}; d{i} = 0.1; alpha{i} = 90\n" for i in range(1, 5))
     with pytest.raises(ValueError, match="found two of 4 and 4 rows"):
         recognise_table(LISTS + named)
+
+
+TORN = (
+    "T1 = dh(q1, 0.3, 0, 90)\nT2 = {}\nT3 = dh(q3, 0, 0.4, 0)\nT4 = dh(q4, 0, 0.1, 0)\n",
+    "- [0, 0.3, 0, 90]\n- {}\n- [0, 0, 0.4, 0]\n- [0, 0, 0.1, 0]\n",
+)
+MISSING = "0, 0.2, 90", "0, 0.2, 0, 90, 0.1", "0, 0.2, 0, ??"
+
+
+@pytest.mark.parametrize("cells", MISSING)
+@pytest.mark.parametrize("rows", TORN)
+def test_a_row_that_lacks_a_number_is_not_left_out(rows, cells):
+    torn = f"dh({cells})" if "dh(" in rows else f"[{cells}]"
+    with pytest.raises(ValueError, match=r"line 2: expected"):
+        recognise_table(rows.format(torn))
+    whole = recognise_table(rows.format(torn.replace(cells, "0, 0.2, 0, 90")), convention="craig")
+    assert max(len(reading.arm) for reading in whole.readings) == 4
+
+
+def test_a_base_in_numbers_is_said_not_to_be_in_the_rows():
+    links = "L(1) = Revolute('d', 0.3, 'a', 0, 'alpha', pi/2);\nL(2) = Revolute('a', 0.4);\n"
+    found = recognise_table(links + "robot = SerialLink(L, 'base', [0.1, 0.2, 0]);\n")
+    assert any("sets a base, [0.1, 0.2, 0]" in note for note in found.notes), found.notes

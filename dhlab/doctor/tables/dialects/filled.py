@@ -3,6 +3,7 @@ place, or all numbers one behind the other.
 """
 
 import re
+from collections import Counter
 
 from ..language.brackets import cells_in
 
@@ -42,12 +43,16 @@ def _cells(group):
 def _one_a_call(found):
     """The rows that calls of one function take: ``setFixedTransform(j1, [0 …], 'dh')``."""
     rows: dict = {}
+    torn = set()
     for group in found:
         cells = _cells(group)
         made = group.outer is not None and group.outer.name and group.mark != "("
         if made and len(cells) == 4 and not _is_property(group):
             rows.setdefault(group.outer.name, []).append((f"line {group.line}", cells))
-    most = max(rows.values(), key=len, default=[])
+        elif made and len(cells) in (3, 5) and sum(map(str.isdigit, cells)) > 1:
+            torn.add(group.outer.name)  # a number is missing there, or one too many
+    whole = [one for name, one in rows.items() if name not in torn]
+    most = max(whole, key=len, default=[])
     return most if len(most) > 1 else []
 
 
@@ -59,17 +64,30 @@ def _is_property(group):
 
 def _siblings(found, source):
     """Brackets of one kind, one behind the other, nothing around them: ``(1, 0, 90), (2, …)``."""
-    best, rows = [], []
+    whole, torn = [], []
     for group in found:
         cells = [item.text for item in group.items]
-        alone = (
-            group.outer is None and not group.name and not group.target and len(cells) in (4, 5, 6)
-        ) and cells != ["0", "0", "0", "1"]  # the origin, as a point of four numbers
-        if alone and all(source.value(cell) is not None for cell in cells):
-            rows = rows if rows and len(rows[0][1]) == len(cells) else []
-            rows.append((f"line {group.line}", cells))
-            best = max(best, rows, key=len)
-    return best if len(best) > 1 else []
+        bare = group.outer is None and not group.name and not group.target
+        if not bare or cells == ["0", "0", "0", "1"]:  # the origin, as a point of four numbers
+            continue
+        read = len(cells) in (4, 5, 6) and all(source.value(cell) is not None for cell in cells)
+        (whole if read else torn).append((group.line, cells))
+    widths = Counter(len(cells) for _, cells in whole).most_common(1)
+    if not widths or widths[0][1] < 2:
+        return []
+    best = [(f"line {line}", cells) for line, cells in whole if len(cells) == widths[0][0]]
+    torn += [(line, cells) for line, cells in whole if len(cells) != widths[0][0]]
+    first, last = (int(where.split()[1]) for where, _ in (best[0], best[-1]))
+    torn = [(line, cells) for line, cells in torn if first < line < last]
+    if any(re.search(r"\b(?:sin|cos)", cell) for _, cells in torn for cell in cells):
+        return []  # the lines of a link matrix
+    for line, cells in torn:
+        if sum(source.value(cell) is not None for cell in cells) > 1:
+            raise ValueError(
+                f"recognise_table: line {line}: expected {len(best[0][1])} numbers, as in the other"
+                f" rows, found {', '.join(cells)[:60]!r}; what is each? Write the numbers"
+            )
+    return best
 
 
 def _one_a_name(found):

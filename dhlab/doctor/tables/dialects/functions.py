@@ -167,13 +167,12 @@ def _require_all(name, width, calls, rows, source):
     """
     lines = {line for line, _ in rows}
     for call in calls:
-        texts = [item.text for item in call.items]
-        if _last(call.name) != name or len(texts) != width or call.line in lines:
+        texts = [item.text for item in call.items if item.text.lower() not in FLAGS]
+        texts = [text for text in texts if text[:1] not in "'\"" or not text]
+        if _last(call.name) != name or abs(len(texts) - width) > 1 or call.line in lines:
             continue
-        if (
-            sum(source.value(text) is not None and bool(re.search(r"\d", text)) for text in texts)
-            > 1
-        ):
+        read = [text for text in texts if source.value(text) is not None]
+        if sum(bool(re.search(r"\d", text)) for text in read) > 1:
             raise ValueError(
                 f"recognise_table: line {call.line}: expected {width} numbers in {name}, found"
                 f" {', '.join(texts)[:60]!r}; what is each? Write the numbers, or what its letters"
