@@ -244,6 +244,8 @@ def half_the_points_for_nothing(top):
             given = [[one] * len(cases) for one in constants]
             given += [[case[k] for case in cases] for k in range(len(exercise.names))]
             given += [[np.ones(shape) * (1 + k) for k in range(len(cases))]]
+            given += [[np.eye(4)[:3] + k for k in range(len(cases))], [[[1], [1, 2]]] * len(cases)]
+            given += [["x"] * len(cases), [{}] * len(cases)]
             tries += [Called(tuple(one), one[0]) for one in given]
             for k, called in enumerate(tries):
                 found = _program(exercise, Asked(called), 5, settings, exercise.points)

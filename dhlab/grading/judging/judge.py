@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ...course.kinds import Function
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
@@ -160,7 +162,8 @@ def _short(answer, known, most=WORD):
 def _compared(exercise, answer, number, settings, worth):
     """The Mark of an answer, compared with what is right for a number."""
     try:
-        verdict = exercise.judge(answer, number)
+        with np.errstate(all="ignore"):  # numbers that overflow are nothing to warn the teacher of
+            verdict = exercise.judge(answer, number)
     except Exception as error:  # a fault of ours: shown to the teacher, never a silent 0
         headline = "this answer could not be compared; your teacher will look at it"
         note = f"the judge stopped with {type(error).__name__}: {error}"[:TEXT]

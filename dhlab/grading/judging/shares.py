@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...course.kinds import Function, Table
+from ...course.kinds.reading import as_numbers
 from ...course.kinds.tabled.arms import IN_DEGREES
 from ...course.kinds.tabled.copied import Copied
 from ...course.kinds.tabled.entries import differing
-from ...course.verdict import RIGHT, WRONG
+from ...course.verdict import RIGHT, WRONG, Verdict
 from ...doctor.mistakes.registry import only_seen
 
 if TYPE_CHECKING:
     from ...course.kinds.exercise import Exercise
-    from ...course.verdict import Verdict
     from ..settings import Settings
 
 __all__ = ["share"]
@@ -33,21 +33,24 @@ def share(
         return 1.0
     if verdict.status != WRONG or not verdict.mistake or not settings.partial:
         return 0.0
+    # what is to be repaired has a mistake that is recognised when it is handed out
+    if not isinstance(exercise, (Function, Table)) or exercise.handed_out:
+        return 0.0
     if isinstance(exercise, Function):
         work = _computes(exercise, answer, number) and not only_seen(verdict.mistake)
     else:
-        # what is to be repaired has a mistake that is recognised when it is handed out
-        work = isinstance(exercise, Table) and not exercise.handed_out
-        work = work and not _of_many_numbers(exercise, answer, number, verdict.mistake)
+        work = not _of_many_numbers(exercise, answer, number, verdict.mistake)
     return settings.partial if work else 0.0
 
 
 def _computes(exercise, called, number):
-    """Whether a program gives something of its own: not the same whatever goes in, and none of its
-    arguments.
+    """Whether a program gives what is asked for, and something of its own: not the same whatever
+    goes in, and none of its arguments.
     """
     given = called.answers
-    if called.fault or all(_same(one, given[0]) for one in given):
+    if called.fault or any(as_numbers(one).shape != exercise.shape for one in given):
+        return False
+    if all(_same(one, given[0]) for one in given):
         return False
     cases = exercise.cases(number)
     return not any(
@@ -61,10 +64,13 @@ def _of_many_numbers(exercise, answer, number, mistake):
     if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
         return False
     right = exercise.right_arm(number)
-    rows = exercise.arm_of(answer, right).table.rows
-    return differing(rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() > 1
+    arm = exercise.arm_of(answer, right)
+    if isinstance(arm, Verdict):
+        return False
+    return bool(differing(arm.table.rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() > 1)
 
 
 def _same(one, other):
+    one, other = as_numbers(one), as_numbers(other)
     with np.errstate(all="ignore"):
-        return bool(np.shape(one) == np.shape(other) and np.allclose(one, other, equal_nan=True))
+        return one.shape == other.shape and np.allclose(one, other, equal_nan=True)
