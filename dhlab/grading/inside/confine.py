@@ -24,6 +24,7 @@ __all__ = [
     "restrict_resources",
     "look_at_memory",
     "memory_in_use",
+    "threads_of_all",
     "no_new_privileges",
     "drop_to",
     "drop_capabilities",
@@ -280,3 +281,11 @@ def memory_in_use() -> int:
         return int(os.pread(_size[0], 100, 0).split()[0]) * resource.getpagesize()
     except (OSError, IndexError, ValueError):
         return 1 << 30
+
+
+def threads_of_all() -> int:
+    """How many threads there are on the machine; 0 where the system does not tell."""
+    told = (c_long * 16)()
+    if not LINUX or libc.sysinfo(told):
+        return 0
+    return ctypes.c_ushort.from_buffer(told, 10 * ctypes.sizeof(c_long)).value

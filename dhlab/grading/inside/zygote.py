@@ -23,6 +23,7 @@ from dhlab.grading.inside.examples import used_once
 LOADED = re.compile(r"""\bdh\.load\(["']([\w.-]+)["']\)""")
 LOOK = 0.03  # seconds between two looks at what a submission writes
 MOST_FILES = 5000  # files of a submission, and what Python keeps there itself
+MOST_THREADS = 300  # more on the machine than before, which nothing honest starts meanwhile
 CLEANING = 5  # seconds; who leaves more behind costs a new cage
 
 
@@ -63,14 +64,24 @@ def main() -> None:
 
 def _told_that_it_is_over(control, child, config):
     """Wait until the grader says so; False when it has hung up. Who leaves more files than there
-    is room for is stopped meanwhile.
+    is room for, or starts threads without number, is stopped meanwhile.
     """
-    watched = True
+    watched, before = True, confine.threads_of_all()
     while not select.select([control], [], [], LOOK)[0]:
-        if watched and _too_many_files(config):
+        if watched and (_too_many_files(config) or _too_many_threads(config, before)):
             os.kill(child, signal.SIGKILL)
             watched = False
     return bool(control.recv(1))
+
+
+def _too_many_threads(config, before):
+    """Whether the machine has many more threads than ``before``. Where the user is the grader's own
+    the kernel's limit would count the teacher's too, and root's not at all.
+    """
+    if config["limits"]["own_user"]:
+        return False
+    more = (confine.threads_of_all() - before) % 65536  # the system counts no further
+    return MOST_THREADS < more < 32768
 
 
 def _too_many_files(config):
