@@ -73,7 +73,7 @@ CALLS = [
             "import threading, time\nthreading.stack_size(32768)\nkept, go = 0, threading.Event()\n"
             "try:\n    for n in range(3000):\n"
             "        threading.Thread(target=go.wait, args=(5,), daemon=True).start(); kept += 1\n"
-            "except (RuntimeError, MemoryError): pass\ngo.set(); held = kept > 200"
+            "except (RuntimeError, MemoryError): pass\nfinally: go.set(); held = kept > 600"
         ),
         FULL,
     ),
