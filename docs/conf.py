@@ -64,11 +64,20 @@ html_show_copyright = False
 html_domain_indices = False
 
 SearchEnglish.stem = cache(SearchEnglish.stem)  # a word once, not once for each page
+trees = {}  # of the pages that no tree of contents names, by folder
 
 
 def setup(app):
     """Scripts go to the pages that need them."""
     app.connect("html-page-context", with_explorer)
+    app.connect("html-page-context", with_shared_tree, priority=400)  # before furo asks for it
+
+
+def with_shared_tree(app, pagename, templatename, context, doctree):
+    """The arms' pages stand in no tree of contents, so what is beside them all is made once."""
+    if "orphan" in (context.get("meta") or {}):
+        folder = pagename.rpartition("/")[0]
+        context["toctree"] = trees.setdefault(folder, cache(context["toctree"]))
 
 
 def with_explorer(app, pagename, templatename, context, doctree):
