@@ -75,11 +75,27 @@ def address(site):
 
 
 @pytest.fixture(scope="module")
-def opened(browser, address):
+def reader(browser):
+    """A context for all pages with the usual settings: its own costs a page more than what it
+    shows.
+    """
+    reader = browser.new_context()
+    reader.set_default_timeout(240_000)
+    return reader
+
+
+@pytest.fixture
+def page(reader):
+    """A page of that reader, closed at the end: what it draws costs while others are looked at."""
+    page = reader.new_page()
+    yield page
+    page.close()
+
+
+@pytest.fixture(scope="module")
+def opened(reader, address):
     """Every page after loading: {name: (page, what went wrong while it loaded)}."""
     seen = {}
-    reader = browser.new_context()  # one for all: its own costs a page more than what it shows
-    reader.set_default_timeout(240_000)
     for name in PAGES:
         page, faults = reader.new_page(), []
         page.on(
@@ -153,8 +169,8 @@ def test_formulas_are_set(opened, name):
         r"\\(begin|hat|theta|frac|text|qquad)\b|\$\$",
         page.locator("#furo-main-content").inner_text(),
     )
-    for formula in page.locator("math").all():
-        assert formula.evaluate("m => m.getBoundingClientRect().width") > 3
+    widths = "[...document.querySelectorAll('math')].map((m) => m.getBoundingClientRect().width)"
+    assert all(width > 3 for width in page.evaluate(widths))
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -235,8 +251,7 @@ def test_every_name_of_the_reference_has_its_entry(opened):
         ("wrong place", "doctor"),
     ],
 )
-def test_search_finds_what_is_called_so(new_page, address, asked, page_found):
-    page = new_page()
+def test_search_finds_what_is_called_so(page, address, asked, page_found):
     page.goto(f"{address}/search.html?q={asked}")
     page.wait_for_selector("#search-results li a")
     assert any(
@@ -253,8 +268,7 @@ def test_pages_are_light_and_pictures_come_when_they_are_seen(site):
         assert all('loading="lazy"' in tag for tag in re.findall(r"<img [^>]*webp[^>]*>", text))
 
 
-def test_on_paper_what_follows_a_prediction_is_there_with_its_views(new_page, address):
-    page = new_page()
+def test_on_paper_what_follows_a_prediction_is_there_with_its_views(page, address):
     page.goto(f"{address}/lessons/04-placing-frames.html", wait_until="load")
     page.wait_for_function(
         "[...document.querySelectorAll('.dhlab-explorer')].every(e => e.explorer)"
@@ -266,8 +280,7 @@ def test_on_paper_what_follows_a_prediction_is_there_with_its_views(new_page, ad
     assert page.locator(".later").count() == folded > 0, "on the screen all is as before"
 
 
-def test_the_outcome_of_a_prediction_is_seen_after_choosing(new_page, address):
-    page = new_page()
+def test_the_outcome_of_a_prediction_is_seen_after_choosing(page, address):
     page.goto(f"{address}/lessons/02-parameters.html")
     outcome = page.get_by_text("Only the y1 and z1 arrows tip")
     assert outcome.is_hidden()
@@ -300,8 +313,7 @@ def test_the_gallery_has_a_page_for_every_arm_and_finds_them(opened, site):
     assert "No arm" in page.locator(".arm-search [role=status]").inner_text()
 
 
-def test_an_arm_is_changed_shared_and_saved_on_its_page(new_page, address, tmp_path):
-    page = new_page()
+def test_an_arm_is_changed_shared_and_saved_on_its_page(page, address, tmp_path):
     page.goto(f"{address}/robots/ur5e.html#q=10,-60,80,-110,-80,20")
     page.get_by_text("Change the table").click()
     page.get_by_role("radio", name="Craig's").check(force=True)
@@ -323,7 +335,7 @@ def test_an_arm_is_changed_shared_and_saved_on_its_page(new_page, address, tmp_p
     )
     page.get_by_role("button", name="Copy a link").click()
     page.wait_for_function("location.hash.includes('rows=')")
-    other = new_page()
+    other = page.context.new_page()
     other.goto(page.url)
     other.wait_for_function("document.querySelector('.dhlab-explorer').explorer?.stage.drawn > 0")
     other.get_by_text("Change the table").wait_for()
@@ -338,8 +350,8 @@ def test_an_arm_is_changed_shared_and_saved_on_its_page(new_page, address, tmp_p
     assert page.get_by_role("spinbutton", name="a of row 2, millimetres").input_value() == "-425"
 
 
-def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(new_page, address):
-    page, arm = new_page(), dh.load("irb2400")
+def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(page, address):
+    arm = dh.load("irb2400")
     page.goto(f"{address}/robots/irb2400.html#q=40,20,-20,30,-50,60")
     page.get_by_text("Play a motion").click()
     keep = page.get_by_role("button", name="Keep this pose")
@@ -402,10 +414,10 @@ def test_a_motion_is_saved_as_a_gif_where_no_video_can_be_made(new_page, address
     assert np.abs(pictures[-1] - np.asarray(end, dtype=float)).mean() < 3  # of 255
 
 
-def test_the_real_robot_stands_where_its_urdf_says(new_page, address):
+def test_the_real_robot_stands_where_its_urdf_says(page, address):
     yourdfpy = pytest.importorskip("yourdfpy")
     model = Path(pytest.importorskip("pybullet_data").getDataPath()) / "kuka_iiwa" / "model.urdf"
-    page, q = new_page(), [40, 20, -20, 30, -50, 60, 10]
+    q = [40, 20, -20, 30, -50, 60, 10]
     page.goto(f"{address}/robots/iiwa14.html#q={','.join(map(str, q))}")
     page.get_by_text("Show the real robot").click()
     files = [model, *sorted(model.parent.glob("meshes/*.stl"))]
