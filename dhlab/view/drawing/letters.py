@@ -53,9 +53,9 @@ class Letters(Text):
         """Width, height and what of it is below the line (3,), page points; first asked for where
         the page is laid out, on a canvas of dots.
         """
-        key = self.get_text(), self.get_parse_math(), self.get_fontsize()
+        key = self.get_text(), self.get_parse_math(), float(self.get_fontsize())
         if key not in MEASURED:
-            figure = self.get_figure(root=True)
+            figure: Any = self.get_figure(root=True)
             extent = super().get_window_extent(figure.canvas.get_renderer())
             depth = self._middle()[1] - extent.y0  # matplotlib's begins at the position
             MEASURED[key] = np.array([extent.width, extent.height, depth]) * 72 / figure.dpi
@@ -65,15 +65,16 @@ class Letters(Text):
         self, renderer: RendererBase | None = None, dpi: float | None = None
     ) -> Bbox:
         """The box around it, in dots."""
-        half = self.measured()[:2] * self.get_figure(root=True).dpi / 72 / 2
+        figure: Any = self.get_figure(root=True)
+        half = self.measured()[:2] * figure.dpi / 72 / 2
         return Bbox([self._middle() - half, self._middle() + half])
 
     def draw(self, renderer: RendererBase) -> None:
         """Called by matplotlib."""
-        dots = renderer.points_to_pixels(1.0)
+        dots: Any = renderer.points_to_pixels(1.0)
         width, height, depth = self.measured() * dots
         start = self._middle() + [-width / 2, depth - height / 2]
-        shape = Affine2D().scale(self.get_fontsize() * dots / text_to_path.FONT_SCALE)
+        shape = Affine2D().scale(float(self.get_fontsize()) * dots / text_to_path.FONT_SCALE)
         color = to_rgba(self.get_color())
         renderer.open_group("text", self.get_gid())
         gc = renderer.new_gc()
@@ -93,4 +94,5 @@ class Letters(Text):
 def _outline(content, math):
     """The shape of a text in the size that matplotlib keeps them in."""
     font = FontProperties(family=FONT, math_fontfamily="dejavusans")
-    return Path(*text_to_path.get_text_path(font, content, ismath=math))
+    corners: Any = text_to_path.get_text_path(font, content, ismath=math)
+    return Path(*corners)
