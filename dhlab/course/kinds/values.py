@@ -230,7 +230,7 @@ class Value(Exercise):
         size = np.abs(value)
         if self.turns:
             angles = np.isin(np.arange(array.size), self.turns).reshape(array.shape)
-            angles &= np.abs(difference) < MOST_DEGREES
+            angles = angles & (np.abs(difference) < MOST_DEGREES)
             difference = np.where(angles, difference - 360 * np.round(difference / 360), difference)
             size = np.abs(np.where(angles, value - 360 * np.round(value / 360), value))
         allowed = np.maximum(tolerance * size, self.tolerance * (1 + size))
