@@ -14,6 +14,7 @@ warning of Sphinx, ends the build.
 """
 
 import argparse
+import functools
 import hashlib
 import os
 import re
@@ -173,7 +174,13 @@ def executed(name, notebook, cache):
 
 def _key(notebook):
     """A fingerprint of all that the outputs depend on."""
-    found = hashlib.sha256(nbformat.writes(notebook).encode())
+    return hashlib.sha256(nbformat.writes(notebook).encode() + _ours()).hexdigest()[:16]
+
+
+@functools.cache
+def _ours():
+    """What of it is the same for all notebooks."""
+    found = hashlib.sha256()
     for path in sorted(
         p
         for p in (ROOT / "dhlab").rglob("*")
@@ -183,7 +190,7 @@ def _key(notebook):
         found.update(path.read_bytes())
     for package in ("numpy", "matplotlib", "ipython"):
         found.update(version(package).encode())
-    return found.hexdigest()[:16]
+    return found.digest()
 
 
 def _run(name, notebook):
