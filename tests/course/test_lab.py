@@ -61,9 +61,10 @@ def wait_for(page, what, event):
         prompts = "".join(page.locator(".jp-CodeCell .jp-InputPrompt").all_text_contents())
         errors = page.locator("[data-mime-type*=stderr]").all_inner_texts()
         dialogs = page.locator(".jp-Dialog").all_inner_texts()
+        views = [text[:200] for text in page.locator(".jupyter-widgets").all_inner_texts()]
         pytest.fail(
             f"waited for {what}; saw the status bar {status}, the cells {prompts}, the errors"
-            f" {errors}, the dialogs {dialogs}\n{error}"
+            f" {errors}, the dialogs {dialogs}, the views {views}\n{error}"
         )
 
 
@@ -228,7 +229,12 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     page.goto(f"{address}/lab/workspaces/again/tree/explorer.ipynb?reset")
     kernel_is_idle(page)
     first = page.get_by_role("slider", name="Joint 1, degrees")
-    expect(first).to_have_attribute("aria-valuetext", "28.65 degrees")
+    there = expect(first)
+    wait_for(
+        page,
+        "the arm as it was saved",
+        lambda: there.to_have_attribute("aria-valuetext", "28.65 degrees"),
+    )
     first.press("ArrowRight")
     expect(first).to_have_attribute("aria-valuetext", "29 degrees")
     page.get_by_role("button", name="Start over").click()
