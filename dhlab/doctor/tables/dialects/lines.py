@@ -6,6 +6,7 @@ from itertools import groupby
 
 from ..cells import read_cell
 from ..evidence.orders import order_of_names
+from ..evidence.poses import holds_joint_values
 from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
 from .copied import MOST_WORDS, named_one_a_line, one_cell_a_line
@@ -21,6 +22,7 @@ ROW = re.compile(
     r"\s*[-*]?\s*([A-Za-z][\w ]{0,20}?)\s*[:=-]?\s*"
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
+LIST = re.compile(r"\s*(\w+)\s*=[^=\[{(]*[\[{(]")
 MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
 
@@ -85,7 +87,10 @@ def _from_lines(texts, source):
     lines = [
         (k, _listed(_without_brackets(line)))
         for k, line in enumerate(texts, 1)
-        if line.strip() and not RULE.fullmatch(line) and not _assignment(line)
+        if line.strip()
+        and not RULE.fullmatch(line)
+        and not _assignment(line)
+        and not ((named := LIST.match(line)) and holds_joint_values(named[1], source))
     ]
     split, mark = _splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]

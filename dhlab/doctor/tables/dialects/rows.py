@@ -10,6 +10,7 @@ from ..beside import labelled, with_types
 from ..cells import cell_of
 from ..evidence.makers import made_by
 from ..evidence.orders import every_column_in, order_of_three
+from ..evidence.poses import holds_joint_values
 from ..language.brackets import groups
 from ..language.expressions import Value
 from ..language.roles import ROLES, role_of
@@ -229,6 +230,8 @@ def _is_vector(group, rows, source):
     """Whether four numbers are no row: an argument among others, or a part of an expression."""
     if len(rows) > 1 or TABLE.search(target_of(group)):
         return False
+    if holds_joint_values(group.target, source):
+        return True
     if group.outer is not None and group.outer.mark == "(" and len(group.outer.items) > 1:
         return True
     alone = source.lines[group.line - 1].strip(" ;,") == group.text

@@ -8,9 +8,10 @@ import numpy as np
 
 from ..cells import BESIDE
 from ..language.brackets import cells_in
+from ..language.expressions import key
 from ..language.letters import unified
 
-__all__ = ["adds_theta", "poses_in", "theta_meanings"]
+__all__ = ["adds_theta", "holds_joint_values", "poses_in", "theta_meanings"]
 
 LISTED = re.compile(
     r"\b(q(?![a-z]*lim)\w*|joint\w*|angles?\w*|pose\w*|config\w*)[ \t]*[=:][ \t]*[\w.]*\(?"
@@ -42,6 +43,21 @@ def poses_in(source):
         if not ZEROS.search(name) and all(one is not None and not one.letters for one in values):
             found.append(tuple(one.number for one in values))
     return tuple(found)
+
+
+def holds_joint_values(name, source):
+    """Whether an array has joints' values that the text takes one by one, as q(1) and q(2).
+
+    Examples
+    --------
+    >>> from .source import source_of
+    >>> holds_joint_values("q", source_of("q = [0, 0.1]\\ndh = [[q[0], 0, 0.3, 0], [q[1], 0, 0, 0]]"))
+    True
+    """
+    element = key(f"{name}[0]")
+    taken = re.compile(rf"(?<![\w.]){re.escape(name)}[\[(]\d+[\])]")
+    values = element in source.assigned and element not in source.known
+    return bool(name and values and taken.search(source.code))
 
 
 def adds_theta(source):

@@ -31,6 +31,10 @@ BEGINS = re.compile(
     r"|[^=]*[{}]"
 )
 JOINT = re.compile(r"(?:theta|th|q|t|joint|phi)\d*|q\[\d+\]")
+# an element of an array of joint values; of one whose name a column of the table may have as well
+ELEMENT = re.compile(r"(?:joint(?:s|angles?|values?|pos\w*|states?)?|jt|ja|jv)\[\d+\]")
+EITHER = re.compile(r"(thetas?|th|t|phi|angles?)\[\d+\]")
+COLUMN = re.compile(r"(?:alphas?|alfas?|[ad]|d?dist\w*|lengths?|twists?)\[\d+\]")
 OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
@@ -154,10 +158,29 @@ def joint_values(known):
     {'theta1'}
     >>> joint_values({"theta1": "q1", "theta2": "q2 - 90", "theta3": "0"})
     set()
+    >>> joint_values({"theta[0]": "0", "d[0]": "0.1"})
+    {'theta[0]'}
     """
     names = [name for name in known if JOINT.fullmatch(name.lower())]
+    listed = _listed_values(known)
     stands = {name for name in names if not OF_ANOTHER.search(known[name])}
     stems = [name.rstrip("0123456789") for name in names if name not in stands]
     given = [name.rstrip("0123456789") for name in stands]
     defined = {stem for stem in stems if stems.count(stem) > max(given.count(stem), 1)}
-    return {name for name in stands if name.rstrip("0123456789") not in defined}
+    return listed | {name for name in stands if name.rstrip("0123456789") not in defined}
+
+
+def _listed_values(known):
+    """The elements of arrays that hold joint values, ``theta[0]`` of ``theta = [0, 0]``; where the
+    columns of the table are arrays too, theta with other numbers than 0 is one of these.
+    """
+    named = {name for name in known if ELEMENT.fullmatch(name.lower())}
+    columns = any(COLUMN.fullmatch(name.lower()) for name in known)
+    arrays: dict = {}
+    for name in known:
+        if found := EITHER.fullmatch(name.lower()):
+            arrays.setdefault(found[1], []).append(name)
+    for elements in arrays.values():
+        if not columns or not any(re.search("[1-9p]", str(known[name])) for name in elements):
+            named.update(elements)
+    return named
