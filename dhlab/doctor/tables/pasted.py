@@ -21,8 +21,8 @@ class Pasted:
     speaks of and ``worded`` how many in words, ``poses`` the lists that it calls joint values,
     ``adds`` whether it says that theta is added to them, ``slides`` whether it has a "word" of a
     joint that slides, or calls the "arm" one of these, ``scaled`` whether its program takes
-    thousandths, ``replaced`` whether that puts the joints' values in the place of theta, ``behind``
-    whether the header counts d, and not theta, from the link before, ``lines`` the first and the
+    thousandths, ``multiple`` the comment that calls its lengths multiples of others, ``replaced``
+    whether the program puts the joints' values in the place of theta, ``behind`` whether the header counts d, and not theta, from the link before, ``lines`` the first and the
     last line of the rows, where it is known.
     """
 
@@ -46,6 +46,7 @@ class Pasted:
     adds: bool = False
     slides: str = ""
     scaled: bool = False
+    multiple: str = ""
     replaced: bool = False
     behind: bool = False
     lines: tuple = ()

@@ -27,7 +27,7 @@ from .language.notebook import without_notebook
 from .lists import with_lists
 from .meaning.columns import NAMED, is_a_table
 from .meaning.joint_types import with_sigma
-from .meaning.scales import takes_thousandths
+from .meaning.scales import multiples_said, takes_thousandths
 from .pasted import Pasted
 from .uses import with_uses
 
@@ -270,6 +270,7 @@ def _with_words(table, source):
 
 def _with_sayings(table, source):
     """The table with what words of the text say of its units and joints."""
+    multiple = multiples_said(source, table.rows)
     return replace(
         table,
         length=table.length or source.length,
@@ -280,4 +281,8 @@ def _with_sayings(table, source):
         adds=adds_theta(source),
         slides=speaks_of_sliding(source),
         scaled=takes_thousandths(source.code),
+        multiple=multiple,
+        notes=(*table.notes, f"a comment multiplies lengths: {multiple[:60]!r}")
+        if multiple
+        else table.notes,
     )

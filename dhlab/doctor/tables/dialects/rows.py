@@ -93,9 +93,7 @@ def _numbers(source):
         left_over = iter(order)
         fits = tuple(words.get(k) or next(left_over) for k in range(width))
     elif order and width > 6:  # limits and the like stand behind
-        fits = _with_named(order, source)
-        grid = [(where, row[: len(fits)]) for where, row in grid]
-        left = (f"the columns behind {fits[-1]} were left out",)
+        fits, grid, left = _wide(grid, order, words, source)
     elif order and width > 4:
         fits = _with_more(order, [row for _, row in grid], source)
     table = from_grid([heads, *grid] if heads else grid, source, fits, why, units, form)
@@ -200,13 +198,26 @@ def _is_labelled(rows):
     return named or first == [str(k) for k in range(1, len(rows) + 1)]
 
 
+def _wide(grid, order, words, source):
+    """(order, rows, notes) of wide rows without the columns that nothing names, but for types."""
+    fits = _with_named(order, source)
+    kept = [k for k, word in words.items() if word == "type" and k >= len(fits)][:1]
+    rows = [(where, [*row[: len(fits)], *(row[k] for k in kept)]) for where, row in grid]
+    if kept:
+        left = f"the other columns behind {fits[-1]} than the joints' types were left out"
+        return (*fits, "type"), rows, (left,)
+    return fits, rows, (f"the columns behind {fits[-1]} were left out",)
+
+
 def _with_named(order, source):
-    """The order with sigma and offset behind it, where a comment names them there."""
+    """The order with sigma, offset and type behind it, where a comment names them there."""
     for _, text in source.comments:
         roles = [role_of(word)[0] for word in re.findall(r"[A-Za-z]\w*", text)]
         for at in range(len(roles) - 4):
             if tuple(roles[at : at + 4]) == tuple(order):
-                more = itertools.takewhile(("sigma", "offset").__contains__, roles[at + 4 :])
+                more = itertools.takewhile(
+                    ("sigma", "offset", "type").__contains__, roles[at + 4 :]
+                )
                 return (*order, *more)
     return order
 

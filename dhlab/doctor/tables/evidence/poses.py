@@ -51,7 +51,8 @@ def holds_joint_values(name, source):
     Examples
     --------
     >>> from .source import source_of
-    >>> holds_joint_values("q", source_of("q = [0, 0.1]\\ndh = [[q[0], 0, 0.3, 0], [q[1], 0, 0, 0]]"))
+    >>> text = "q = [0, 0.1]\\ndh = [[q[0], 0, 0.3, 0], [q[1], 0, 0, 0]]"
+    >>> holds_joint_values("q", source_of(text))
     True
     """
     element = key(f"{name}[0]")

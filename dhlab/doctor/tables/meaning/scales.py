@@ -7,11 +7,12 @@ import re
 import numpy as np
 
 from ....units import convert
+from ..language.expressions import key
 from .columns import LENGTHS, snapped
 
 __all__ = [
-    "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units", "reached",
-    "takes_thousandths",
+    "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units",
+    "multiples_said", "reached", "takes_thousandths",
     "units_by_size",
 ]  # fmt: skip
 
@@ -26,6 +27,14 @@ UNIT_WORDS = {
     "in": "inches",
 }
 SCALED = re.compile(r"mm_?(?:2|to)_?m|[*/]\s*(?:1000(?:\.0*)?|1e-?0?3|0?\.001|10\^-3)(?![\d.])")
+# lengths that a comment calls multiples: documentation x 10, scaled by 10, 10 times the manual's
+MULTIPLE = re.compile(
+    r"(?<![\d\s])\s*(?:\bx|×|\*)\s*10+(?:\.0*)?(?![\w.])"
+    r"|\b(?:scaled|multiplied|enlarged|shrunk)\s+(?:up\s+|down\s+)?(?:by|with)\s+"
+    r"(?:an?\s+)?(?:factor\s+(?:of\s+)?)?\d|\b10+(?:x|\s*times)\s+(?:the|as|larger|bigger|smaller)",
+    re.IGNORECASE,
+)
+OPEN = "m", "cm", "mm"  # what multiples may be in, as far as anybody can tell
 # an arm that somebody gives in this unit: how far, in metres, all its links reach in a row
 REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05, 1.5)}
 LONGEST = {"cm": 70.0, "in": 70.0}  # a link, in its unit
@@ -107,6 +116,8 @@ def length_units(table, columns, given):
             return [("mm", "by the factor in the program")]
         doubt = f"though the text says {UNIT_WORDS[said]}"
         return [*((unit, doubt) for unit in _better(said, sizes)), (said, why)]
+    if table.multiple:
+        return [(unit, reached(sizes, unit)) for unit in OPEN]
     found = units_by_size(sizes)
     if len(found) > 1 and "mm" in found and table.scaled and longest >= TOY:
         return [("mm", "by the factor in the program")]
@@ -122,6 +133,26 @@ def takes_thousandths(code):
     (True, False)
     """
     return bool(SCALED.search(code))
+
+
+def multiples_said(source, rows):
+    """The comment that calls lengths of the rows multiples of others, "" without one: it stands
+    behind a name that the rows use, or speaks of lengths.
+
+    Examples
+    --------
+    >>> from ..evidence.source import source_of
+    >>> multiples_said(source_of("0.2, 4, 0, 0  # lengths scaled by 10"), ())
+    'lengths scaled by 10'
+    """
+    used = {key(w) for row in rows for c in row for w in re.findall(r"[A-Za-z_][\w.]*", c.text)}
+    for number, comment in source.comments:
+        line = source.lines[number - 1] if number <= len(source.lines) else ""
+        named = re.match(r"\s*([A-Za-z_][\w.]*)\s*=", line)
+        about = (named and key(named[1]) in used) or re.search(r"(?i)length|dimension", comment)
+        if about and MULTIPLE.search(comment):
+            return comment
+    return ""
 
 
 def _better(said, sizes):
