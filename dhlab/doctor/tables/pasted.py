@@ -22,8 +22,9 @@ class Pasted:
     ``adds`` whether it says that theta is added to them, ``slides`` whether it has a "word" of a
     joint that slides, or calls the "arm" one of these, ``scaled`` whether its program takes
     thousandths, ``multiple`` the comment that calls its lengths multiples of others, ``replaced``
-    whether the program puts the joints' values in the place of theta, ``behind`` whether the header counts d, and not theta, from the link before, ``lines`` the first and the
-    last line of the rows, where it is known.
+    whether the program puts the joints' values in the place of theta, ``behind`` whether the
+    header counts d, and not theta, from the link before, ``lines`` the first and the last line of
+    the rows, where it is known.
     """
 
     rows: tuple

@@ -19,6 +19,7 @@ from ..language.comments import without_comments
 from ..language.expressions import NoExpression, evaluate, key
 from ..language.letters import unified
 from ..language.neutral import neutral
+from ..language.pictures import without_pictures
 from ..language.restated import restated
 from ..language.roles import role_of
 from .makers import called_convention
@@ -204,7 +205,7 @@ def _unwrapped(text):
     lines.
     """
     text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
-    text = re.sub(r"[ \t]+$", "", _without_diff(text), flags=re.MULTILINE)
+    text = re.sub(r"[ \t]+$", "", _without_diff(without_pictures(text)), flags=re.MULTILINE)
     text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
     if re.search(r"<t[dh]\b", text, re.IGNORECASE):
         text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
