@@ -8,13 +8,16 @@ from ..cells import cell_or_none
 from ..evidence.orders import order_of_names
 from ..language.brackets import cells_in, groups
 from ..language.roles import ROLES, role_of
+from .filled import TABLE
 from .functions import definitions
 from .heading import header
 
 __all__ = ["heading_in", "instances", "joined", "laid_down", "require_one", "rows_in", "target_of"]
 
 WIDEST = 24  # columns, of which the text names the first four
+COLUMNS = (*ROLES, "r", "offset", "sign")
 STACKED = ("vstack", "concatenate", "vertcat", "append")
+KEY = re.compile(r"\s*['\"]?([A-Za-z][\w .-]*)['\"]?\s*(?::(?!:)|=>)\s*")
 NO_NUMBER = re.compile(r"(?:np\.|math\.|float\(['\"])?(?:inf|nan)(?:['\"]\))?", re.IGNORECASE)
 PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 
@@ -28,6 +31,8 @@ def target_of(group):
 def rows_in(group):
     """[(where, cells)] of the rows in a group."""
     rows, items = [], [item for item in group.items if item.text not in ("None", "null", "nil")]
+    if keyed := _under_keys(items) if TABLE.search(target_of(group)) else []:
+        return keyed
     inner = [
         item.groups[-1]
         for item in items
@@ -66,6 +71,28 @@ def rows_in(group):
     ):
         return []
     return rows
+
+
+def _under_keys(items):
+    """The rows of a dictionary, ``dh = {'s0': [0.3, 0, 0, 90], 's1': […]}``, each behind its name;
+    none where the names are those of columns.
+    """
+    found = [(KEY.match(item.text), item.groups[-1] if item.groups else None) for item in items]
+    whole = [
+        (key, part) for (key, part), item in zip(found, items)
+        if key and part and part.mark != "(" and item.text[key.end() :].strip() == part.text
+    ]  # fmt: skip
+    if (
+        len(whole) < 2
+        or len(whole) < len(items)
+        or any(role_of(key[1])[0] in COLUMNS for key, _ in whole)
+    ):
+        return []
+    rows = [
+        (f"line {part.line}", [f"'{key[1]}'", *(cell.text for cell in part.items)])
+        for key, part in whole
+    ]
+    return rows if {len(cells) for _, cells in rows} <= {5} else []
 
 
 def _variable(cell):

@@ -35,6 +35,7 @@ __all__ = ["read"]
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 WIDE = 8  # columns; more only where the text names the first four
 TYPES = ("R", "P", "REVOLUTE", "PRISMATIC")
+VARIABLE = re.compile(r"(?:q|th|theta|d)_?\d*\*?|[-+.\d].*|.*\bpi\b.*")
 LAST_ROW = ["0", "0", "0", "1"]
 
 
@@ -84,6 +85,10 @@ def _numbers(source):
         ]
         width = 4
     heads = heading_in(found, width) if order is None else None
+    beside = {}
+    if order is None and not heads:
+        grid, beside = _without_words(grid, _words_in(grid))
+        width = len(grid[0][1])
     fits, left = order if order and width in (4,) else None, ()
     named = every_column_in(source, width) if width > 4 else None
     if named:
@@ -98,7 +103,7 @@ def _numbers(source):
         fits = _with_more(order, [row for _, row in grid], source)
     table = from_grid([heads, *grid] if heads else grid, source, fits, why, units, form)
     table = replace(table, notes=(*table.notes, *left))
-    table = labelled(with_types(table, source), grid, source)
+    table = labelled(with_types(replace(table, **beside), source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
@@ -112,6 +117,26 @@ def _words_in(grid):
             named = {str(cell).strip("'\" ").lower() for cell in column} <= set(KINDS)
             found[k] = "type" if named else "label"
     return found
+
+
+def _without_words(grid, words):
+    """Rows of four numbers, and the names and joint types that stand among these: of columns that
+    nothing names, words in quotation marks are none, unless they are joints' variables.
+    """
+    columns = list(zip(*(cells for _, cells in grid)))
+    said = {
+        {"label": "labels", "type": "kinds"}[word]: [str(cell).strip("'\" ") for cell in columns[k]]
+        for k, word in words.items()
+    }
+    variables = all(VARIABLE.fullmatch(word) for word in said.get("labels", ("q1",)))
+    if len(columns) - len(words) != 4 or len(said) < len(words) or ("labels" in said and variables):
+        return grid, {}
+    if "kinds" in said:
+        said["kinds"] = [KINDS[word.lower()] for word in said["kinds"]]
+    rows = [
+        (where, [cell for k, cell in enumerate(cells) if k not in words]) for where, cells in grid
+    ]
+    return rows, {name: tuple(values) for name, values in said.items()}
 
 
 def _likeliest(matrices):

@@ -8,7 +8,9 @@ WORDS = re.compile(
     r"\b(?:ax[ei]s|screws?|twists?|[SB]list|direction\w*|point\w*|through|omega|[wvrq]_?\d)\b",
     re.IGNORECASE,
 )
-ROWS = re.compile(r"\balpha|\btwist angle|\blink (?:twist|length|off)|\bdh\b", re.IGNORECASE)
+ROWS = re.compile(
+    r"\balpha|\btwist angle|\blink (?:twist|length|off)|\bdh(?:\b|_|table|param)", re.IGNORECASE
+)
 NUMBER = r"[-+]?\s*[\w.+*/()-]+"
 TRIPLE = re.compile(rf"[\[({{]\s*(?:{NUMBER}\s*[,; ]\s*){{2}}{NUMBER}\s*[\])}}]")
 SIX = re.compile(r"(?:-?\d[\d.]*[\s,;]+){5}-?\d[\d.]*")
