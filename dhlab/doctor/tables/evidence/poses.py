@@ -24,6 +24,7 @@ ADDED = re.compile(
     r"|\btheta\w*(?:[\[(]\w+[\])])?\s*\+\s*(?:q|joint)",
     re.IGNORECASE,
 )
+WITH_Q = ("SymPyBotics",)  # forms in which a joint's theta is written q + zero
 QUARTER_OFF = np.deg2rad(3)  # a zero found by measuring is no further from a quarter turn
 LEAST_ODD = 2  # angles that are neither equal nor quarter turns: one arm may have one such bend
 
@@ -80,6 +81,9 @@ def theta_meanings(table, columns):
     if table.replaced:
         return ["pose", "zeros"]
     if table.roles and any(BESIDE.fullmatch(unified(cell.text)) and cell.value for cell in cells):
+        return ["zeros", "pose"]
+    letters = any(not cell.is_constant for role in ("theta", "d") for cell in columns[role])
+    if table.form in WITH_Q and any(values) and not letters:
         return ["zeros", "pose"]
     odd = {round(abs(value), 3) for value in values if _is_odd(value)}
     if not odd or table.form or not all(cell.is_constant for cell in cells):
