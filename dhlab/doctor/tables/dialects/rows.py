@@ -46,19 +46,7 @@ def read(source, nominal=None):
 
 def _numbers(source):
     found = groups(source.code)
-    matrices = [
-        (group, rows)
-        for group in found
-        if _is_table(rows := rows_in(group), source) and not _is_vector(group, rows, source)
-    ]
-    most = WIDEST if source.order else WIDE
-    matrices = [one for one in matrices if len(one[1][0][1]) <= most]
-    lying = [one for one in matrices if laid_down(one[1], target_of(one[0]), source)]
-    whole = [one for one in matrices if len(one[1][0][1]) > 3 and one not in lying]
-    lying = [] if whole else lying
-    matrices = lying or whole or matrices
-    matrices = instances(joined(matrices, found))
-    require_one(matrices)
+    matrices, lying = _matrices(found, source)
     upright = "dq" in source.code.lower() and len(matrices[0][1]) in (4, 5) if matrices else False
     if matrices and len(matrices[0][1][0][1]) == 3 and not (upright or lying):
         return _of_three(matrices, source)
@@ -88,25 +76,49 @@ def _numbers(source):
     beside = {}
     if order is None and not heads:
         grid, beside = _without_words(grid, _words_in(grid))
-        width = len(grid[0][1])
-    fits, left = order if order and width in (4,) else None, ()
-    named = every_column_in(source, width) if width > 4 else None
-    if named:
-        fits, order = named, ()
-    words = _words_in(grid)
-    if order and words and width - len(words) == 4:
-        left_over = iter(order)
-        fits = tuple(words.get(k) or next(left_over) for k in range(width))
-    elif order and width > 6:  # limits and the like stand behind
-        fits, grid, left = _wide(grid, order, words, source)
-    elif order and width > 4:
-        fits = _with_more(order, [row for _, row in grid], source)
+    fits, grid, left = _fitting(grid, order, source)
     table = from_grid([heads, *grid] if heads else grid, source, fits, why, units, form)
     table = replace(table, notes=(*table.notes, *left))
     table = labelled(with_types(replace(table, **beside), source), grid, source)
     if convention:
         table = replace(table, convention=convention, because=f"as {form} has it")
     return _without_theta(table, source) if form.startswith("SerialLink") else table
+
+
+def _matrices(found, source):
+    """(the groups that may be the table, each with its rows; those of them that lie on a side)."""
+    matrices = [
+        (group, rows)
+        for group in found
+        if _is_table(rows := rows_in(group), source) and not _is_vector(group, rows, source)
+    ]
+    most = WIDEST if source.order else WIDE
+    matrices = [one for one in matrices if len(one[1][0][1]) <= most]
+    lying = [one for one in matrices if laid_down(one[1], target_of(one[0]), source)]
+    whole = [one for one in matrices if len(one[1][0][1]) > 3 and one not in lying]
+    lying = [] if whole else lying
+    matrices = instances(joined(lying or whole or matrices, found))
+    require_one(matrices)
+    return matrices, lying
+
+
+def _fitting(grid, order, source):
+    """(roles of all columns, None where nothing says them; the rows without what is left out; notes
+    of that), where four of the columns have an order.
+    """
+    width, words = len(grid[0][1]), _words_in(grid)
+    if named := every_column_in(source, width) if width > 4 else None:
+        return named, grid, ()
+    if not order:
+        return None, grid, ()
+    if words and width - len(words) == 4:
+        left_over = iter(order)
+        return tuple(words.get(k) or next(left_over) for k in range(width)), grid, ()
+    if width > 6:  # limits and the like stand behind
+        return _wide(grid, order, words, source)
+    if width > 4:
+        return _with_more(order, [row for _, row in grid], source), grid, ()
+    return order if width == 4 else None, grid, ()
 
 
 def _words_in(grid):
