@@ -17,7 +17,7 @@ from .dialects.widths import NotFour
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
-from .evidence.poses import adds_theta, poses_in
+from .evidence.poses import adds_theta, poses_in, require_pose
 from .evidence.several import require_one_value
 from .evidence.source import source_of
 from .language.comments import uncommented
@@ -158,6 +158,7 @@ def _completed(found, read, source):
     table = with_sigma(with_types(table, source), source)
     table = with_ends(with_added(table, source), source)
     require_one_value(table, source)
+    require_pose(table, source)
     _require_one_table(table, source)
     table = with_uses(table, source)
     others = () if _lacks_values(table) else _tables(later, source)

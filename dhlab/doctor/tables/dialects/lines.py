@@ -90,7 +90,7 @@ def _from_lines(texts, source):
         if line.strip()
         and not RULE.fullmatch(line)
         and not _assignment(line)
-        and not ((named := LIST.match(line)) and holds_joint_values(named[1], source))
+        and not ((named := LIST.match(line)) and _is_column(named[1], source))
     ]
     split, mark = _splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
@@ -160,6 +160,11 @@ def _without_brackets(line):
     )
     line = re.sub(r"^\s*(%|#|//|[-*](?=\s+\w+\s*\|))\s*", "", line)
     return line.strip().rstrip(";,").strip()
+
+
+def _is_column(name, source):
+    """Whether a list of this name holds joints' values, or a column, and is no row."""
+    return holds_joint_values(name, source) or role_of(name)[0] in (*ROLES, "offset")
 
 
 def _assignment(line):

@@ -6,12 +6,12 @@ import re
 
 import numpy as np
 
-from ..cells import BESIDE
+from ..cells import BESIDE, cell_or_none
 from ..language.brackets import cells_in
 from ..language.expressions import key
 from ..language.letters import unified
 
-__all__ = ["adds_theta", "holds_joint_values", "poses_in", "theta_meanings"]
+__all__ = ["adds_theta", "holds_joint_values", "poses_in", "require_pose", "theta_meanings"]
 
 LISTED = re.compile(
     r"\b(q(?![a-z]*lim)\w*|joint\w*|angles?\w*|pose\w*|config\w*)[ \t]*[=:][ \t]*[\w.]*\(?"
@@ -60,6 +60,28 @@ def holds_joint_values(name, source):
     taken = re.compile(rf"(?<![\w.]){re.escape(name)}[\[(]\d+[\])]")
     values = element in source.assigned and element not in source.known
     return bool(name and values and taken.search(source.code))
+
+
+def require_pose(table, source):
+    """Numbers that the program gives to theta[0], theta[1] … are no zeros, as quarter turns may be.
+
+    Raises
+    ------
+    ValueError
+        They are quarter turns, under a name that zeros may have too.
+    """
+    for row in table.rows:
+        for cell in row:
+            name = cell.letters[0][0] if cell.letters else ""
+            if not re.match(r"(?:thetas?|th|phi)\[", name.lower()) or name not in source.assigned:
+                continue
+            value = cell_or_none(str(source.assigned[name]))
+            if value is not None and value.value and not _is_odd(value.value):
+                raise ValueError(
+                    f"recognise_table: the program gives {name} the number {value.text}; is it a"
+                    " zero that is added to the joint's value, or where the joint stands? Write"
+                    f" q + ({value.text}) or q into the row"
+                )
 
 
 def adds_theta(source):

@@ -172,7 +172,8 @@ def joint_values(known):
 
 def _listed_values(known):
     """The elements of arrays that hold joint values, ``theta[0]`` of ``theta = [0, 0]``; where the
-    columns of the table are arrays too, theta with other numbers than 0 is one of these.
+    columns of the table are arrays too, theta with other numbers than 0 is one of these; t and
+    angles may be times and twists.
     """
     named = {name for name in known if ELEMENT.fullmatch(name.lower())}
     columns = any(COLUMN.fullmatch(name.lower()) for name in known)
@@ -180,7 +181,8 @@ def _listed_values(known):
     for name in known:
         if found := EITHER.fullmatch(name.lower()):
             arrays.setdefault(found[1], []).append(name)
-    for elements in arrays.values():
-        if not columns or not any(re.search("[1-9p]", str(known[name])) for name in elements):
+    for array, elements in arrays.items():
+        vague = columns or array in ("t", "angle", "angles")
+        if not vague or not any(re.search("[1-9p]", str(known[name])) for name in elements):
             named.update(elements)
     return named
