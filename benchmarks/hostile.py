@@ -13,7 +13,6 @@ exercises it may not earn: ANY when it may only harm itself). One that gets at s
 
 import argparse
 import contextlib
-import json
 import os
 import socket
 import sys
@@ -75,11 +74,11 @@ def run(level, top, attacks):
         (top / name).write_text(f"GRADER_SECRET {CANARY}", encoding="utf-8")
     facts = {"key": str(top / "teacher.key"), "class": str(top / "class")}
     for number, (_, _, make, _) in enumerate(attacks):
-        _put(top / "class" / f"attack{number:02d}", make, facts)
+        corpus.put(top / "class" / f"attack{number:02d}", make, facts)
         if number % APART == 0:
-            _put(top / "class" / f"honest{number:02d}", lambda notebook, facts: None, facts)
+            corpus.put(top / "class" / f"honest{number:02d}", corpus.as_solved, facts)
     for number, (_, make) in enumerate([*HONEST, *HONEST_KINDS]):
-        _put(top / "class" / f"honest-{number}", make, facts)
+        corpus.put(top / "class" / f"honest-{number}", make, facts)
     os.environ["GRADER_SECRET"] = CANARY
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as outside:
         outside.bind(facts["class"] + ".socket")
@@ -88,12 +87,12 @@ def run(level, top, attacks):
     publish(planned, results, (), top / "out")
     found = {graded.student: graded for graded in results}
     unfair = [
-        f"{name}: {one.status}, lost {sorted(_lost(one))}; {'; '.join(one.notes)[:200]!r}"
+        f"{name}: {one.status}, lost {sorted(corpus.lost(one))}; {'; '.join(one.notes)[:200]!r}"
         for number, (name, _, _, lost) in enumerate(attacks)
         if not _fair(one := found[f"attack{number:02d}"], lost)
     ]
     harmed = [
-        f"{g.student} {sorted(_lost(g))}"
+        f"{g.student} {sorted(corpus.lost(g))}"
         for g in results
         if g.student.startswith("honest") and g.points != g.of
     ]
@@ -115,24 +114,10 @@ def _leaks(out):
     return found
 
 
-def _put(folder, make, facts):
-    notebook = corpus.solved()
-    made = make(notebook, facts)
-    raw = made if isinstance(made, bytes) else json.dumps(notebook).encode()
-    folder.mkdir()
-    for name, data in (made if isinstance(made, dict) else {"05-link-matrix.ipynb": raw}).items():
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).write_bytes(data)
-
-
-def _lost(graded):
-    return {mark.exercise for mark in graded.marks if mark.points < mark.of}
-
-
 def _fair(graded, lost):
     if lost == ANY:
         return 0 <= graded.points <= graded.of
-    found = _lost(graded)  # who loses more by an attack has done that alone
+    found = corpus.lost(graded)  # who loses more by an attack has done that alone
     return graded.status == "graded" and (set(lost) <= found if lost else not found)
 
 

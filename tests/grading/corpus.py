@@ -829,28 +829,34 @@ CASES = [
 ]
 
 
+def put(folder, make, facts):
+    """Hand in one case: the notebook that ``make`` changes, or the bytes or files that it gives."""
+    notebook = solved()
+    made = make(notebook, facts)
+    if not isinstance(made, dict):
+        raw = made if isinstance(made, bytes) else json.dumps(notebook).encode()
+        made = {"05-link-matrix.ipynb": raw}
+    folder.mkdir(parents=True)
+    for name, data in made.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(data)
+
+
+def as_solved(notebook, facts):
+    """Change nothing."""
+
+
+def lost(graded):
+    """The exercises that a student did not get all points for."""
+    return {mark.exercise for mark in graded.marks if mark.points < mark.of}
+
+
 def write(folder, cases, facts):
     """The class: a folder per case, with an honest student after every twenty and the last."""
     for number, (_, make, _) in enumerate(cases):
-        own = folder / student(number)
-        own.mkdir()
-        notebook = solved()
-        made = make(notebook, facts)
-        files = (
-            made
-            if isinstance(made, dict)
-            else {
-                "05-link-matrix.ipynb": (
-                    made if isinstance(made, bytes) else json.dumps(notebook).encode()
-                )
-            }
-        )
-        for name, data in files.items():
-            (own / name).write_bytes(data)
+        put(folder / student(number), make, facts)
     for number in {*range(0, len(cases), 20), len(cases)}:
-        own = folder / f"{student(number)}{HONEST}"
-        own.mkdir()
-        (own / "05-link-matrix.ipynb").write_text(json.dumps(solved()), encoding="utf-8")
+        put(folder / f"{student(number)}{HONEST}", as_solved, facts)
     os.mkfifo(folder / student(0) / "pipe.ipynb")
     os.symlink(facts["key"], folder / student(1) / "link.ipynb")
     (folder / "late").mkdir()

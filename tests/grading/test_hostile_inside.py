@@ -2,7 +2,6 @@
 things for a reason: marks fair, nothing leaked.
 """
 
-import json
 import os
 import sys
 from pathlib import Path
@@ -34,11 +33,7 @@ def graded(request, tmp_path_factory):
     makes = {f"a{k}": one[2] for k, one in enumerate(ATTACKS)}
     makes |= {f"h{k}": make for k, (_, make) in enumerate(HONEST)}
     for name, make in makes.items():
-        notebook = corpus.solved()
-        make(notebook, facts)
-        path = top / "class" / name / "05-link-matrix.ipynb"
-        path.parent.mkdir(parents=True)
-        path.write_text(json.dumps(notebook), encoding="utf-8")
+        corpus.put(top / "class" / name, make, facts)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("GRADER_SECRET", CANARY)
         settings = Settings(limits=LIMITS, cage=request.param)
@@ -55,10 +50,6 @@ def graded(request, tmp_path_factory):
     return {one.student: one for one in results}, top
 
 
-def _lost(one):
-    return {mark.exercise for mark in one.marks if mark.points < mark.of}
-
-
 def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
     results, top = graded
     unfair = {}
@@ -66,16 +57,16 @@ def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
         one = results[f"a{k}"]
         fair = lost == corpus.ANY or one.status == "graded"
         if lost != corpus.ANY:
-            fair &= set(lost) <= _lost(one) if lost else not _lost(one)
+            fair &= set(lost) <= corpus.lost(one) if lost else not corpus.lost(one)
         if not fair:
-            unfair[name] = one.status, _lost(one), one.notes
+            unfair[name] = one.status, corpus.lost(one), one.notes
     assert not unfair
     assert not os.listxattr(top / "teacher.key")
 
 
 def test_honest_notebooks_keep_their_marks(graded):
     results, _ = graded
-    found = {name: _lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST)}
+    found = {name: corpus.lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST)}
     assert found == {name: set() for name, _ in HONEST}
 
 

@@ -2,7 +2,6 @@
 ``around_people.py``; and values that an answer may be, judged by themselves.
 """
 
-import json
 import re
 import socket
 import sys
@@ -37,11 +36,7 @@ def graded(request, tmp_path_factory):
     makes = {f"a{k}": one[2] for k, one in enumerate(CALLED)}
     makes |= {f"h{k}": make for k, (_, make) in enumerate(HONEST_KINDS)}
     for name, make in makes.items():
-        notebook = corpus.solved()
-        make(notebook, facts)
-        path = top / "class" / name / "05-link-matrix.ipynb"
-        path.parent.mkdir(parents=True)
-        path.write_text(json.dumps(notebook), encoding="utf-8")
+        corpus.put(top / "class" / name, make, facts)
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as outside:
         outside.bind(facts["class"] + ".socket")
         outside.setblocking(False)
@@ -55,24 +50,20 @@ def graded(request, tmp_path_factory):
     return {one.student: one for one in results}, top, came
 
 
-def _lost(one):
-    return {mark.exercise for mark in one.marks if mark.points < mark.of}
-
-
 def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
     results, top, came = graded
     unfair = {}
     for k, (name, _, _, lost) in enumerate(CALLED):
         one = results[f"a{k}"]
-        if lost != corpus.ANY and (one.status, _lost(one)) != ("graded", set(lost)):
-            unfair[name] = one.status, _lost(one), one.notes
+        if lost != corpus.ANY and (one.status, corpus.lost(one)) != ("graded", set(lost)):
+            unfair[name] = one.status, corpus.lost(one), one.notes
     assert not unfair
     assert came == b"" and (top / "teacher.key").read_text() == CANARY
 
 
 def test_honest_notebooks_keep_their_marks(graded):
     results, _, _ = graded
-    found = {name: _lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST_KINDS)}
+    found = {name: corpus.lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST_KINDS)}
     assert found == {name: set() for name, _ in HONEST_KINDS}
 
 

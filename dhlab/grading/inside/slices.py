@@ -94,7 +94,7 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
     (['g', 'k'], ['f'])
     """
     reads, binds = _names(text or ast.unparse(node))
-    within = _within(node)
+    within = list(ast.walk(node))
     changed = _changed(within)
     writes = binds | (changed & reads)
     star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
@@ -166,19 +166,6 @@ def _names(text):
                 bound = symbol.is_assigned() or symbol.is_imported()
                 binds |= {symbol.get_name()} if bound else set()
     return reads, binds
-
-
-def _within(node):
-    """A node and all that is in it: ast.walk in half the time, and walked once."""
-    found = [node]
-    for one in found:  # grows meanwhile
-        for name in one._fields:
-            value = getattr(one, name, None)
-            if type(value) is list:
-                found += [entry for entry in value if isinstance(entry, ast.AST)]
-            elif isinstance(value, ast.AST):
-                found.append(value)
-    return found
 
 
 def _changed(within):
