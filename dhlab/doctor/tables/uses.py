@@ -6,8 +6,7 @@ import re
 from dataclasses import replace
 
 from .dialects.arrays import arrays_in
-from .dialects.functions import definitions
-from .language.brackets import groups
+from .dialects.functions import own_calls, places_in
 from .language.expressions import key
 
 __all__ = ["with_uses"]
@@ -26,7 +25,6 @@ SUBTRACTED = re.compile(
     re.IGNORECASE,
 )
 TURNED = re.compile(r"-\s*[A-Za-z]\w*(?:[\[(][^\])\n]*[\])]|(?:\.|->)\w+)*")
-PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 MEASURED = re.compile(  # no link 1 mm
     r"(?<![\w.])(?<!link )(?<!joint )(?<!axis )(?<!frame )(\d+\.?\d*)\s*(?:mm|cm|m)\b(?!\s*/)",
     re.IGNORECASE,
@@ -84,12 +82,10 @@ def with_uses(table, source):
 def _of_calls(source):
     """What calls of the text's own link function do with theta, and with the other columns."""
     found: dict = {}
-    orders = definitions(source)
     arrays = arrays_in(source)
-    for call in groups(source.code):
-        roles = orders.get(re.split(r"\.|::|->", call.name)[-1]) if call.mark == "(" else None
+    for call, roles in own_calls(source):
         texts = [item.text for item in call.items]
-        if not roles or len(texts) != len(roles) or "theta" not in roles:
+        if "theta" not in roles:
             continue
         angle = texts[roles.index("theta")]
         named = re.match(r"\w+", angle)
@@ -97,8 +93,7 @@ def _of_calls(source):
         others = [text for text, role in zip(texts, roles) if role in ("d", "a", "alpha")]
         if re.fullmatch(ONE, angle) and not own and any("[" in one or "(" in one for one in others):
             found.setdefault("replaced", f"{call.name}({angle}, …)")
-        at = [PLACE.fullmatch(text) for text in texts]
-        if all(at) and len({one[2] for one in at if one}) == 1 < len({one[1] for one in at if one}):
+        if places_in(call):
             found.setdefault("lying", ", ".join(texts))
         turned = next((one for one in others if TURNED.fullmatch(one)), None)
         if turned:

@@ -13,8 +13,9 @@ from ..language.words import KINDS
 from ..pasted import Pasted
 from .factors import with_factors
 
-__all__ = ["definitions", "read"]
+__all__ = ["definitions", "own_calls", "places_in", "read"]
 
+PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 FACTORED = re.compile(r"\bdhfactor\b", re.IGNORECASE)  # the Robotics Toolbox prints such calls
 HEAD = re.compile(r"\s*(?:def|function|fn|func)\b")  # of a function: no call
 CLASS = re.compile(r"\s*class\s+(\w+)")
@@ -209,6 +210,25 @@ def definitions(source):
         if call.mark == "(" and call.name and len(set(named)) == 4 and "alpha" in named:
             orders.setdefault(_class_of(call, source) or _last(call.name), roles)
     return orders
+
+
+def own_calls(source):
+    """(call, roles) of the calls of the text's own link functions, with an argument for each."""
+    orders = definitions(source)
+    for call in groups(source.code):
+        roles = orders.get(_last(call.name)) if call.mark == "(" else None
+        if roles and len(call.items) == len(roles):
+            yield call, roles
+
+
+def places_in(call):
+    """The arguments ``dh[0, i]``, ``dh[1, i]``, … of a call that takes a column of a matrix for
+    each link, as matches of PLACE; none of others.
+    """
+    found = [PLACE.fullmatch(item.text.strip()) for item in call.items]
+    if all(found) and len({one[2] for one in found}) == 1 < len({one[1] for one in found}):
+        return found
+    return []
 
 
 def _class_of(call, source):

@@ -6,10 +6,10 @@ import re
 
 from ..cells import cell_or_none
 from ..evidence.orders import order_of_names
-from ..language.brackets import cells_in, groups
+from ..language.brackets import cells_in
 from ..language.roles import ROLES, role_of
 from .filled import TABLE
-from .functions import definitions
+from .functions import own_calls, places_in
 from .heading import header
 
 __all__ = ["heading_in", "instances", "joined", "laid_down", "require_one", "rows_in", "target_of"]
@@ -19,7 +19,6 @@ COLUMNS = (*ROLES, "r", "offset", "sign")
 STACKED = ("vstack", "concatenate", "vertcat", "append")
 KEY = re.compile(r"\s*['\"]?([A-Za-z][\w .-]*)['\"]?\s*(?::(?!:)|=>)\s*")
 NO_NUMBER = re.compile(r"(?:np\.|math\.|float\(['\"])?(?:inf|nan)(?:['\"]\))?", re.IGNORECASE)
-PLACE = re.compile(r"\w+[\[(]\s*(\d)\s*(?:,|\]\s*\[)\s*(\w+)\s*[\])]")  # dh[0, i]
 
 
 def target_of(group):
@@ -221,13 +220,9 @@ def _first_words(text):
 
 def _by_calls(name, source):
     """The roles of the lines of a named matrix of which the text's own function takes columns."""
-    orders = definitions(source)
-    for call in groups(source.code):
-        roles = orders.get(re.split(r"\.|::|->", call.name)[-1]) if call.mark == "(" else None
-        at = [PLACE.fullmatch(item.text.strip()) for item in call.items]
-        taken = {re.match(r"\w+", item.text.strip())[0].lower() for item in call.items if all(at)}
-        if not roles or len(at) != len(roles) or taken != {name}:
-            continue
-        if len({one[2] for one in at}) == 1 < len({one[1] for one in at}) == len(at):
+    for call, roles in own_calls(source):
+        at = places_in(call)
+        taken = {re.match(r"\w+", one[0])[0].lower() for one in at}
+        if taken == {name} and len({one[1] for one in at}) == len(at):
             return tuple(roles[k] for k in sorted(range(len(at)), key=lambda k: int(at[k][1])))
     return None

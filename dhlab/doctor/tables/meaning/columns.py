@@ -6,9 +6,10 @@ from itertools import permutations
 import numpy as np
 
 from ..cells import Cell
+from ..language.roles import ROLES
 
 __all__ = [
-    "IMPLIED", "NAMED", "MOST_TURNS", "ROLES", "Order", "is_a_table", "orders", "misplaced",
+    "IMPLIED", "NAMED", "MOST_TURNS", "Order", "is_a_table", "orders", "misplaced",
     "snapped",
 ]  # fmt: skip
 
@@ -31,7 +32,6 @@ DIALECTS = {
     ("alpha", "d", "a", "theta"): "",
     ("d", "a", "alpha", "theta"): "",
 }
-ROLES = ("theta", "d", "a", "alpha")
 LONGEST_ARM = 3.0  # metres
 MOST_TURNS = 4.1 * np.pi  # radians; no table has a larger angle
 STEP = 15  # degrees; angles in tables are multiples of it

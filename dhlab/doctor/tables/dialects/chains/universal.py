@@ -10,6 +10,7 @@ import numpy as np
 from .....transform import from_xyz_rpy
 from ...cells import Cell
 from ...chain import arm_of, joint_along, still
+from ...language.roles import ROLES
 from ...pasted import Pasted
 from ..arrays import arrays_in
 from .told import told
@@ -17,7 +18,6 @@ from .told import told
 __all__ = ["read"]
 
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
-ROLES = ("theta", "d", "a", "alpha")
 
 
 def read(source, nominal=None):
