@@ -189,7 +189,7 @@ EARN += [
         first(
             "import gc, ast\nfor one in gc.get_objects():\n"
             "    if isinstance(one, ast.Constant): one.value = 7\n"
-            "import dhlab.grading.inside.slices as s\ns.statements = lambda *a: None"
+            "import dhlab.grading.inside.reading.slices as s\ns.statements = lambda *a: None"
         ),
         ANY,
     ),

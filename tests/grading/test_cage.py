@@ -28,10 +28,11 @@ from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.running.calling import Called, CallFault, record
 from dhlab.grading.cage import cage, launch, levels, sight, stage
-from dhlab.grading.inside import demonstrations, notebook
-from dhlab.grading.inside.cells import parsed, run_cell
 from dhlab.grading.inside.clock import TimeLimit
-from dhlab.grading.inside.slices import needed, statement
+from dhlab.grading.inside.reading import demonstrations, notebook
+from dhlab.grading.inside.reading.cells import parsed
+from dhlab.grading.inside.reading.slices import needed, statement
+from dhlab.grading.inside.shell import run_cell
 from dhlab.grading.inside.wire import Opaque, decode, encode
 from dhlab.grading.judging import judge
 from dhlab.grading.judging.asking import Asked
@@ -439,7 +440,7 @@ def test_a_diagnosis_that_is_only_shown_is_not_made():
     import ast
 
     import dhlab
-    from dhlab.grading.inside.cells import _only_shows
+    from dhlab.grading.inside.shell import _only_shows
 
     def shows(source, **names):
         return _only_shows(ast.parse(source).body[0], {"dh": dhlab, **names})

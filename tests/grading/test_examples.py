@@ -4,7 +4,7 @@ from importlib import import_module
 
 import pytest
 
-from dhlab.grading.inside.examples import USED, used_once
+from dhlab.grading.inside.warming.examples import USED, used_once
 
 
 @pytest.mark.parametrize("name", USED)

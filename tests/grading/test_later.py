@@ -4,7 +4,8 @@ import subprocess
 import sys
 
 BEGIN = (
-    "import sys\nfrom dhlab.grading.inside.later import let_wait\nlet_wait()\nimport numpy as np\n"
+    "import sys\nfrom dhlab.grading.inside.warming.later import let_wait\nlet_wait()\n"
+    "import numpy as np\n"
 )
 USES = {
     "rotations": "from scipy.spatial.transform import Rotation, Slerp\n"
@@ -44,7 +45,7 @@ def test_a_rotation_leaves_waiting_what_it_does_not_use():
 
 def test_the_warm_parent_loads_what_its_copies_want_of_it():
     done = _run(
-        "from dhlab.grading.inside.later import load\nload('scipy.spatial.transform')\n"
+        "from dhlab.grading.inside.warming.later import load\nload('scipy.spatial.transform')\n"
         "load('numpy.polynomial')\nprint(*sys.modules)"
     )
     loaded = set(done.stdout.split())

@@ -7,10 +7,11 @@ import json
 import pytest
 
 from dhlab.course.workspace import handed_out
-from dhlab.grading.inside.cells import parsed, run_cell
-from dhlab.grading.inside.demonstrations import print_of, showing
-from dhlab.grading.inside.notebook import Cell
-from dhlab.grading.inside.slices import statement, statements
+from dhlab.grading.inside.reading.cells import parsed
+from dhlab.grading.inside.reading.demonstrations import print_of, showing
+from dhlab.grading.inside.reading.notebook import Cell
+from dhlab.grading.inside.reading.slices import statement, statements
+from dhlab.grading.inside.shell import run_cell
 
 ODD = [
     "x = 1; y = 'é'; z = x + y",

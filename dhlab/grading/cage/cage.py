@@ -29,7 +29,7 @@ except ImportError:  # Windows, where check_system says what to do
 
 __all__ = ["Cage", "check_system"]
 
-AS_NEEDED = ("dhlab.grading.inside.magics",)
+AS_NEEDED = ("dhlab.grading.inside.reading.magics",)
 START = 60  # seconds to load the libraries
 GRACE = 5  # seconds after a cell's own limit until it is stopped from outside
 

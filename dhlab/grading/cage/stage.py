@@ -114,7 +114,7 @@ def python_command(folder: str, config: str) -> list[str]:
     path = [folder, *packages()]
     start = (
         f"import sys; sys.path[:0] = {path!r}; sys.argv = ['cage', {config!r}]; from"
-        " dhlab.grading.inside.zygote import main; main()"
+        " dhlab.grading.inside.warming.zygote import main; main()"
     )
     return [os.path.abspath(sys.executable), "-s", "-S", "-P", "-c", start]
 

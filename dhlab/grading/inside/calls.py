@@ -17,11 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from . import notebook as notebooks
 from .calling import Fault, call, fits, is_stub, quiet
-from .cells import run_statement
 from .clock import limited
-from .slices import Statement, needed, statements
+from .reading import notebook as notebooks
+from .reading.slices import Statement, needed, statements
+from .shell import run_statement
 from .space import loaded, space
 from .wire import decode, encode
 

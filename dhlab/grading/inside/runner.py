@@ -16,11 +16,11 @@ from collections.abc import Collection
 import numpy as np
 
 from . import calls
-from . import notebook as notebooks
 from .book import Book
-from .cells import run_cell
 from .clock import limited
-from .demonstrations import showing, skippable
+from .reading import notebook as notebooks
+from .reading.demonstrations import showing, skippable
+from .shell import run_cell
 from .space import loaded, space
 from .wire import decode
 

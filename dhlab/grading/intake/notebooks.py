@@ -7,7 +7,7 @@ import re
 from hashlib import sha256
 from typing import Any, NamedTuple
 
-from ..inside.notebook import decoded
+from ..inside.reading.notebook import decoded
 
 __all__ = ["Look", "look", "lessons_of", "numbers_of", "parsed"]
 

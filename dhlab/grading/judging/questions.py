@@ -20,7 +20,7 @@ from ...course.exercises import exercises
 from ...course.kinds import Function, Prediction, PreTest
 from ...course.kinds.exercise import Exercise
 from ...course.workspace import handed_out
-from ..inside.demonstrations import print_of
+from ..inside.reading.demonstrations import print_of
 from ..inside.wire import encode
 from ..own_items import own_checks
 from ..settings import Settings

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ..cage.cage import Cage
 from ..cage.sight import OPEN
 from ..cage.stage import library
-from ..inside.notebook import FAULTS
+from ..inside.reading.notebook import FAULTS
 from ..inside.wire import error_name
 from ..results.marks import TIMED_OUT, UNREADABLE
 from .judge import Answers

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from ..inside.notebook import cells_of, listed
+from ..inside.reading.notebook import cells_of, listed
 
 __all__ = ["answered"]
 

@@ -1,7 +1,7 @@
 """The warm parent inside the cage: it loads what the lessons need, once, and is copied for every
 submission. It never reads a submission.
 
-Started as ``python zygote.py`` with one line of JSON as its argument; speaks with the grader
+Started by its ``main`` with one line of JSON as its argument; speaks with the grader
 through a socket: two open files arrive for each submission (what to run, where to write), one byte
 says that it is over, one line answers how it ended.
 """
@@ -15,16 +15,16 @@ import select
 import signal
 import socket
 import sys
-import time
 
-from dhlab.grading.inside import confine, later
-from dhlab.grading.inside.examples import used_once
+from dhlab.grading.inside.confining import landlock, process, seccomp
+from dhlab.grading.inside.warming import later
+from dhlab.grading.inside.warming.ending import clean, end
+from dhlab.grading.inside.warming.examples import used_once
 
 LOADED = re.compile(r"""\bdh\.load\(["']([\w.-]+)["']\)""")
 LOOK = 0.03  # seconds between two looks at what a submission writes
 MOST_FILES = 5000  # files of a submission, and what Python keeps there itself
 MOST_THREADS = 300  # more on the machine than before, which nothing honest starts meanwhile
-CLEANING = 5  # seconds; who leaves more behind costs a new cage
 
 
 def main() -> None:
@@ -47,7 +47,7 @@ def main() -> None:
         if wanted := json.loads(message):
             _load(wanted)
             warm = frozenset(sys.modules)
-        config["limits"]["in_use"] = confine.memory_in_use()
+        config["limits"]["in_use"] = process.memory_in_use()
         child = os.fork()
         if child == 0:
             control.close()
@@ -56,9 +56,9 @@ def main() -> None:
             os.close(file)
         if not _told_that_it_is_over(control, child, config):
             return
-        status, seconds = _end(child, config)
-        clean = _clean(config["work"], kept)
-        said = {"status": status, "seconds": round(seconds, 3), "clean": clean}
+        status, seconds = end(child, config["own_processes"])
+        emptied = clean(config["work"], kept)
+        said = {"status": status, "seconds": round(seconds, 3), "clean": emptied}
         control.sendall(json.dumps(said).encode())
 
 
@@ -66,7 +66,7 @@ def _told_that_it_is_over(control, child, config):
     """Wait until the grader says so; False when it has hung up. Who leaves more files than there
     is room for, or starts threads without number, is stopped meanwhile.
     """
-    watched, before = True, confine.threads_of_all()
+    watched, before = True, process.threads_of_all()
     while not select.select([control], [], [], LOOK)[0]:
         if watched and (_too_many_files(config) or _too_many_threads(config, before)):
             os.kill(child, signal.SIGKILL)
@@ -80,7 +80,7 @@ def _too_many_threads(config, before):
     """
     if config["limits"]["own_user"]:
         return False
-    more = (confine.threads_of_all() - before) % 65536  # the system counts no further
+    more = (process.threads_of_all() - before) % 65536  # the system counts no further
     return MOST_THREADS < more < 32768
 
 
@@ -119,17 +119,17 @@ def _confine(config):
                 if config["level"] != "bubblewrap"
                 else None
             )
-            confine.drop_to(config["user"])
+            process.drop_to(config["user"])
         elif hasattr(os, "geteuid") and os.geteuid() == 0:
-            confine.drop_capabilities()
-        confine.no_new_privileges()
-        confine.libc and confine.libc.prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
-        confine.look_at_memory()
+            process.drop_capabilities()
+        process.no_new_privileges()
+        process.libc and process.libc.prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
+        process.look_at_memory()
         config["calls"] = _filter(config["level"])
         if config["level"] == "landlock":
-            if not config["calls"] or not confine.landlock_version():
+            if not config["calls"] or not landlock.landlock_version():
                 return "no Landlock or no libseccomp"
-            confine.restrict_files(config["readable"], [config["work"], "/dev/null"])
+            landlock.restrict_files(config["readable"], [config["work"], "/dev/null"])
         os.chdir(config["work"])
     except OSError as error:
         return str(error)
@@ -140,10 +140,10 @@ def _filter(level):
     """What keeps a submission from the kernel's calls, made once for all of them; empty where
     there is none.
     """
-    library = confine.libseccomp()
+    library = seccomp.libseccomp()
     if not library or level == "rlimits":
         return b""
-    return confine.filter_of_calls(library, own_user=level != "landlock")
+    return seccomp.filter_of_calls(library, own_user=level != "landlock")
 
 
 def _line(control):
@@ -163,7 +163,8 @@ def _warm(modules, lessons):
     """
     later.let_wait()
     import dhlab
-    from dhlab.grading.inside import rehearsal, slices
+    from dhlab.grading.inside.reading import slices
+    from dhlab.grading.inside.warming import rehearsal
 
     for source in lessons:
         slices.statements(0, source)
@@ -200,94 +201,15 @@ def _submission(config, warm, request, answers):
         for file in (1, 2):  # no file that a later submission could read
             os.dup2(nothing, file)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-        confine.no_new_privileges()
-        confine.restrict_resources(config["limits"])
+        process.no_new_privileges()
+        process.restrict_resources(config["limits"])
         if config["calls"]:
-            confine.restrict_calls(config["calls"])
+            seccomp.restrict_calls(config["calls"])
         from dhlab.grading.inside import runner
 
         runner.run(request, answers, warm)
     finally:
         os._exit(0)
-
-
-def _end(child, config):
-    """Kill what is left of a submission, all of it. How its first process ended, an exit status or
-    minus a signal, and the seconds of processor that it took.
-    """
-    status, seconds = None, 0.0
-    for _ in range(500):
-        if config["own_processes"]:
-            with contextlib.suppress(ProcessLookupError):
-                # everything in this namespace but this process, which is the first
-                os.kill(-1, signal.SIGKILL)
-        else:
-            for process in {child, *_descendants()} if status is None else _descendants():
-                with contextlib.suppress(ProcessLookupError, PermissionError):
-                    os.kill(process, signal.SIGKILL)
-        try:
-            process, ended, usage = os.wait4(-1, os.WNOHANG)
-        except ChildProcessError:
-            break
-        if process == child:
-            status = os.waitstatus_to_exitcode(ended)
-            seconds = usage.ru_utime + usage.ru_stime
-        if process == 0:
-            time.sleep(0.001)
-    return status, seconds
-
-
-def _descendants():
-    """Every process below this one, from /proc; those that lost their parents have been given to
-    this one.
-
-    Behind Landlock /proc cannot be read, and need not be: seccomp lets nobody start a process.
-    """
-    parents = {}
-    try:
-        names = os.listdir("/proc")
-    except OSError:
-        return set()
-    for name in names:
-        if name.isdigit():
-            with (
-                contextlib.suppress(OSError, IndexError, ValueError),
-                open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as file,
-            ):
-                parents[int(name)] = int(file.read().rpartition(")")[2].split()[1])
-    found = {os.getpid()}
-    while more := {
-        process for process, parent in parents.items() if parent in found and process not in found
-    }:
-        found |= more
-    return found - {os.getpid()}
-
-
-def _clean(work, kept):
-    """Empty the folder that submissions may write to; False when something stays, and the whole
-    cage has to go.
-
-    Folders are taken apart where they lie, so that depth costs nothing: what is in one is moved to
-    the top, and the empty one removed.
-    """
-    number, until = 0, time.monotonic() + CLEANING
-    while (left := set(os.listdir(work)) - kept) and time.monotonic() < until:
-        for name in left:
-            path = os.path.join(work, name)
-            try:
-                if os.path.islink(path) or not os.path.isdir(path):
-                    os.unlink(path)
-                    continue
-                os.chmod(path, 0o700)
-                for inner in os.listdir(path):
-                    number += 1
-                    os.rename(
-                        os.path.join(path, inner), os.path.join(work, f".{number}-{name}"[:60])
-                    )
-                os.rmdir(path)
-            except OSError:
-                return False
-    return set(os.listdir(work)) <= kept
 
 
 if __name__ == "__main__":

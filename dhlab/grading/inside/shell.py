@@ -6,16 +6,15 @@ import __future__
 
 import ast
 import builtins
-import linecache
 import sys
 from collections.abc import Collection
-from functools import cache
 from typing import Any
 
-__all__ = ["parsed", "plain", "run_cell", "run_statement"]
+from .reading.cells import BODY_RUNS, parsed
+
+__all__ = ["run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
-BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
 LINE_RUNS = ("time", "prun")
 # what the library works out for a reader, and what could do more than that in its arguments
 SHOWN = ("diagnose", "diagnose_axes", "diagnose_function", "equivalent", "compare")
@@ -96,49 +95,6 @@ def _only_shows(statement, space, showing=()):
 
 def _acts_within(call):
     return any(isinstance(one, ACTING) for one in ast.walk(call) if one is not call)
-
-
-def parsed(source: str, name: str) -> list[ast.stmt]:
-    """The statements of a cell; SyntaxError where it is no Python."""
-    source = plain(source)
-    linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
-    return list(_nodes(source))
-
-
-@cache  # what the warm parent has read of the lessons is read already in every copy of it
-def _nodes(source):
-    return tuple(one for node in ast.parse(source, "<cell>").body for one in _unpacked(node))
-
-
-def _unpacked(node):
-    """The statements below a cell magic that runs them, such as ``%%time``; else the node."""
-    match node:
-        case ast.Expr(
-            ast.Call(
-                ast.Attribute(ast.Call(ast.Name("get_ipython")), "run_cell_magic"),
-                [ast.Constant(magic), _, ast.Constant(str(body))],
-            )
-        ) if magic in BODY_RUNS:
-            return ast.parse(body, "<cell>").body
-    return [node]
-
-
-@cache
-def plain(source: str) -> str:
-    """The source with magics turned into calls, as IPython does it; itself where it has none."""
-    if not any(
-        line.lstrip().startswith(("%", "!", "?"))
-        or line.rstrip().endswith("?")
-        or "= %" in line
-        or "=%" in line
-        or "= !" in line
-        or "=!" in line
-        for line in source.splitlines()
-    ):
-        return source
-    from .magics import without_magics  # large: only where there is one
-
-    return without_magics(source)
 
 
 def run_statement(statement: ast.stmt, name: str, space: dict[str, Any]) -> None:

@@ -1,44 +1,15 @@
-"""What a submission may not do: limits of the process, Landlock, seccomp. Linux's own calls; where
-one is missing the caller is told.
-
-Landlock: kernel documentation, userspace-api/landlock. seccomp through libseccomp, which knows the
+"""Which of the kernel's calls a submission may make: seccomp, through libseccomp, which knows the
 numbers of every machine.
 """
 
-import contextlib
 import ctypes
 import os
-import resource
-import signal
-import sys
-from collections.abc import Iterable, Mapping
-from ctypes import c_int, c_long, c_uint32, c_uint64
+from ctypes import c_int, c_uint32, c_uint64
 from typing import Any
 
-__all__ = [
-    "libseccomp",
-    "landlock_version",
-    "restrict_files",
-    "filter_of_calls",
-    "restrict_calls",
-    "restrict_resources",
-    "look_at_memory",
-    "memory_in_use",
-    "threads_of_all",
-    "no_new_privileges",
-    "drop_to",
-    "drop_capabilities",
-]
+from .process import LINUX, libc
 
-LINUX = sys.platform == "linux"
-libc: Any = ctypes.CDLL(None, use_errno=True) if LINUX else None
-
-CREATE, ADD_RULE, RESTRICT = 444, 445, 446  # Landlock's calls, the same numbers on every machine
-READ = 1 << 2 | 1 << 3  # read a file, list a folder
-EXECUTE = 1 << 0
-# write, remove folder and file, make folder and file, truncate
-WRITE = 1 << 1 | 1 << 4 | 1 << 5 | 1 << 7 | 1 << 8 | 1 << 14
-RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}  # how many rights each version knows; 16 from the fifth on
+__all__ = ["libseccomp", "filter_of_calls", "restrict_calls"]
 
 DENIED = """
 socket fork vfork execve execveat kill tkill tgkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_open
@@ -139,7 +110,7 @@ class _Program(ctypes.Structure):
 
 def restrict_calls(program: bytes) -> None:
     """From here on only the calls that :func:`filter_of_calls` leaves; it wants
-    :func:`no_new_privileges` before. Raises OSError where it cannot be done.
+    :func:`.process.no_new_privileges` before. Raises OSError where it cannot be done.
     """
     given = _Program(len(program) // 8, program)  # eight bytes an instruction
     if libc.prctl(22, 2, ctypes.byref(given), 0, 0):  # PR_SET_SECCOMP, SECCOMP_MODE_FILTER
@@ -173,119 +144,3 @@ def _rule(library, filter_, action, name, *comparisons):
         (Compare * max(1, len(comparisons)))(*comparisons),
     ):
         raise OSError(f"seccomp takes no rule for {name}")
-
-
-def landlock_version() -> int:
-    """Landlock's version, 0 where the kernel has none."""
-    return max(0, libc.syscall(c_long(CREATE), None, c_long(0), c_long(1))) if LINUX else 0
-
-
-def restrict_files(readable: Iterable[str], writable: Iterable[str]) -> None:
-    """From here on only these files and folders can be read, and only those written to. Raises
-    OSError where it cannot be done.
-    """
-    version = landlock_version()
-    handled = (1 << RIGHTS.get(version, 16)) - 1
-    # files; TCP; abstract sockets and signals
-    attributes = (c_uint64 * 3)(handled, 3 if version >= 4 else 0, 3 if version >= 6 else 0)
-    size = 8 if version < 4 else 16 if version < 6 else 24
-    rules = libc.syscall(c_long(CREATE), attributes, c_long(size), c_long(0))
-    if rules < 0:
-        raise OSError(ctypes.get_errno(), "Landlock")
-    for path in readable:
-        _allow(rules, path, READ | EXECUTE)
-    for path in writable:
-        _allow(rules, path, (READ | WRITE) & handled)
-    no_new_privileges()
-    failed = libc.syscall(c_long(RESTRICT), c_long(rules), c_long(0))
-    os.close(rules)
-    if failed:
-        raise OSError(ctypes.get_errno(), "Landlock")
-
-
-class _Beneath(ctypes.Structure):
-    _pack_ = 1
-    _fields_ = [("allowed", c_uint64), ("parent", ctypes.c_int32)]
-
-
-def _allow(rules, path, rights):
-    try:
-        handle = os.open(path, os.O_PATH | os.O_CLOEXEC)
-    except OSError:
-        return  # what is not there needs no rule
-    if not os.path.isdir(path):
-        rights &= EXECUTE | 1 << 1 | 1 << 2 | 1 << 14  # what a file can have
-    rule = _Beneath(rights, handle)
-    libc.syscall(c_long(ADD_RULE), c_long(rules), c_long(1), ctypes.byref(rule), c_long(0))
-    os.close(handle)
-
-
-def no_new_privileges() -> None:
-    """No program started from here can gain rights; nor can another process of the same user look
-    into this one; it dies with its parent.
-    """
-    if LINUX:
-        libc.prctl(38, 1, 0, 0, 0)  # PR_SET_NO_NEW_PRIVS
-        libc.prctl(4, 0, 0, 0, 0)  # PR_SET_DUMPABLE
-        libc.prctl(1, signal.SIGKILL, 0, 0, 0)  # PR_SET_PDEATHSIG
-
-
-def drop_to(user: int) -> None:
-    """Become another user, for good."""
-    os.setgroups([])
-    os.setresgid(user, user, user)
-    os.setresuid(user, user, user)
-
-
-def drop_capabilities() -> None:
-    """root without any of root's rights: what it owns it can still read, and nothing more."""
-    if LINUX:
-        for capability in range(64):
-            libc.prctl(24, capability, 0, 0, 0)  # PR_CAPBSET_DROP
-        libc.capset((c_uint32 * 2)(0x20080522, 0), (c_uint32 * 6)())
-
-
-def restrict_resources(limits: Mapping[str, Any]) -> None:
-    """Memory above what is in use now, processor time, size of a file, open files, and, where the
-    user is the cage's own, threads.
-    """
-    megabyte = 1 << 20
-    wanted = {
-        "RLIMIT_AS": limits["in_use"] + limits["memory_mb"] * megabyte,
-        "RLIMIT_CPU": int(limits["seconds"]) + 5,
-        "RLIMIT_FSIZE": limits["files_mb"] * megabyte,
-        "RLIMIT_NOFILE": 128,
-        "RLIMIT_CORE": 0,
-        "RLIMIT_MSGQUEUE": 0,
-    }
-    if limits.get("own_user"):
-        wanted["RLIMIT_NPROC"] = limits["threads"]
-    for name, value in wanted.items():
-        if hasattr(resource, name):
-            with contextlib.suppress(ValueError, OSError):
-                resource.setrlimit(getattr(resource, name), (value, value))
-
-
-_size: list[int] = []  # an open file that tells how large this process is
-
-
-def look_at_memory() -> None:
-    """Open what tells how much memory this process has; later no such file may be opened."""
-    with contextlib.suppress(OSError):
-        _size.append(os.open("/proc/self/statm", os.O_RDONLY | os.O_CLOEXEC))
-
-
-def memory_in_use() -> int:
-    """Bytes of memory that this process has; a gigabyte where the system does not tell."""
-    try:
-        return int(os.pread(_size[0], 100, 0).split()[0]) * resource.getpagesize()
-    except (OSError, IndexError, ValueError):
-        return 1 << 30
-
-
-def threads_of_all() -> int:
-    """How many threads there are on the machine; 0 where the system does not tell."""
-    told = (c_long * 16)()
-    if not LINUX or libc.sysinfo(told):
-        return 0
-    return ctypes.c_ushort.from_buffer(told, 10 * ctypes.sizeof(c_long)).value

@@ -10,7 +10,8 @@ from typing import Any
 
 from dhlab import course
 
-from . import calls, notebook, runner
+from .. import calls, runner
+from ..reading import notebook
 
 __all__ = ["rehearse"]
 

@@ -1,0 +1,52 @@
+"""Reads one cell as Jupyter would: its statements, with magics turned into calls."""
+
+import ast
+import linecache
+from functools import cache
+
+__all__ = ["BODY_RUNS", "parsed", "plain"]
+
+BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
+
+
+def parsed(source: str, name: str) -> list[ast.stmt]:
+    """The statements of a cell; SyntaxError where it is no Python."""
+    source = plain(source)
+    linecache.cache[name] = len(source), None, source.splitlines(keepends=True), name
+    return list(_nodes(source))
+
+
+@cache  # what the warm parent has read of the lessons is read already in every copy of it
+def _nodes(source):
+    return tuple(one for node in ast.parse(source, "<cell>").body for one in _unpacked(node))
+
+
+def _unpacked(node):
+    """The statements below a cell magic that runs them, such as ``%%time``; else the node."""
+    match node:
+        case ast.Expr(
+            ast.Call(
+                ast.Attribute(ast.Call(ast.Name("get_ipython")), "run_cell_magic"),
+                [ast.Constant(magic), _, ast.Constant(str(body))],
+            )
+        ) if magic in BODY_RUNS:
+            return ast.parse(body, "<cell>").body
+    return [node]
+
+
+@cache
+def plain(source: str) -> str:
+    """The source with magics turned into calls, as IPython does it; itself where it has none."""
+    if not any(
+        line.lstrip().startswith(("%", "!", "?"))
+        or line.rstrip().endswith("?")
+        or "= %" in line
+        or "=%" in line
+        or "= !" in line
+        or "=!" in line
+        for line in source.splitlines()
+    ):
+        return source
+    from .magics import without_magics  # large: only where there is one
+
+    return without_magics(source)
