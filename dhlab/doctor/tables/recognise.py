@@ -9,7 +9,7 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
-from .dialects.lines import TwoTables
+from .dialects.lined.lines import TwoTables
 from .meaning.columns import LENGTHS, misplaced
 from .meaning.joints import require_one_column, require_values
 from .meaning.scales import UNIT_WORDS

@@ -5,31 +5,34 @@ from dataclasses import replace
 
 import numpy as np
 
-from .accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
-from .alike import holds, repeats
-from .beside import APART, with_added, with_types
-from .conventions import with_convention
-from .dialects import arrays, calls, functions, keyed, lines, numbered, rows
+from .completing.accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
+from .completing.alike import holds, repeats
+from .completing.conventions import with_convention
+from .completing.lists import with_lists
+from .completing.uses import with_uses
+from .dialects import arrays, keyed, numbered
+from .dialects.bracketed import rows
+from .dialects.called import calls, functions
 from .dialects.chains import opw, segments, sequences, universal
-from .dialects.grid import NoRows, from_grid
-from .dialects.heading import header
-from .dialects.widths import NotFour
+from .dialects.lined import lines
+from .dialects.lined.grid import NoRows, from_grid
+from .dialects.lined.heading import header
+from .dialects.lined.widths import NotFour
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
 from .evidence.poses import adds_theta, poses_in, require_pose
 from .evidence.several import require_one_value
 from .evidence.source import source_of
-from .language.comments import uncommented
 from .language.expressions import key
 from .language.letters import unified
-from .language.notebook import without_notebook
-from .lists import with_lists
+from .language.wrapping.comments import uncommented
+from .language.wrapping.notebook import without_notebook
+from .meaning.beside import APART, with_added, with_types
 from .meaning.columns import NAMED, is_a_table
 from .meaning.joint_types import with_sigma
 from .meaning.scales import multiples_said, takes_thousandths
 from .pasted import Pasted
-from .uses import with_uses
 
 __all__ = ["take_apart"]
 

@@ -2,7 +2,6 @@
 it says of convention and units.
 """
 
-import html
 import re
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -15,13 +14,12 @@ from ..language.assigned import (
     listed_in,
     without_overwritten,
 )
-from ..language.comments import without_comments
 from ..language.expressions import NoExpression, evaluate, key
 from ..language.letters import unified
 from ..language.neutral import neutral
-from ..language.pictures import without_pictures
-from ..language.restated import restated
 from ..language.roles import role_of
+from ..language.wrapping.comments import without_comments
+from ..language.wrapping.unwrapped import unwrapped
 from .makers import called_convention
 from .matrices import link_matrix_in
 from .orders import order_in
@@ -29,11 +27,6 @@ from .orders import order_in
 __all__ = ["Source", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
-FIELDS = re.compile(  # theta: float, as a class has it
-    r"(?:^[ \t]+\w+[ \t]*:[ \t]*(?:float|int|str|bool)\b[^\n]*(?:\n|$))+", re.MULTILINE
-)
-RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
-DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
@@ -148,7 +141,7 @@ def source_of(text, values=None):
             "recognise_table: expected numbers and names, found more than"
             f" {LONGEST_WORD} characters without a gap; paste the rows only"
         )
-    text = unified(_unwrapped(text))
+    text = unified(unwrapped(text))
     comments: list[tuple[int, str]] = []
     code = without_comments(text, comments)
     if not re.search(r"\d", code):
@@ -198,70 +191,6 @@ def _only(text, words):
     text = DENIED.sub(" ", text)
     said = [name for name, pattern in words.items() if re.search(pattern, text, re.IGNORECASE)]
     return said[0] if len(said) == 1 else ""
-
-
-def _unwrapped(text):
-    """Quotation marks of mails and prompts off, frames of toolboxes drawn with ASCII, HTML rows as
-    lines.
-    """
-    text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
-    text = re.sub(r"[ \t]+$", "", _without_diff(without_pictures(text)), flags=re.MULTILINE)
-    text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
-    if re.search(r"<t[dh]\b", text, re.IGNORECASE):
-        text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
-        text = re.sub(r"</?(tr|table|thead|tbody)[^>]*>", "\n", text, flags=re.IGNORECASE)
-        text = re.sub(r"<[^>\n]{1,80}>", "", text)
-    text = html.unescape(text).replace("\xa0", " ").replace("−", "-")
-    text = re.sub(r"^```.*$", "", text, flags=re.MULTILINE)
-    # the fields of a class, before anything is made of it
-    text = FIELDS.sub(_as_comment, text)
-    text = re.sub(r"^(?:\s*(?:>>>|\.\.\.(?=\s)|>)\s?)+", "", text, flags=re.MULTILINE)
-    text = re.sub(r"\.\.\.[ \t]*(?:%.*)?\n", " ", text)
-    text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
-    if len(re.findall(r"^.*\|\|.*\|\|.*$", text, re.MULTILINE)) > 1:
-        text = text.replace("||", "|")
-    text = restated(text)
-    text = _listed_table(text)
-    text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
-    text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
-    return text
-
-
-def _as_comment(match):
-    names = re.findall(r"^[ \t]+(\w+)[ \t]*:", match[0], re.MULTILINE)
-    return f"# {', '.join(names)}" + "\n" * match[0].count("\n")
-
-
-def _without_diff(text):
-    """The new lines of a change as version control prints it, without their marks."""
-    lines = text.split("\n")
-    marked = [line for line in lines if line.strip()]
-    if len(marked) < 3 or not all(line[0] in "+- @\\" for line in marked):
-        return text
-    added = sum(line[0] == "+" for line in marked)
-    if 2 * added <= len(marked):
-        return text
-    gone = [line[:1] in ("-", "@", "\\") or line.startswith("+++") for line in lines]
-    return "\n".join("" if left else line[1:] for line, left in zip(lines, gone))
-
-
-def _listed_table(text):
-    """The rows of reStructuredText's ``list-table``, a cell a line, as lines."""
-    if "list-table::" not in text:
-        return text
-    text = re.sub(r"\n[ \t]*:[\w-]+:[^\n]*", "", text)
-    text = re.sub(r"\n[ \t]*-[ \t]+([^\n]*)", r" | \1", text)
-    return re.sub(r"^[ \t]*\*[ \t]+-[ \t]+", "| ", text, flags=re.MULTILINE)
-
-
-def _joined_heading(text):
-    """A table drawn with + and -, with a heading of two or three lines on one."""
-    drawn = DRAWN.search(text)
-    lines = [line.strip().strip("|").split("|") for line in drawn[1].splitlines()] if drawn else []
-    if drawn is None or not 2 <= len(lines) <= 3 or len({len(cells) for cells in lines}) > 1:
-        return text
-    cells = (" ".join(map(str.strip, parts)) for parts in zip(*lines))
-    return text[: drawn.start(1)] + f"| {' | '.join(cells)} |\n" + text[drawn.end(1) :]
 
 
 def _require_apart(code):

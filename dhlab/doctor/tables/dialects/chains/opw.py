@@ -9,7 +9,7 @@ import numpy as np
 from .....transform import rot_z, trans
 from ...chain import arm_of, joint_along, still
 from ...language.expressions import key
-from ..arrays import arrays_in
+from ..flat import arrays_in
 from .told import told
 
 __all__ = ["read"]

@@ -12,7 +12,7 @@ from ...cells import Cell
 from ...chain import arm_of, joint_along, still
 from ...language.roles import ROLES
 from ...pasted import Pasted
-from ..arrays import arrays_in
+from ..flat import arrays_in
 from .told import told
 
 __all__ = ["read"]

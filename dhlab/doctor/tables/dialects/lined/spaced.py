@@ -4,9 +4,9 @@ they stand in the line.
 
 import re
 
-from ..cells import cell_or_none
-from ..evidence.orders import names_in_a_row
-from ..language.brackets import cells_in
+from ...cells import cell_or_none
+from ...evidence.orders import names_in_a_row
+from ...language.brackets import cells_in
 
 __all__ = ["is_cell", "require_whole_row", "spaced_cells", "under_names", "with_fifth"]
 

@@ -2,8 +2,8 @@
 
 import re
 
-from ..cells import cell_of, read_cell
-from ..language.brackets import cells_in, keyword
+from ...cells import cell_of, read_cell
+from ...language.brackets import cells_in, keyword
 
 __all__ = ["by_order", "cell_in", "limits_in", "pairs_in"]
 

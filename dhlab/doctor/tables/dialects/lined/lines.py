@@ -4,11 +4,11 @@ import re
 from dataclasses import replace
 from itertools import groupby
 
-from ..cells import read_cell
-from ..evidence.orders import order_of_names
-from ..evidence.poses import holds_joint_values
-from ..language.brackets import cells_in
-from ..language.roles import ROLES, role_of
+from ...cells import read_cell
+from ...evidence.orders import order_of_names
+from ...evidence.poses import holds_joint_values
+from ...language.brackets import cells_in
+from ...language.roles import ROLES, role_of
 from .copied import MOST_WORDS, named_one_a_line, one_cell_a_line
 from .grid import NoRows, from_grid
 from .heading import header, units_of

@@ -4,13 +4,13 @@ other.
 
 import re
 
-from ..cells import cell_or_none
-from ..evidence.orders import order_of_names
-from ..language.brackets import cells_in
-from ..language.roles import ROLES, role_of
+from ...cells import cell_or_none
+from ...evidence.orders import order_of_names
+from ...language.brackets import cells_in
+from ...language.roles import ROLES, role_of
+from ..called.functions import own_calls, places_in
+from ..lined.heading import header
 from .filled import TABLE
-from .functions import own_calls, places_in
-from .heading import header
 
 __all__ = ["heading_in", "instances", "joined", "laid_down", "require_one", "rows_in", "target_of"]
 

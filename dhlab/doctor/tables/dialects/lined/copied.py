@@ -2,7 +2,7 @@
 
 import re
 
-from ..language.roles import ROLES
+from ...language.roles import ROLES
 from .heading import header
 from .spaced import is_cell, spaced_cells
 

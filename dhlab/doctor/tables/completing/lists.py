@@ -3,9 +3,9 @@
 import re
 from dataclasses import replace
 
-from .cells import cell_of
-from .dialects.arrays import arrays_in
-from .language.roles import role_of
+from ..cells import cell_of
+from ..dialects.flat import arrays_in
+from ..language.roles import role_of
 
 __all__ = ["with_lists"]
 

@@ -3,14 +3,14 @@
 import re
 from collections import Counter
 
-from ..beside import labelled
-from ..cells import cell_of
-from ..evidence.orders import every_column_in
-from ..evidence.several import apart, in_parts
-from ..language.brackets import groups, keyword
-from ..language.roles import ROLES, role_of
-from ..language.words import KINDS
-from ..pasted import Pasted
+from ...cells import cell_of
+from ...evidence.orders import every_column_in
+from ...evidence.several import apart, in_parts
+from ...language.brackets import groups, keyword
+from ...language.roles import ROLES, role_of
+from ...language.words import KINDS
+from ...meaning.beside import labelled
+from ...pasted import Pasted
 from .factors import with_factors
 
 __all__ = ["definitions", "own_calls", "places_in", "read"]

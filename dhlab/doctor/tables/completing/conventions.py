@@ -5,9 +5,9 @@ where they contradict each other, or where a matrix stands in the text that cann
 import re
 from dataclasses import replace
 
-from .evidence.conventions import convention_in, defined_in, has_formula
-from .evidence.makers import called_convention
-from .evidence.orders import previous_in
+from ..evidence.conventions import convention_in, defined_in, has_formula
+from ..evidence.makers import called_convention
+from ..evidence.orders import previous_in
 
 __all__ = ["with_convention"]
 

@@ -3,8 +3,8 @@
 import re
 from dataclasses import replace
 
-from ..cells import Cell, cell_of
-from ..meaning.columns import orders as orders_of
+from ...cells import Cell, cell_of
+from ...meaning.columns import orders as orders_of
 
 __all__ = ["with_factors"]
 

@@ -5,7 +5,7 @@ place, or all numbers one behind the other.
 import re
 from collections import Counter
 
-from ..language.brackets import cells_in
+from ...language.brackets import cells_in
 
 __all__ = ["TABLE", "filled"]
 

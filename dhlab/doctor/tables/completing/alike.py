@@ -4,7 +4,7 @@ from collections import Counter
 
 import numpy as np
 
-from .meaning.columns import MOST_TURNS, orders
+from ..meaning.columns import MOST_TURNS, orders
 
 __all__ = ["holds", "repeats", "same_arm"]
 

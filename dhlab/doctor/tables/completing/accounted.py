@@ -4,10 +4,10 @@ joints there are, what is added to joint angles, lists of as many numbers, a sec
 
 import re
 
+from ..dialects.flat import arrays_in
+from ..language.roles import role_of
+from ..meaning.columns import is_a_table
 from .alike import repeats, same_arm
-from .dialects.arrays import arrays_in
-from .language.roles import role_of
-from .meaning.columns import is_a_table
 
 __all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
 
@@ -85,7 +85,7 @@ def joints_said(source):
 
     Examples
     --------
-    >>> from .evidence.source import source_of
+    >>> from ..evidence.source import source_of
     >>> joints_said(source_of("a 7-DoF arm"))
     {7}
     """
@@ -117,7 +117,7 @@ def speaks_of_sliding(source):
 
     Examples
     --------
-    >>> from .evidence.source import source_of
+    >>> from ..evidence.source import source_of
     >>> speaks_of_sliding(source_of("a SCARA")), speaks_of_sliding(source_of("a stroke of 200 mm"))
     ('arm', 'word')
     """

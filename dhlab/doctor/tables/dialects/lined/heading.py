@@ -4,10 +4,10 @@ import re
 
 import numpy as np
 
-from ..cells import cell_or_none, plain
-from ..language.roles import ROLES, role_of, unit_in
-from ..language.words import NO_UNIT
-from ..meaning.columns import LENGTHS
+from ...cells import cell_or_none, plain
+from ...language.roles import ROLES, role_of, unit_in
+from ...language.words import NO_UNIT
+from ...meaning.columns import LENGTHS
 
 __all__ = ["header", "units_of"]
 

@@ -8,13 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..beside import DASH, explained, require_no_fifth, slid, with_theta
-from ..cells import Cell, cell_or_none, plain, read_cell
-from ..language.roles import ROLES
-from ..language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
-from ..meaning.columns import IMPLIED
-from ..meaning.joint_types import kinds_by_number
-from ..pasted import Pasted
+from ...cells import Cell, cell_or_none, plain, read_cell
+from ...language.roles import ROLES
+from ...language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
+from ...meaning.beside import DASH, explained, require_no_fifth, slid, with_theta
+from ...meaning.columns import IMPLIED
+from ...meaning.joint_types import kinds_by_number
+from ...pasted import Pasted
 from .heading import header, units_of
 from .widths import even
 

@@ -5,9 +5,9 @@ that it replaces, subtracts or turns round, a number that its comment gives othe
 import re
 from dataclasses import replace
 
-from .dialects.arrays import arrays_in
-from .dialects.functions import own_calls, places_in
-from .language.expressions import key
+from ..dialects.called.functions import own_calls, places_in
+from ..dialects.flat import arrays_in
+from ..language.expressions import key
 
 __all__ = ["with_uses"]
 

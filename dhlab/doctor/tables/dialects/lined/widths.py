@@ -3,7 +3,7 @@
 import itertools
 from dataclasses import replace
 
-from ..meaning.columns import IMPLIED
+from ...meaning.columns import IMPLIED
 
 __all__ = ["NotFour", "even"]
 

@@ -6,12 +6,12 @@ import re
 from collections import Counter
 from dataclasses import replace
 
-from ..cells import cell_of
-from ..evidence.several import apart, in_parts
-from ..language.brackets import Item, cells_in, groups, left_open
-from ..language.roles import kind_said, role_of
-from ..meaning.columns import misplaced
-from ..pasted import Pasted, Row, from_rows
+from ...cells import cell_of
+from ...evidence.several import apart, in_parts
+from ...language.brackets import Item, cells_in, groups, left_open
+from ...language.roles import kind_said, role_of
+from ...meaning.columns import misplaced
+from ...pasted import Pasted, Row, from_rows
 from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
 

@@ -6,10 +6,10 @@ import re
 from dataclasses import replace
 from itertools import pairwise
 
-from .cells import Cell, cell_of, cell_or_none, plain
-from .evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
-from .language.roles import ROLES
-from .language.words import KINDS
+from ..cells import Cell, cell_of, cell_or_none, plain
+from ..evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
+from ..language.roles import ROLES
+from ..language.words import KINDS
 
 __all__ = [
     "APART",

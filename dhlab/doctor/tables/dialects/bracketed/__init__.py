@@ -1,0 +1,1 @@
+"""Rows between brackets, in any language, and tables that are filled bit by bit."""
