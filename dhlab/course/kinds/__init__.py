@@ -8,7 +8,8 @@ from .explained import Explain
 from .functions import CASES, Function
 from .lettered import UNDECIDED, Lettered, Option
 from .reading import as_numbers, is_array_of, plain
-from .tabled.tables import Table, as_arm, numbers
+from .tabled.handed_in import as_arm, numbers
+from .tabled.tables import Table
 from .values import LAST_ROW, Value
 
 __all__ = [

@@ -20,8 +20,8 @@ from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
 from .dots import lines_with_dots
 from .exercise import Exercise, Said
 from .kept import kept_apart
-from .titles import IN_DEGREES, OF_LINKS, OF_OTHERS, OF_POSES, OF_PROGRAMS
-from .units import Group, in_other_units
+from .wrong.titles import IN_DEGREES, OF_LINKS, OF_OTHERS, OF_POSES, OF_PROGRAMS
+from .wrong.units import Group, in_other_units
 
 __all__ = ["CASES", "Function"]
 

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..verdict import Verdict
-from .drawn import drawn_pose, drawn_row
 from .exercise import Exercise, Said, no_draw
 from .kept import kept, kept_apart
 from .partial import PART_IS_RIGHT, filled_up
 from .reading import Unreadable, plain
-from .twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
-from .units import FACTORS, LOOSELY, Group, in_other_units, of_places
+from .wrong.drawn import drawn_pose, drawn_row
+from .wrong.twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
+from .wrong.units import FACTORS, LOOSELY, Group, in_other_units, of_places
 
 __all__ = ["LAST_ROW", "Value"]
 

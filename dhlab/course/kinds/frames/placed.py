@@ -13,9 +13,9 @@ from ....geometry.equivalence import equivalent
 from ....placing.board import Placement
 from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .. import Exercise, Said, untouched
-from ..drawn import drawn_frames
 from ..kept import kept_apart
 from ..reading import as_numbers
+from ..wrong.drawn import drawn_frames
 from .framed import far_away, first_wrong, in_another_order, in_other_units, rows_of
 
 __all__ = ["Frames", "MISTAKES", "WORDS"]

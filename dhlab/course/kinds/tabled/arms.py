@@ -10,7 +10,7 @@ from ....doctor.mistakes.remade import with_rows
 from ....geometry.equivalence import equivalent
 from ....printing import number
 from ..exercise import Said
-from ..units import LOOSELY, Group, in_other_units
+from ..wrong.units import LOOSELY, Group, in_other_units
 
 __all__ = ["IN_DEGREES", "SAME", "apart", "in_table_units", "size", "where"]
 

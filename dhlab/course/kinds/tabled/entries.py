@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ....printing import listed
 from ..exercise import Said
-from ..twofold import TWO
-from ..units import LOOSELY, Group, in_other_units
+from ..wrong.twofold import TWO
+from ..wrong.units import LOOSELY, Group, in_other_units
 
 __all__ = ["COLUMNS", "KINDS", "differing", "difference", "in_part", "places"]
 

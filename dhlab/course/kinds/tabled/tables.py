@@ -14,19 +14,18 @@ from ....doctor import catalogue, explain_rows
 from ....doctor.finding import Finding
 from ....geometry.equivalence import equivalent
 from ....printing import listed as joined
-from ....table import DHTable
 from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
-from ..drawn import drawn_table
 from ..exercise import Exercise, Said, listed, no_draw, untouched
 from ..functions import CASES
 from ..kept import kept, kept_apart
 from ..partial import PART_IS_RIGHT, filled_up
-from ..reading import Unreadable, plain, unusable
-from ..titles import OF_CRAIG, OF_TABLES
+from ..wrong.drawn import drawn_table
+from ..wrong.titles import OF_CRAIG, OF_TABLES
 from .arms import IN_DEGREES, SAME, apart, in_table_units, size, where
 from .entries import COLUMNS, differing
+from .handed_in import as_arm, entries, lies_on_its_side, turned_round
 
-__all__ = ["Table", "as_arm", "numbers"]
+__all__ = ["Table"]
 
 ON_ITS_SIDE = Said(
     "rows and columns have changed places",
@@ -90,12 +89,12 @@ class Table(Exercise):
         return [
             f"row {i}" if untouched(row) else f"row {i}, {joined(names)}"
             for i, row in enumerate(rows, 1)
-            if (names := [c for c, x in zip(COLUMNS, _entries(row)) if untouched(x)])
+            if (names := [c for c, x in zip(COLUMNS, entries(row)) if untouched(x)])
         ]
 
     def so_far(self, answer: Any, variant: int) -> str:
         right = self.right_arm(variant).table.rows * IN_DEGREES
-        filled = filled_up([_entries(row) for row in answer], right)
+        filled = filled_up([entries(row) for row in answer], right)
         fits = filled is not None and not differing(filled, right).any()
         return PART_IS_RIGHT if fits else ""
 
@@ -140,7 +139,7 @@ class Table(Exercise):
 
     def _explained(self, arm, right, q, variant):
         """The Verdict on another arm than the right one."""
-        if len(right) == 4 and max(apart(_turned_round(arm), right, q)) <= SAME:
+        if len(right) == 4 and max(apart(turned_round(arm), right, q)) <= SAME:
             return self.told(None, ON_ITS_SIDE)
         return self._slip(arm, right, q, variant) or self.wrong(
             headline=f"this is another arm: up to {size(apart(arm, right, q))} off at the end",
@@ -216,7 +215,7 @@ class Table(Exercise):
 
     def arm_of(self, answer: Any, right: Arm) -> Arm | Verdict:
         """The answer as an Arm of as many joints as the right one; what is said of any other."""
-        if _lies_on_its_side(answer, len(right)):
+        if lies_on_its_side(answer, len(right)):
             return self.told(None, ON_ITS_SIDE)
         try:
             arm = as_arm(answer, right)
@@ -227,68 +226,3 @@ class Table(Exercise):
         return self.wrong(
             headline=f"expected {len(right)} rows, found {len(arm)}", next="One row per joint."
         )
-
-
-def _entries(row):
-    """The four entries of a row; of one in whose place a single thing stands, dots or a number,
-    four times that.
-    """
-    return list(row) if np.iterable(row) and not isinstance(row, str) else [row] * len(COLUMNS)
-
-
-def as_arm(answer: Any, right: Arm) -> Arm:
-    """The answer as an Arm with the right one's base, tool and signs; rows are degrees and metres.
-
-    Raises
-    ------
-    ValueError
-        It is no table.
-    """
-    if isinstance(answer, Arm):
-        return answer
-    if not isinstance(answer, DHTable):
-        answer = _rows_of(answer)
-        make = DHTable.standard if right.table.convention == "standard" else DHTable.craig
-        fits = np.iterable(answer) and len(list(answer)) == len(right)
-        answer = make(answer, angle="deg", joints=right.table.joints if fits else None)
-    if len(answer) != len(right):
-        return Arm(answer)
-    return Arm(answer, base=right.base, tool=right.tool, sign=right.sign)
-
-
-def _lies_on_its_side(answer, joints):
-    """Whether an answer has a column for each joint where it must have a row."""
-    try:
-        shape = plain(answer).shape
-    except Unreadable:
-        return False
-    return shape == (4, joints) != (joints, 4)
-
-
-def _turned_round(arm):
-    """The arm of a table of four joints whose rows and columns have changed places."""
-    in_degrees = arm.table.rows * [180 / np.pi, 1, 1, 180 / np.pi]
-    make = DHTable.standard if arm.table.convention == "standard" else DHTable.craig
-    return replace(arm, table=make(in_degrees.T, angle="deg", joints=arm.table.joints))
-
-
-def _rows_of(answer):
-    """The rows of an answer as numpy holds them; what is no table is left to DHTable to refuse."""
-    found = unusable(answer)
-    if found:
-        raise ValueError(f"expected a table of numbers, found {found}")
-    try:
-        return plain(answer)
-    except Unreadable:
-        return answer
-
-
-def numbers(table: DHTable) -> list[list[float]]:
-    """The rows of a table, degrees and metres, without the dust of rounding.
-
-    Examples
-    --------
-    >>> numbers(DHTable.standard([[0, 100, 0, 90]], angle="deg", length="mm"))
-    [[0.0, 0.1, 0.0, 90.0]]
-    """
-    return (table.rows * [180 / np.pi, 1, 1, 180 / np.pi]).round(9).tolist()

@@ -9,8 +9,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ...transform import inverse
-from .exercise import Mistakes, Said
+from ....transform import inverse
+from ..exercise import Mistakes, Said
 
 __all__ = ["FRAMES", "SIGNS", "TWO", "by_entries", "of_any_pose", "of_any_vector", "under_another"]
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arm import Arm
-from ...geometry.equivalence import equivalent
-from ...geometry.lines import nearest_on, tilt
-from ...placing.board import Placement
-from ...placing.words import ANGLE, Judgement, vector
-from ...table import DHTable
+from ....arm import Arm
+from ....geometry.equivalence import equivalent
+from ....geometry.lines import nearest_on, tilt
+from ....placing.board import Placement
+from ....placing.words import ANGLE, Judgement, vector
+from ....table import DHTable
 
 __all__ = ["drawn_frames", "drawn_pose", "drawn_row", "drawn_table"]
 
@@ -25,7 +25,7 @@ def drawn_frames(task: Placement, wrong: Judgement, given: Any) -> Any:
     """A board with what was right on it, and the first step that was not, ``given``; a Picture, or
     None where that is no arrow and no point.
     """
-    from ...view.pictures.tried import tried
+    from ....view.pictures.tried import tried
 
     letter, i, value = wrong.step[0], int(wrong.step[1:]), vector(given)
     if value is None or (letter != "o" and not np.linalg.norm(value) > 0):
@@ -48,8 +48,8 @@ def drawn_table(arm: Arm, right: Arm) -> Any:
     """The frames of a table at q = 0, up to the first joint whose axis is not where the right arm
     has it; a Picture, or None.
     """
-    from ...view.explorer.placing import axes_of
-    from ...view.pictures.tried import tried
+    from ....view.explorer.placing import axes_of
+    from ....view.pictures.tried import tried
 
     if arm.coupling is not None or right.coupling is not None:
         return None
@@ -69,7 +69,7 @@ def drawn_row(row: NDArray[np.float64], right: NDArray[np.float64]) -> Any:
     """The frame {1} of a row (4,) of degrees and metres, standard, beside the two axes that the
     right row lies between; a Picture, or None where the two make the same frame.
     """
-    from ...view.pictures.tried import tried
+    from ....view.pictures.tried import tried
 
     mine, asked = (
         Arm(DHTable.standard(one[None], angle="deg")).forward([0.0]) for one in (row, right)
@@ -108,7 +108,7 @@ def drawn_pose(pose: NDArray[np.float64], off: NDArray[np.bool_]) -> Any:
     """A pose (4, 4) beside the base's frame; ``off`` says which entries do not fit. A Picture, or
     None where three of its columns are no arrows that could be drawn.
     """
-    from ...view.pictures.tried import tried
+    from ....view.pictures.tried import tried
 
     columns = np.flatnonzero(off[:3].any(axis=0))
     lengths = np.linalg.norm(pose[:3, :3], axis=0)

@@ -11,8 +11,8 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from ...printing import listed
-from .exercise import Said
+from ....printing import listed
+from ..exercise import Said
 
 __all__ = ["FACTORS", "LOOSELY", "Group", "in_other_units", "of_places"]
 

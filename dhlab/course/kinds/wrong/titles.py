@@ -4,7 +4,7 @@ of tables in place of those that are about more than a row.
 
 from dataclasses import replace
 
-from .exercise import Said
+from ..exercise import Said
 
 __all__ = [
     "IN_DEGREES",
