@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .building.exercisefaults import exercise_faults
+from .building.faults.exercises import exercise_faults
 from .kinds import Exercise, Function, Lettered, Table, Value
 from .kinds.chosen import OneOf
 

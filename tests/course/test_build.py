@@ -13,7 +13,8 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from dhlab.course.building import faults, notebooks, reading, runs
+from dhlab.course.building import notebooks, reading
+from dhlab.course.building.faults import runs, sources
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Option, Said
 
@@ -74,13 +75,13 @@ def source(tmp_path, old, new):
 
 def said(path):
     with pytest.raises(ValueError) as refused:
-        faults.refuse_sources([path])
+        sources.refuse_sources([path])
     return str(refused.value)
 
 
 @pytest.mark.slow
 def test_every_lesson_of_the_course_may_be_built():
-    faults.refuse_sources(reading.sources())
+    sources.refuse_sources(reading.sources())
 
 
 RULE = 'rule = ...\n### BEGIN SOLUTION\nrule = "b"\n### END SOLUTION'
@@ -198,7 +199,7 @@ def test_a_source_that_is_no_lesson_is_refused(old, new, words, tmp_path):
 
 
 def test_ipythons_commands_are_python(tmp_path):
-    faults.refuse_sources(
+    sources.refuse_sources(
         [source(tmp_path, "rot_z(np.pi / 2)\n", "%precision 3\nrot_z(np.pi / 2)\n")]
     )
 
@@ -274,7 +275,7 @@ def test_an_exercise_that_would_fail_a_student_is_refused(
     key, change, words, tmp_path, monkeypatch
 ):
     changed = {**exercises(), key: change(exercises()[key])}
-    monkeypatch.setattr(faults, "exercises", lambda: changed)
+    monkeypatch.setattr(sources, "exercises", lambda: changed)
     found = said(source(tmp_path, "## Key points", "## Key points"))
     assert (
         words in found

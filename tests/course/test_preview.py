@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from dhlab.cli.course import preview as verb
-from dhlab.course.building import runs
+from dhlab.course.building.faults import runs
 from dhlab.course.exercises import exercises
 from dhlab.course.preview import preview
 

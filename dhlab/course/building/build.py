@@ -18,10 +18,10 @@ import nbformat
 from ...formats.files import write_text
 from . import contract, reading
 from .discussion import discussion
-from .faults import refuse_sources
+from .faults.runs import refuse_runs
+from .faults.sources import refuse_sources
 from .notebooks import lesson_notebook, ran, solution_notebook, without_outputs
 from .reading import read_source, sources
-from .runs import refuse_runs
 
 __all__ = ["build", "stale"]
 

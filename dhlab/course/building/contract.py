@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from ...printing import grid_text
 from . import exerciserules, rules
-from .faults import refuse_sources
+from .faults.sources import refuse_sources
 from .lesson import Lesson
 from .reading import sources
 

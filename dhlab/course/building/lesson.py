@@ -9,7 +9,7 @@ from nbformat import NotebookNode
 
 from ..exercises import exercises, sittings
 from ..kinds import Prediction
-from .cellfaults import plain_python
+from .faults.cells import plain_python
 from .questions import question_of
 from .reading import in_practice, read_source, sitting_of
 

@@ -7,9 +7,9 @@ from difflib import SequenceMatcher, get_close_matches
 
 from nbformat import NotebookNode
 
-from ..exercises import exercises
-from ..kinds import UNDECIDED, Lettered, Prediction
-from .questions import asked_in
+from ...exercises import exercises
+from ...kinds import UNDECIDED, Lettered, Prediction
+from ..questions import asked_in
 
 __all__ = ["CALL", "cell_faults", "plain_python"]
 

@@ -7,16 +7,16 @@ import traceback
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ..exercises import exercises, sittings
-from ..kinds import Prediction
-from .cellfaults import cell_faults
-from .exercisefaults import exercise_faults
-from .questions import asked_in
-from .reading import PRACTICE, in_practice, lines_of, read_source, sitting_of
+from ...exercises import exercises, sittings
+from ...kinds import Prediction
+from ..questions import asked_in
+from ..reading import PRACTICE, in_practice, lines_of, read_source, sitting_of
+from .cells import cell_faults
+from .exercises import exercise_faults
 
 __all__ = ["refuse", "refuse_sources"]
 
-EXERCISES = Path(__file__).parents[1] / "exercises"
+EXERCISES = Path(__file__).parents[2] / "exercises"
 CHECKED = re.compile(r'check\("([^"]+)"')  # at the beginning of a cell
 
 

@@ -6,9 +6,9 @@ from difflib import get_close_matches
 
 import numpy as np
 
-from ...doctor import catalogue
-from ...doctor.programs.explain import WRONG_VERSIONS
-from ..kinds import Exercise, Explain, Function, Lettered, OneOf, Option, Order, Prediction, Value
+from ....doctor import catalogue
+from ....doctor.programs.explain import WRONG_VERSIONS
+from ...kinds import Exercise, Explain, Function, Lettered, OneOf, Option, Order, Prediction, Value
 
 __all__ = ["exercise_faults"]
 

@@ -5,12 +5,12 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
-from ..exercises import exercises
-from ..kinds import Explain, Prediction, PreTest
-from ..verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT
-from .cellfaults import CALL
-from .faults import refuse
-from .reading import lines_of, read_source
+from ...exercises import exercises
+from ...kinds import Explain, Prediction, PreTest
+from ...verdict import MARKS, NOT_ATTEMPTED, RECORDED, RIGHT
+from ..reading import lines_of, read_source
+from .cells import CALL
+from .sources import refuse
 
 __all__ = ["refuse_runs"]
 
