@@ -22,7 +22,7 @@ __all__ = [
     "draw_frames",
     "explain_column",
     "general",
-    "random_pose",
+    "random_poses",
     "seen_at",
     "third_column",
     "to_the_flange",
@@ -52,8 +52,8 @@ def general(rng: np.random.Generator, low: float, high: float, *shape: int) -> N
     return rng.uniform(low, high, shape) * (2 * rng.integers(0, 2, shape) - 1)
 
 
-def random_pose(rng: np.random.Generator) -> NDArray:
-    return from_xyz_rpy(general(rng, 0.1, 0.6, 3), general(rng, 0.3, 1.2, 3))
+def random_poses(rng: np.random.Generator, count: int) -> NDArray:
+    return from_xyz_rpy(general(rng, 0.1, 0.6, count, 3), general(rng, 0.3, 1.2, count, 3))
 
 
 def draw_bend(rng: np.random.Generator) -> dict[str, Any]:
@@ -149,18 +149,20 @@ def _of_bent(frames, T_end, sliding):
     )
 
 
-def draw_frames(rng: np.random.Generator) -> tuple:
-    """Frames, end pose and kinds of joints of a random arm with base and tool: five joints, one or
+def draw_frames(rng: np.random.Generator, count: int) -> list[tuple]:
+    """Frames, end pose and kinds of joints of random arms with base and tool: five joints, one or
     two of them sliding.
     """
-    rows = general(rng, 0.15, 0.6, 5, 4) * [2.3, 1, 1, 2.3]
-    sliding = np.zeros(5, dtype=bool)
-    sliding[rng.choice(5, rng.integers(1, 3), replace=False)] = True
-    base, tool = random_pose(rng), random_pose(rng)
-    q = general(rng, 0.2, 1.2, 5)
-    rows[range(5), sliding.astype(int)] += q  # theta, or d
-    seen = kinematics.frames(base, kinematics.link_matrices("standard", *rows.T))
-    return seen, seen[-1] @ tool, sliding
+    rows = general(rng, 0.15, 0.6, count, 5, 4) * [2.3, 1, 1, 2.3]
+    sliding = rng.permuted(np.arange(5) < rng.integers(1, 3, (count, 1)), axis=1)
+    base, tool = random_poses(rng, count), random_poses(rng, count)
+    q = general(rng, 0.2, 1.2, count, 5)
+    theta, d, a, alpha = np.moveaxis(rows, -1, 0)
+    A = kinematics.link_matrices(
+        "standard", np.where(sliding, theta, theta + q), np.where(sliding, d + q, d), a, alpha
+    )
+    seen = kinematics.frames(base, A)
+    return list(zip(seen, seen[:, -1] @ tool, sliding))
 
 
 def to_the_flange(frames: NDArray, T_end: NDArray, sliding: NDArray) -> NDArray:

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...doctor.programs.wrong.products import product
-from ...doctor.programs.wrong.solvers import chain
+from ...kinematics import frames, link_matrices
 from ...robots import load
 from ...rotations import from_rotation_vectors, rotation_vectors
 from ..kinds import Known, Said
-from .answers08 import general, random_pose
+from .answers08 import general, random_poses
 
 __all__ = [
     "EARLY",
@@ -52,13 +52,12 @@ def in_other_axes(of: str = "") -> dict:
     return {mistake: FRAME, **{(mistake, of + place): x for place, x in _OF_POSITION.items()}}
 
 
-def draw_two_poses(rng: np.random.Generator) -> tuple:
-    """A pose and a goal, turned against it by less than half a turn."""
-    T, turned = random_pose(rng), np.eye(4)
-    turned[:3, :3] = from_rotation_vectors(general(rng, 0.2, 1.2, 3))
-    T_goal = turned @ T
-    T_goal[:3, 3] = general(rng, 0.1, 0.6, 3)
-    return T, T_goal
+def draw_two_poses(rng: np.random.Generator, count: int) -> list[tuple]:
+    """Poses and goals, turned against them by less than half a turn."""
+    T, T_goal = random_poses(rng, count), np.tile(np.eye(4), (count, 1, 1))
+    T_goal[:, :3, :3] = from_rotation_vectors(general(rng, 0.2, 1.2, count, 3)) @ T[:, :3, :3]
+    T_goal[:, :3, 3] = general(rng, 0.1, 0.6, count, 3)
+    return list(zip(T, T_goal))
 
 
 def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
@@ -68,11 +67,14 @@ def in_the_tools_axes(T: NDArray, T_goal: NDArray) -> NDArray:
     )
 
 
-def draw_task(rng: np.random.Generator) -> tuple:
-    """A random arm of six turning joints, a goal near q, a damping and a few steps."""
-    rows, q = general(rng, 0.15, 0.5, 6, 4) * [2.3, 1, 1, 2.3], general(rng, 0.2, 1.3, 6)
-    goal = chain(rows, q + general(rng, 0.1, 0.3, 6))[-1]
-    return rows, goal, q, float(rng.uniform(0.1, 0.3)), int(rng.integers(3, 6))
+def draw_task(rng: np.random.Generator, count: int) -> list[tuple]:
+    """Random arms of six turning joints, goals near q, dampings and a few steps."""
+    rows = general(rng, 0.15, 0.5, count, 6, 4) * [2.3, 1, 1, 2.3]
+    q, way = general(rng, 0.2, 1.3, count, 6), general(rng, 0.1, 0.3, count, 6)
+    theta, *rest = np.moveaxis(rows, -1, 0)
+    goals = frames(np.eye(4), link_matrices("standard", theta + q + way, *rest))[:, -1]
+    dampings, steps = rng.uniform(0.1, 0.3, count), rng.integers(3, 6, count)
+    return list(zip(rows, goals, q, dampings.tolist(), steps.tolist()))
 
 
 def _near_and_far():
@@ -80,7 +82,7 @@ def _near_and_far():
     one in which a step leads further away and the next ones back: a loop that ends before its steps
     are done is wrong there.
     """
-    rows, _, q, *_ = draw_task(np.random.default_rng(8))
+    ((rows, _, q, *_),) = draw_task(np.random.default_rng(8), 1)
     for off, damping in ((3e-4, 1.0), (3e-5, 1.0), (3e-6, 1.0), (1.2, 0.02)):
         yield rows, product(rows, q + off * np.array([1, -1, 1, 1, -1, 1])), q, damping, 4
 
@@ -88,16 +90,18 @@ def _near_and_far():
 EARLY = tuple(_near_and_far())
 
 
-def draw_reachable(rng: np.random.Generator) -> tuple:
-    """A pose of the course's arm whose wrist lies well inside the reach, so that wrong centres are
+def draw_reachable(rng: np.random.Generator, count: int) -> list[tuple]:
+    """Poses of the course's arm whose wrist lies well inside the reach, so that wrong centres are
     within reach too.
     """
     arm = load("article-6r")
-    while True:
-        T = arm.forward(general(rng, 0.3, 2.4, 6))
-        x, y, z = T[:3, 3]
-        if np.hypot(x, y) > 0.32 and 0.3 < np.hypot(np.hypot(x, y), z - 0.1) < 0.5:
-            return (T,)
+    found: list[NDArray] = []
+    while len(found) < count:
+        T = arm.forward(general(rng, 0.3, 2.4, 16 * count, 6))
+        x, y, z = T[:, :3, 3].T
+        away = np.hypot(np.hypot(x, y), z - 0.1)
+        found += list(T[(np.hypot(x, y) > 0.32) & (away > 0.3) & (away < 0.5)])
+    return [(T,) for T in found[:count]]
 
 
 STEPS = (

@@ -16,7 +16,7 @@ from .answers08b import (
     in_other_axes,
     in_the_tools_axes,
 )
-from .programs08b import MISREAD, OTHER_STEPS, Program, solved_at_once
+from .programs08b import MISREAD, OTHER_STEPS, Program, branched_at_once, solved_at_once
 from .reaches08b import Reaches, a_way_to, draw_ur5e, several_ways, wrong_ways
 
 __all__ = ["EXERCISES"]
@@ -26,6 +26,7 @@ EXERCISES = [
         id="08.4",
         title="The smallest fix: a pose error",
         draw=draw_two_poses,
+        together=True,
         answer=pose_error,
         names=("T", "T_goal"),
         family="pose_error",
@@ -87,6 +88,7 @@ EXERCISES = [
         title="Damped least squares",
         points=4,
         draw=draw_task,
+        together=True,
         special=EARLY,
         answer=inverse_kinematics,
         at_once=solved_at_once,
@@ -246,7 +248,9 @@ EXERCISES = [
         title="All eight branches",
         points=3,
         draw=draw_reachable,
+        together=True,
         answer=branches,
+        at_once=branched_at_once,
         names=("T",),
         family="branches",
         shape=(8, 6),

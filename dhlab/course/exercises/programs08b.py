@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from ...doctor.programs.wrong.branches import branches, in_order
+from ...doctor.programs.wrong.branches import branches, branches_of_all, in_order
 from ...doctor.programs.wrong.jacobians import geometric_jacobian, pose_error
 from ...doctor.programs.wrong.solvers import chain, damped_step, wrapped
 from ...kinematics import frames, link_matrices
@@ -18,7 +18,7 @@ from ...rotations import rotation_vectors
 from ..kinds import Function, Known, Said
 from ..verdict import Verdict
 
-__all__ = ["MISREAD", "OTHER_STEPS", "Program", "solved_at_once"]
+__all__ = ["MISREAD", "OTHER_STEPS", "Program", "branched_at_once", "solved_at_once"]
 
 # of the calls: steps of the plain inverse leap near a singularity, and there rounding makes two
 # right versions differ
@@ -204,6 +204,11 @@ OTHER_STEPS = (
         for number in (0.01, 0.02, 0.03, 0.05, 0.1, 0.2, 0.5, 1.0)
     ),
 )
+
+
+def branched_at_once(tasks: Sequence[tuple]) -> list[NDArray]:
+    """What the right ``branches`` gives for each pose, all of them solved together."""
+    return branches_of_all(np.array([T for (T,) in tasks]))
 
 
 # ---- 08.8: angles of the wrist read off with other signs; θ4 and θ6 enter both wrists alike

@@ -35,8 +35,9 @@ CASES = 24  # seeded inputs of a function exercise, and poses of a table exercis
 class Function(Exercise):
     """A function to be written, compared with the right one on seeded inputs.
 
-    ``draw(rng)`` gives the arguments of one call, general ones; ``special`` are calls that come
-    after them, where an if may hide (zeros, right angles); ``answer(*case)`` the right result;
+    ``draw(rng)`` gives the arguments of one call, general ones, or with ``together``
+    ``draw(rng, count)`` those of so many; ``special`` are calls that come after them, where an if
+    may hide (zeros, right angles); ``answer(*case)`` the right result;
     ``family`` names the wrong versions that the doctor compares with; ``handed_out`` is the broken
     program of a "smallest fix", which is no attempt as long as it is unchanged; ``read(answer)`` is
     the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``:
@@ -49,6 +50,7 @@ class Function(Exercise):
     draw: Callable
     names: tuple
     family: str
+    together: bool = False
     special: tuple = ()
     handed_out: Callable | None = None
     shape: tuple = (4, 4)
@@ -65,7 +67,8 @@ class Function(Exercise):
     def cases(self, variant: int) -> list[tuple]:
         """The arguments of every call."""
         rng = self.rng(variant)
-        return [*(self.draw(rng) for _ in range(CASES)), *self.special]
+        drawn = self.draw(rng, CASES) if self.together else [self.draw(rng) for _ in range(CASES)]
+        return [*drawn, *self.special]
 
     def right_answers(self, cases: Sequence[tuple]) -> list[NDArray]:
         """The right answer to each call."""
@@ -121,8 +124,9 @@ class Function(Exercise):
                 "the program answers as it did when it was handed out",
                 next="If you have changed something, it makes no difference: look elsewhere.",
             )
-        verdict = self._in_degrees(given, cases) or self._compared(
-            answers, cases, general, tolerance
+        expected = self.right_answers(cases)
+        verdict = self._in_degrees(given, expected) or self._compared(
+            answers, expected, cases, general, tolerance
         )
         return (
             verdict
@@ -130,11 +134,11 @@ class Function(Exercise):
             else self._told_where(verdict, answer, cases)
         )
 
-    def _in_degrees(self, given, cases):
+    def _in_degrees(self, given, expected):
         """The Verdict on angles that are right as degrees; None."""
         if self.angles and all(
-            np.allclose(self.read(np.deg2rad(one)), self.answer(*case), rtol=0, atol=NEAR)
-            for one, case in zip(given, cases)
+            np.allclose(self.read(np.deg2rad(one)), right, rtol=0, atol=NEAR)
+            for one, right in zip(given, expected)
         ):
             return self.told(None, IN_DEGREES)
         return None
@@ -151,9 +155,8 @@ class Function(Exercise):
         where = f"line{'s' if ' ' in numbers else ''} {numbers}"
         return replace(verdict, place="; ".join(filter(None, (verdict.place, f"look at {where}"))))
 
-    def _compared(self, answers, cases, general, tolerance):
+    def _compared(self, answers, expected, cases, general, tolerance):
         """The Verdict on what the calls gave, of which the first are ``general``."""
-        expected = self.right_answers(cases)
         off = _apart(answers, expected, tolerance)
         if not any(off):
             return self.right()

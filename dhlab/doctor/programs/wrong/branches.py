@@ -12,7 +12,14 @@ from ....transform import rot_x, rot_z, trans_x, trans_z
 from .solvers import wrapped
 from .versions import Versions
 
-__all__ = ["branches", "arm_angles", "wrist_angles", "in_order", "WRONG_BRANCHES"]
+__all__ = [
+    "WRONG_BRANCHES",
+    "arm_angles",
+    "branches",
+    "branches_of_all",
+    "in_order",
+    "wrist_angles",
+]
 
 D1, A2, A3, D4, D6 = 0.1, 0.4, 0.35, 0.1, 0.1
 DEG = 180 / np.pi
@@ -86,6 +93,26 @@ def branches(T):
     True
     """
     return _branches(T)
+
+
+def branches_of_all(T):
+    """The right ones of many poses (m, 4, 4) together: a list of m arrays (8, 6).
+
+    Examples
+    --------
+    >>> import dhlab as dh
+    >>> T = dh.load("article-6r").forward(np.full((2, 6), 0.5))
+    >>> bool(np.allclose(branches_of_all(T)[1], branches(T[1])))
+    True
+    """
+    Q = np.empty((len(T), 4, 2, 6))
+    with np.errstate(all="ignore"):
+        triples = arm_angles(_centre(np.moveaxis(T, 0, -1)))
+        R_36 = np.swapaxes(_R_03(*np.moveaxis(triples, 1, 0)), -1, -2) @ T[:, :3, :3]
+        turns = wrist_angles(np.moveaxis(R_36, (-2, -1), (0, 1)))
+    Q[..., :3] = np.moveaxis(triples, -1, 0)[:, :, None]
+    Q[..., 3:] = np.moveaxis(turns, (3, 2), (0, 1))
+    return [in_order(rows) for rows in Q.reshape(-1, 8, 6)]
 
 
 def _made(**parts):
