@@ -23,7 +23,7 @@ from .reading import notebook as notebooks
 from .reading.slices import Statement, needed, statements
 from .shell import run_statement
 from .space import loaded, space
-from .wire import decode, encode
+from .wire import decode, encode, unpack
 
 __all__ = ["answer"]
 
@@ -131,7 +131,7 @@ class _Room:
 
     def call(self, question):
         """The answer to one call, made plain before the clock stops."""
-        case = tuple(decode(value) for value in question["case"])
+        case = tuple(unpack(value) for value in question["case"])
         line: dict[str, Any] = {"stopped": "timed out"}
 
         def act():

@@ -2,17 +2,19 @@
 tables and arms; never a pickle.
 
 ``encode`` runs inside the cage, on whatever a stranger made; ``decode`` runs outside and trusts
-nothing.
+nothing. ``pack`` and ``unpack`` are for the arguments, which come from the grader: bytes of an
+array, in a fifth of the time that its numbers take.
 """
 
 import builtins
 import re
+from base64 import b64decode, b64encode
 from typing import Any
 
 import numpy as np
-from numpy import array, asarray, float64, generic, matrix, ndarray, str_
+from numpy import array, asarray, float64, frombuffer, generic, matrix, ndarray, str_
 
-__all__ = ["encode", "decode", "error_name", "Opaque", "DECODED"]
+__all__ = ["encode", "decode", "pack", "unpack", "error_name", "Opaque", "DECODED"]
 
 DEEPEST = 6  # lists in lists
 LONGEST = 100_000  # numbers of an array
@@ -147,6 +149,35 @@ def decode(sent: Any) -> Any:
     if kind not in _DECODERS:
         raise ValueError("expected a kind of the wire, found another")
     return _DECODERS[kind](content)
+
+
+def pack(value: Any) -> Any:
+    """An argument of a call, for the way into the cage.
+
+    Examples
+    --------
+    >>> pack(np.array([1.0])), pack(0.5)
+    ({'packed': ['f8', [1], 'AAAAAAAA8D8=']}, 0.5)
+    """
+    if type(value) is ndarray and value.dtype.str[1:] in DTYPES:
+        shape, data = list(value.shape), b64encode(value.tobytes()).decode()
+        return {"packed": [value.dtype.str[1:], shape, data]}
+    return encode(value)
+
+
+def unpack(sent: Any) -> Any:
+    """What :func:`pack` was given.
+
+    Examples
+    --------
+    >>> unpack(pack(np.eye(2)))
+    array([[1., 0.],
+           [0., 1.]])
+    """
+    if type(sent) is dict and "packed" in sent:
+        dtype, shape, data = sent["packed"]
+        return frombuffer(bytearray(b64decode(data)), dtype).reshape(shape)
+    return decode(sent)
 
 
 def error_name(name: Any) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from ...course.kinds import Function
 from ...doctor.programs.running.calling import Called, CallFault
 from ..cage.cage import Cage
-from ..inside.wire import DECODED, decode, encode, error_name
+from ..inside.wire import DECODED, decode, error_name, pack
 
 __all__ = ["Asked", "ask"]
 
@@ -72,7 +72,7 @@ def ask(
             if len(answers) > len(cases):
                 break
             case = cases[len(answers) % len(cases)]  # the first once more at the end
-            line = talk.ask({"case": [encode(value) for value in case]})
+            line = talk.ask({"case": [pack(value) for value in case]})
     closed = _closed(line)
     if line is None:
         return Asked(stopped=talk.stopped, closed=closed, seconds=talk.seconds)

@@ -8,10 +8,13 @@ import signal
 import sys
 from typing import Any
 
+import numpy as np
+
 from dhlab import course
 
 from .. import calls, runner
 from ..reading import notebook
+from ..wire import pack
 
 __all__ = ["rehearse"]
 
@@ -32,7 +35,7 @@ CHECKS = {
 REQUEST = {"checks": CHECKS, "given": {}, "skip": [], "cell_seconds": 10}
 NOTEBOOK: dict[str, Any] = {"functions": ["00.1"], "only": [], "untouched": []}
 PROGRAM = {"call": "00.1", "names": ["share", "A"], "cell": 3, "whole": False, "transform": ""}
-CASE = [0.5, {"array": ["f8", [4, 4], [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]}]
+CASE = [0.5, pack(np.eye(4))]
 
 
 def rehearse() -> None:
