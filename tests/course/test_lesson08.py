@@ -11,6 +11,7 @@ from draws import variants
 from oracles import elementary_pose, pose_errors
 from right_ways_08 import RIGHT_WAYS, frames_of
 from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
 
 import dhlab as dh
 from dhlab.course import othersolvers
@@ -92,6 +93,43 @@ def test_all_tasks_solved_at_once_are_each_solved_alone(variant):
     alone = [inverse_kinematics(*case) for case in cases]
     assert len({steps for *_, steps in cases}) > 1  # some are done before others
     assert np.allclose(exercise.right_answers(cases), alone, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("variant", variants(3))
+def test_all_poses_solved_at_once_are_each_solved_alone(variant):
+    exercise = exercises()["08.8"]
+    cases = exercise.cases(variant)
+    alone = [branches(T) for (T,) in cases]
+    assert np.allclose(exercise.right_answers(cases), alone, rtol=0, atol=1e-9)
+
+
+def octant(x):
+    return tuple(np.asarray(x) > 0)
+
+
+PARTS = {  # of the cases: in how many of them, and in which one a case is
+    "08.2": (15, lambda frames, T_end, sliding: tuple(sliding)),
+    "08.11": (15, lambda frames, T_end, sliding: tuple(sliding)),
+    "08.4": (8, lambda T, T_goal: octant(Rotation.from_matrix((T_goal @ T.T)[:3, :3]).as_rotvec())),
+    "08.6": (2, lambda rows, T_goal, q, damping, steps: steps),
+    "08.8": (8, lambda T: octant(T[:3, 3] - [0, 0, 0.1])),
+}
+
+
+@pytest.mark.parametrize("variant", variants(3))
+@pytest.mark.parametrize("key", PARTS)
+def test_a_program_that_is_wrong_in_a_part_of_the_cases_is_refused(key, variant):
+    exercise, (many, part) = exercises()[key], PARTS[key]
+    general = exercise.cases(variant)[: exercise.calls]
+    parts = {part(*case) for case in general}
+    assert len(parts) == many
+    for wrong in parts:
+
+        def program(*case, wrong=wrong):
+            answer = exercise.answer(*case)
+            return answer + 0.01 if part(*case) == wrong else answer
+
+        assert exercise.judge(program, variant).status == "wrong"
 
 
 def test_all_eight_branches_reach_the_pose_and_there_are_no_others():

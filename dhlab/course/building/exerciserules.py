@@ -84,9 +84,11 @@ def strength(lesson: Lesson) -> tuple[bool, str]:
         if isinstance(e, Table)
     }
     known |= {e.id: len(MISTAKES) for e in lesson.exercises.values() if isinstance(e, Frames)}
-    return CASES >= 20 and all(
+    programs = [e for e in lesson.exercises.values() if isinstance(e, Function)]
+    inputs = min((e.calls + len(e.special) for e in programs), default=CASES)
+    return inputs >= 16 and all(
         n >= 10 for n in known.values()
-    ), f"{CASES} inputs; mistakes known: " + ", ".join(f"{key} {n}" for key, n in known.items())
+    ), f"{inputs} inputs; mistakes known: " + ", ".join(f"{key} {n}" for key, n in known.items())
 
 
 def transfer(lesson: Lesson) -> tuple[bool, str]:

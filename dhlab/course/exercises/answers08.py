@@ -14,6 +14,7 @@ from ...transform import from_xyz_rpy
 from ..kinds import Known, Mistakes, Said
 
 __all__ = [
+    "CALLS",
     "COLUMN_LINES",
     "NOT_TO_THE_PEN",
     "OF_THE_AXIS",
@@ -22,6 +23,7 @@ __all__ = [
     "draw_frames",
     "explain_column",
     "general",
+    "in_every_octant",
     "random_poses",
     "seen_at",
     "third_column",
@@ -29,6 +31,12 @@ __all__ = [
     "wrong_columns",
 ]
 
+# of a program: fewer than elsewhere, since each takes long; what a program could be right in only a
+# part of (which joints slide, the signs of what it is given) is gone through, not left to chance
+CALLS = 16
+SLIDING = np.array(  # one or two of five joints, in every way
+    [[k in (i, j) for k in range(5)] for i in range(5) for j in range(i, 5)]
+)
 PEN = Said(
     "the lever does not run to the tip of the pen",
     place="v, while ω is right",
@@ -50,6 +58,12 @@ NOT_TO_THE_PEN = (  # of the levers that the doctor knows, by its places
 def general(rng: np.random.Generator, low: float, high: float, *shape: int) -> NDArray:
     """Numbers of either sign, none of them small."""
     return rng.uniform(low, high, shape) * (2 * rng.integers(0, 2, shape) - 1)
+
+
+def in_every_octant(rng: np.random.Generator, low: float, high: float, count: int) -> NDArray:
+    """Triples (count, 3) of such numbers, whose signs go through all eight octants in turn."""
+    octant = rng.permutation(count)[:, None] % 8
+    return rng.uniform(low, high, (count, 3)) * np.where(octant >> np.arange(3) & 1, 1, -1)
 
 
 def random_poses(rng: np.random.Generator, count: int) -> NDArray:
@@ -151,10 +165,10 @@ def _of_bent(frames, T_end, sliding):
 
 def draw_frames(rng: np.random.Generator, count: int) -> list[tuple]:
     """Frames, end pose and kinds of joints of random arms with base and tool: five joints, one or
-    two of them sliding.
+    two of them sliding, each in turn.
     """
     rows = general(rng, 0.15, 0.6, count, 5, 4) * [2.3, 1, 1, 2.3]
-    sliding = rng.permuted(np.arange(5) < rng.integers(1, 3, (count, 1)), axis=1)
+    sliding = SLIDING[rng.permutation(count) % len(SLIDING)]
     base, tool = random_poses(rng, count), random_poses(rng, count)
     q = general(rng, 0.2, 1.2, count, 5)
     theta, d, a, alpha = np.moveaxis(rows, -1, 0)

@@ -10,7 +10,7 @@ from ...kinematics import frames, link_matrices
 from ...robots import load
 from ...rotations import from_rotation_vectors, rotation_vectors
 from ..kinds import Known, Said
-from .answers08 import general, random_poses
+from .answers08 import general, in_every_octant, random_poses
 
 __all__ = [
     "EARLY",
@@ -53,9 +53,9 @@ def in_other_axes(of: str = "") -> dict:
 
 
 def draw_two_poses(rng: np.random.Generator, count: int) -> list[tuple]:
-    """Poses and goals, turned against them by less than half a turn."""
+    """Poses and goals, turned against them by less than half a turn, about axes in every octant."""
     T, T_goal = random_poses(rng, count), np.tile(np.eye(4), (count, 1, 1))
-    T_goal[:, :3, :3] = from_rotation_vectors(general(rng, 0.2, 1.2, count, 3)) @ T[:, :3, :3]
+    T_goal[:, :3, :3] = from_rotation_vectors(in_every_octant(rng, 0.2, 1.2, count)) @ T[:, :3, :3]
     T_goal[:, :3, 3] = general(rng, 0.1, 0.6, count, 3)
     return list(zip(T, T_goal))
 
@@ -73,7 +73,7 @@ def draw_task(rng: np.random.Generator, count: int) -> list[tuple]:
     q, way = general(rng, 0.2, 1.3, count, 6), general(rng, 0.1, 0.3, count, 6)
     theta, *rest = np.moveaxis(rows, -1, 0)
     goals = frames(np.eye(4), link_matrices("standard", theta + q + way, *rest))[:, -1]
-    dampings, steps = rng.uniform(0.1, 0.3, count), rng.integers(3, 6, count)
+    dampings, steps = rng.uniform(0.1, 0.3, count), 2 + rng.permutation(count) % 2
     return list(zip(rows, goals, q, dampings.tolist(), steps.tolist()))
 
 
@@ -92,16 +92,20 @@ EARLY = tuple(_near_and_far())
 
 def draw_reachable(rng: np.random.Generator, count: int) -> list[tuple]:
     """Poses of the course's arm whose wrist lies well inside the reach, so that wrong centres are
-    within reach too.
+    within reach too; as many in each octant, seen from the shoulder.
     """
-    arm = load("article-6r")
-    found: list[NDArray] = []
+    arm, room = load("article-6r"), np.full((2, 2, 2), -(-count // 8))
+    found: list[tuple] = []
     while len(found) < count:
         T = arm.forward(general(rng, 0.3, 2.4, 16 * count, 6))
         x, y, z = T[:, :3, 3].T
         away = np.hypot(np.hypot(x, y), z - 0.1)
-        found += list(T[(np.hypot(x, y) > 0.32) & (away > 0.3) & (away < 0.5)])
-    return [(T,) for T in found[:count]]
+        for one in T[(np.hypot(x, y) > 0.32) & (away > 0.3) & (away < 0.5)]:
+            octant = tuple((one[:3, 3] > [0, 0, 0.1]).astype(int))
+            if room[octant] and len(found) < count:
+                room[octant] -= 1
+                found.append((one,))
+    return found
 
 
 STEPS = (

@@ -3,6 +3,7 @@
 from ...doctor.programs.wrong.jacobians import geometric_jacobian
 from ..kinds import Choice, Option, Order, Prediction, Value
 from .answers08 import (
+    CALLS,
     COLUMN_LINES,
     NOT_TO_THE_PEN,
     OF_THE_AXIS,
@@ -53,6 +54,7 @@ EXERCISES = [
         points=3,
         draw=draw_frames,
         together=True,
+        calls=CALLS,
         answer=geometric_jacobian,
         names=("frames", "T_end", "sliding"),
         family="jacobian",
@@ -76,6 +78,7 @@ EXERCISES = [
         points=1,
         draw=draw_frames,
         together=True,
+        calls=CALLS,
         answer=geometric_jacobian,
         names=("frames", "T_end", "sliding"),
         family="jacobian",

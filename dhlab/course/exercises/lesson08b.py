@@ -6,6 +6,7 @@ from ...doctor.programs.wrong.branches import branches, in_order
 from ...doctor.programs.wrong.jacobians import pose_error
 from ...doctor.programs.wrong.solvers import inverse_kinematics, wrapped
 from ..kinds import Choice, Function, Option, Order, Prediction, Said
+from .answers08 import CALLS
 from .answers08b import (
     EARLY,
     STEPS,
@@ -27,6 +28,7 @@ EXERCISES = [
         title="The smallest fix: a pose error",
         draw=draw_two_poses,
         together=True,
+        calls=CALLS,
         answer=pose_error,
         names=("T", "T_goal"),
         family="pose_error",
@@ -89,6 +91,7 @@ EXERCISES = [
         points=4,
         draw=draw_task,
         together=True,
+        calls=CALLS - len(EARLY),
         special=EARLY,
         answer=inverse_kinematics,
         at_once=solved_at_once,
@@ -249,6 +252,7 @@ EXERCISES = [
         points=3,
         draw=draw_reachable,
         together=True,
+        calls=CALLS,
         answer=branches,
         at_once=branched_at_once,
         names=("T",),

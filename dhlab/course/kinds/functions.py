@@ -28,7 +28,8 @@ __all__ = ["CASES", "Function"]
 NEAR = 1e-7  # largest deviation of a program that was changed by way of trial
 SECONDS = 0.5  # of the processor, to look for the lines that must change
 SINGLE = 1e-5  # largest deviation of an answer in single precision, absolute and relative
-CASES = 24  # seeded inputs of a function exercise, and poses of a table exercise
+# seeded inputs of a function exercise, unless it says how many, and poses of a table exercise
+CASES = 24
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,8 +37,8 @@ class Function(Exercise):
     """A function to be written, compared with the right one on seeded inputs.
 
     ``draw(rng)`` gives the arguments of one call, general ones, or with ``together``
-    ``draw(rng, count)`` those of so many; ``special`` are calls that come after them, where an if
-    may hide (zeros, right angles); ``answer(*case)`` the right result;
+    ``draw(rng, count)`` those of all; there are ``calls`` of them. ``special`` are calls that come
+    after them, where an if may hide (zeros, right angles); ``answer(*case)`` the right result;
     ``family`` names the wrong versions that the doctor compares with; ``handed_out`` is the broken
     program of a "smallest fix", which is no attempt as long as it is unchanged; ``read(answer)`` is
     the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``:
@@ -51,6 +52,7 @@ class Function(Exercise):
     names: tuple
     family: str
     together: bool = False
+    calls: int = CASES
     special: tuple = ()
     handed_out: Callable | None = None
     shape: tuple = (4, 4)
@@ -67,8 +69,9 @@ class Function(Exercise):
     def cases(self, variant: int) -> list[tuple]:
         """The arguments of every call."""
         rng = self.rng(variant)
-        drawn = self.draw(rng, CASES) if self.together else [self.draw(rng) for _ in range(CASES)]
-        return [*drawn, *self.special]
+        if self.together:
+            return [*self.draw(rng, self.calls), *self.special]
+        return [*(self.draw(rng) for _ in range(self.calls)), *self.special]
 
     def right_answers(self, cases: Sequence[tuple]) -> list[NDArray]:
         """The right answer to each call."""
@@ -109,7 +112,7 @@ class Function(Exercise):
         cases = self.cases(variant)
         try:
             called, given = answers_in_time(answer, cases, self.shape, self.names)
-            cases, general = [cases[k] for k in called], sum(k < CASES for k in called)
+            cases, general = [cases[k] for k in called], sum(k < self.calls for k in called)
             tolerance = SINGLE if single_precision(answer, given) else self.tolerance
             answers = [self.read(one) for one in given]
         except CallFault as fault:
