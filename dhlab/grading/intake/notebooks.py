@@ -13,7 +13,9 @@ __all__ = ["Look", "look", "lessons_of", "numbers_of", "parsed"]
 
 CHECKED = re.compile(rb"""check\(\s*\\?["']([0-9A-Za-z]{1,9})\.""")
 LESSON = re.compile(rb'"lesson"\s*:\s*"([0-9A-Za-z]{1,9})"')
-NUMBER = re.compile(rb'"variant"\s*:\s*([0-9]{1,10})\b|set_variant\(\s*([0-9]{1,10})\s*\)')
+# two, since what begins with known letters is looked for ten times as fast as one of several
+NOTED = re.compile(rb'"variant"\s*:\s*([0-9]{1,10})\b')
+SET = re.compile(rb"set_variant\(\s*([0-9]{1,10})\s*\)")
 MOST = 50  # different lessons or numbers; who names more says nothing with it
 LARGEST = 16_000_000  # bytes that are parsed outside the cage; photos are large
 PARTS = 500_000  # of what is parsed there: each costs some hundred bytes of memory
@@ -64,13 +66,14 @@ def numbers_of(raw: bytes) -> frozenset[int]:
     >>> numbers_of(b'{"source": "set_variant(17)  # your own numbers"}'), numbers_of(b"{}")
     (frozenset({17}), frozenset())
     """
-    return frozenset(map(int, _found(NUMBER, _plain(raw)))) - {0}
+    raw = _plain(raw)
+    return frozenset(map(int, _found(NOTED, raw) | _found(SET, raw))) - {0}
 
 
 def _found(pattern, raw):
     found: set[bytes] = set()
     for match in pattern.finditer(raw):
-        found.add(next(filter(None, match.groups())))
+        found.add(match[1])
         if len(found) == MOST:
             break
     return found
