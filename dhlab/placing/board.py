@@ -160,7 +160,7 @@ class Placement:
         judgement, exact = judge_z(i, self.axes, self.convention, self.reach, direction, point)
         if exact is not None:
             self.z[i], self.points[i] = exact
-            self._keep(judgement)
+            self._keep(judgement, self._from(i))
         return judgement
 
     def set_origin(self, i: int, point: ArrayLike) -> Judgement:
@@ -177,7 +177,7 @@ class Placement:
         judgement, exact = judge_origin(open_for(self, i), point)
         if exact is not None:
             self.o[i] = on_next_line(self, i, exact)
-            self._keep(judgement)
+            self._keep(judgement, self._from(i))
         return judgement
 
     def set_x(self, i: int, direction: ArrayLike) -> Judgement:
@@ -193,7 +193,7 @@ class Placement:
         judgement, exact = judge_x(open_for(self, i, self.o[i]), self.z[i], direction, len(self))
         if exact is not None:
             self.x[i] = exact
-            self._keep(judgement)
+            self._keep(judgement, [i])
         return judgement
 
     @property
@@ -249,7 +249,13 @@ class Placement:
     @property
     def _order(self):
         """Frames in the order in which the line that x_i must meet is settled before o_i."""
-        return range(len(self) + 1) if self.standard else range(len(self), -1, -1)
+        return self._from(0 if self.standard else len(self))
+
+    def _from(self, i):
+        """Frame i and those after it in that order: the line that a frame's x must meet is that of
+        the frame before, so nothing else changes with frame i.
+        """
+        return range(i, len(self) + 1) if self.standard else range(i, -1, -1)
 
     @property
     def _every_step(self):
@@ -264,10 +270,12 @@ class Placement:
             )
         return int(i)
 
-    def _keep(self, judgement):
-        """Note a right step; make the others exact again, or put away those that no longer fit."""
+    def _keep(self, judgement, frames):
+        """Note a right step; make the steps of some frames exact again, or put away those that no
+        longer fit.
+        """
         self._said[judgement.step] = judgement
-        for i in self._order:
+        for i in frames:
             self._again(i, "o", self.o)
             self._again(i, "x", self.x)
 
