@@ -33,10 +33,10 @@ __all__ = [
 
 # of a program: fewer than elsewhere, since each takes long; what a program could be right in only a
 # part of (which joints slide, the signs of what it is given) is gone through, not left to chance
-CALLS = 16
-SLIDING = np.array(  # one or two of five joints, in every way
-    [[k in (i, j) for k in range(5)] for i in range(5) for j in range(i, 5)]
-)
+CALLS = 12
+# which of five joints slide: each alone, and two together in every way
+ALONE = np.eye(5, dtype=bool)
+TWO = np.array([ALONE[i] | ALONE[j] for i in range(5) for j in range(i)])
 PEN = Said(
     "the lever does not run to the tip of the pen",
     place="v, while ω is right",
@@ -165,10 +165,10 @@ def _of_bent(frames, T_end, sliding):
 
 def draw_frames(rng: np.random.Generator, count: int) -> list[tuple]:
     """Frames, end pose and kinds of joints of random arms with base and tool: five joints, one or
-    two of them sliding, each in turn.
+    two of them sliding: each alone, then two in one way after the other.
     """
     rows = general(rng, 0.15, 0.6, count, 5, 4) * [2.3, 1, 1, 2.3]
-    sliding = SLIDING[rng.permutation(count) % len(SLIDING)]
+    sliding = np.resize(np.vstack([ALONE, rng.permutation(TWO)]), (count, 5))
     base, tool = random_poses(rng, count), random_poses(rng, count)
     q = general(rng, 0.2, 1.2, count, 5)
     theta, d, a, alpha = np.moveaxis(rows, -1, 0)

@@ -2,6 +2,8 @@
 errors and steps of the loop.
 """
 
+from itertools import product as every
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -94,18 +96,15 @@ def draw_reachable(rng: np.random.Generator, count: int) -> list[tuple]:
     """Poses of the course's arm whose wrist lies well inside the reach, so that wrong centres are
     within reach too; as many in each octant, seen from the shoulder.
     """
-    arm, room = load("article-6r"), np.full((2, 2, 2), -(-count // 8))
-    found: list[tuple] = []
-    while len(found) < count:
+    arm = load("article-6r")
+    found: dict[tuple, list] = {octant: [] for octant in every((False, True), repeat=3)}
+    while min(map(len, found.values())) < count / 8:
         T = arm.forward(general(rng, 0.3, 2.4, 16 * count, 6))
         x, y, z = T[:, :3, 3].T
         away = np.hypot(np.hypot(x, y), z - 0.1)
         for one in T[(np.hypot(x, y) > 0.32) & (away > 0.3) & (away < 0.5)]:
-            octant = tuple((one[:3, 3] > [0, 0, 0.1]).astype(int))
-            if room[octant] and len(found) < count:
-                room[octant] -= 1
-                found.append((one,))
-    return found
+            found[tuple((one[:3, 3] > [0, 0, 0.1]).tolist())].append((one,))
+    return [case for turn in zip(*found.values()) for case in turn][:count]
 
 
 STEPS = (
