@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
+
+from .leastsquares import least_squares
 
 __all__ = ["fit_circle", "Fit"]
 
@@ -82,25 +83,18 @@ def _refine(points, centre, basis, radius):
     """Least squares over the centre (3, in the basis), two tilts of the normal and the radius."""
     y = (points - centre) @ basis.T
     size = np.abs(y).max()
-    found = least_squares(
-        _off,
-        [0, 0, 0, 0, 0, radius],
-        _jacobian,
-        x_scale=[size, size, size, 1, 1, size],
-        xtol=1e-15,
-        ftol=1e-15,
-        gtol=1e-15,
-        args=(y, size),
+    x = least_squares(
+        lambda x: _off(x, y), [0, 0, 0, 0, 0, radius], lambda x: _jacobian(x, y, size)
     )
-    x, n = found.x, _parts(found.x, y)[1] @ basis
+    n = _parts(x, y)[1] @ basis
     e1 = basis[0] - (basis[0] @ n) * n
     e1 /= np.linalg.norm(e1)
     return (
         centre + x[:3] @ basis,
         np.array([e1, np.cross(n, e1), n]),
         float(x[5]),
-        found.jac,
-        found.fun,
+        _jacobian(x, y, size),
+        _off(x, y),
     )
 
 
@@ -115,7 +109,7 @@ def _parts(x, y):
     return out, n, h, np.linalg.norm(out - h[:, None] * n, axis=1)
 
 
-def _off(x, y, size):
+def _off(x, y):
     """How far the points are off the plane and off the radius: (2 m,)."""
     _, _, h, rho = _parts(x, y)
     return np.r_[h, rho - x[5]]

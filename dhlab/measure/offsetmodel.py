@@ -6,18 +6,16 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
-from scipy.spatial.transform import Rotation
 
 from ..arm import Arm
+from ..rotations import from_rotation_vectors, rotation_vectors
 from ..table import DHTable
+from .leastsquares import least_squares
 
 __all__ = ["OffsetModel", "Weights"]
 
 # standard deviations of a position (m) and of a turn (rad; None where none was measured)
 Weights = tuple[float, Any]
-
-PRECISION = {"xtol": 1e-13, "ftol": 1e-13, "gtol": 1e-13}
 
 
 class OffsetModel:
@@ -53,16 +51,17 @@ class OffsetModel:
         R, p, R_W = T[:, :3, :3], T[:, :3, 3], np.eye(3)
         if self.n_base:
             R_W = self._turn_of_base(R, p)
-            x[self.n : self.n + 6] = np.r_[(self.points - p @ R_W.T).mean(axis=0), _log(R_W)]
+            x[self.n : self.n + 6] = np.r_[
+                (self.points - p @ R_W.T).mean(axis=0), rotation_vectors(R_W)
+            ]
         if self.n_tool == 6 and self.R is not None:
-            x[-3:] = _log(_mean(np.swapaxes(R_W @ R, 1, 2) @ self.R))
+            x[-3:] = rotation_vectors(_nearest((np.swapaxes(R_W @ R, 1, 2) @ self.R).sum(axis=0)))
         return x
 
     def _turn_of_base(self, R, p):
         if self.R is not None and not self.n_tool:
-            return _mean(self.R @ np.swapaxes(R, 1, 2))
-        turn, _ = Rotation.align_vectors(self.points - self.points.mean(axis=0), p - p.mean(axis=0))
-        return turn.as_matrix()
+            return _nearest((self.R @ np.swapaxes(R, 1, 2)).sum(axis=0))
+        return _nearest((self.points - self.points.mean(axis=0)).T @ (p - p.mean(axis=0)))
 
     def _moved(self, x):
         return self.q + self.arm.sign * x[: self.n]  # sign · (q + sign · x) = sign · q + x
@@ -80,12 +79,12 @@ class OffsetModel:
     def base(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """W (4, 4)."""
         t, w, _, _ = self._split(x)
-        return _pose(_exp(w), t)
+        return _pose(from_rotation_vectors(w), t)
 
     def tool(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """E (4, 4)."""
         _, _, u, e = self._split(x)
-        return _pose(_exp(e), u)
+        return _pose(from_rotation_vectors(e), u)
 
     def parts(
         self, x: NDArray[np.float64]
@@ -152,13 +151,13 @@ class OffsetModel:
             full[keep] = part
             return full
 
-        found = least_squares(
-            lambda part: self.residual(whole(part), weights),
-            x[keep],
-            lambda part: self.jacobian(whole(part), weights)[:, keep],
-            **PRECISION,
+        return whole(
+            least_squares(
+                lambda part: self.residual(whole(part), weights),
+                x[keep],
+                lambda part: self.jacobian(whole(part), weights)[:, keep],
+            )
         )
-        return whole(found.x)
 
     def corrected(self, x: NDArray[np.float64]) -> Arm:
         """The arm with offsets, base and tool put in."""
@@ -178,16 +177,12 @@ class OffsetModel:
         )
 
 
-def _mean(R):
-    return Rotation.from_matrix(R).mean().as_matrix()
-
-
-def _log(R):
-    return Rotation.from_matrix(R).as_rotvec()
-
-
-def _exp(w):
-    return Rotation.from_rotvec(w).as_matrix()
+def _nearest(A):
+    """The rotation nearest to a matrix (3, 3): to a sum of rotations their mean, to one of products
+    of points the turn that carries the ones to the others best (Kabsch 1976).
+    """
+    U, _, Vt = np.linalg.svd(A)
+    return U @ np.diag([1, 1, np.linalg.det(U @ Vt)]) @ Vt
 
 
 def _pose(R, p):

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import qr
 
 if TYPE_CHECKING:
     from .offsetmodel import OffsetModel
@@ -47,13 +46,16 @@ def null_space(J: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def pivots(N: NDArray[np.float64], n: int) -> NDArray[np.bool_]:
     """Which unknowns to hold so that nothing is left free: one per direction, offsets (the first n)
-    before others.
+    before others. Each time the unknown that takes the largest part, and what it settles is taken
+    off the others: the pivots of a QR decomposition.
     """
     held = np.zeros(len(N), dtype=bool)
-    if N.shape[1]:
-        preferred = np.where(np.arange(len(N)) < n, 1.0, 1e-3)
-        _, _, order = qr((N * preferred[:, None]).T, pivoting=True, mode="economic")
-        held[order[: N.shape[1]]] = True
+    parts = N * np.where(np.arange(len(N)) < n, 1.0, 1e-3)[:, None]
+    for _ in range(N.shape[1]):
+        k = np.argmax(np.linalg.norm(parts, axis=1))
+        direction = parts[k] / np.linalg.norm(parts[k])
+        parts = parts - np.outer(parts @ direction, direction)
+        held[k] = True
     return held
 
 
