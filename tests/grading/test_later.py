@@ -21,6 +21,10 @@ USES = {
     "tests of numpy": "np.testing.assert_allclose(1, 1 + 1e-9)\n"
     "from numpy.testing import assert_array_equal\n"
     "try: assert_array_equal([1], [2])\nexcept AssertionError: pass\nelse: raise SystemExit(3)",
+    "masked arrays": "from numpy.ma import masked_array\n"
+    "assert masked_array([1, 5], [0, 1]).sum() == 1 and np.ma.masked_greater([1, 5], 2).sum() == 1\n"
+    "import numpy.ma.extras as extras\nassert np.ma.extras is extras",
+    "help": "import pydoc\nassert 'absolute value' in pydoc.render_doc(abs)",
     "polynomials": "assert np.polynomial.Polynomial([1, 2])(3) == 7\n"
     "assert list(np.polynomial.polynomial.polyroots([2, -3, 1]).round(9)) == [1, 2]",
 }
@@ -40,7 +44,12 @@ def test_a_rotation_leaves_waiting_what_it_does_not_use():
     done = _run(f"{USES['rotations']}\nprint(*sys.modules)")
     loaded = set(done.stdout.split())
     assert "scipy.spatial.transform._rotation" in loaded, done.stderr
-    assert not loaded & {"scipy.spatial._kdtree", "scipy.linalg", "numpy.testing._private.utils"}
+    assert not loaded & {
+        "scipy.spatial._kdtree",
+        "scipy.linalg",
+        "numpy.testing._private.utils",
+        "numpy.ma.core",
+    }
 
 
 def test_the_warm_parent_loads_what_its_copies_want_of_it():

@@ -1,6 +1,6 @@
-"""Packages that others name and do not use: a rotation of scipy's brings numpy's tests, its reader
-of Fortran and scipy's trees with it, two thirds of what it takes. Here they wait until something of
-theirs is used, and cost the process that uses it.
+"""Packages that others name and do not use: a rotation of scipy's brings numpy's tests and masked
+arrays, its reader of Fortran, Python's pages of help and scipy's trees with it, two thirds of what
+it takes. Here they wait until something of theirs is used, and cost the process that uses it.
 """
 
 import sys
@@ -14,8 +14,10 @@ __all__ = ["let_wait", "load"]
 # by package, the names that are found in one of its modules without the rest
 LATER: dict[str, dict[str, str]] = {
     "numpy.f2py": {},
+    "numpy.ma": {},
     "numpy.polynomial": {},
     "numpy.testing": {},
+    "pydoc": {},
     "scipy.spatial": {},
     "scipy.spatial.transform": {"Rotation": "_rotation", "Slerp": "_rotation"},
 }
