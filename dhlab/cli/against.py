@@ -11,7 +11,7 @@ import numpy as np
 
 from ..formats import plainyaml
 from ..formats.axisfile import AxisSheet, holds_axes, sheet_from_item
-from ..formats.descriptions.urdf import ENDINGS
+from ..formats.descriptions import ENDINGS
 from ..formats.files import read_text
 from ..formats.posefile import LARGEST
 from ..robots import known_as

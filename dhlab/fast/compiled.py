@@ -9,18 +9,22 @@ both for single poses too. ``DHLAB_NUMBA=1`` in the environment loads it
 at once, ``DHLAB_NUMBA=0`` never. Results differ from those of the other paths by rounding alone.
 """
 
+from __future__ import annotations
+
 import os
 import warnings
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .chain import Chain
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
 
 __all__ = ["Compiled", "Work", "kernels", "packed"]
 
@@ -61,6 +65,8 @@ def kernels() -> tuple[list[Callable], Callable] | None:
 @cache
 def threads() -> ThreadPoolExecutor:
     """As many threads as this process may use cores; the kernels run without Python's lock."""
+    from concurrent.futures import ThreadPoolExecutor  # with what it logs: only where numba works
+
     return ThreadPoolExecutor(cores(), thread_name_prefix="dhlab")
 
 

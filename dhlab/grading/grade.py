@@ -6,10 +6,7 @@ import hashlib
 import json
 import secrets
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
-from multiprocessing import get_context
 from pathlib import Path
 
 from .intake.roster import Student
@@ -213,6 +210,10 @@ def _pooled(todo, jobs):
     """Over processes, a few submissions ahead of each; a worker that dies costs a new pool, not a
     mark.
     """
+    from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+    from concurrent.futures.process import BrokenProcessPool
+    from multiprocessing import get_context
+
     again: list[tuple[Task, Course]] = []
     lost = 0
     todo = iter(todo)

@@ -7,8 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from ..arm import Arm
-from ..formats.descriptions.urdf import ENDINGS as URDF
-from ..formats.descriptions.urdf import read_description
+from ..formats.descriptions import ENDINGS as DESCRIPTIONS
 from ..formats.tablefile import read_arm
 from .entries import FOLDER, CheckPose, Entry, entry
 from .examples import example
@@ -123,7 +122,9 @@ def load(name: str | Path) -> Arm:
     piper?
     """
     ending = Path(str(name)).suffix.lower()
-    if ending in URDF:
+    if ending in DESCRIPTIONS:
+        from ..formats.descriptions.urdf import read_description  # reads XML
+
         return read_description(name)
     if isinstance(name, Path) or ending in (".yaml", ".yml", ".csv"):
         return read_arm(name)

@@ -22,7 +22,7 @@ USES = {
     "from numpy.testing import assert_array_equal\n"
     "try: assert_array_equal([1], [2])\nexcept AssertionError: pass\nelse: raise SystemExit(3)",
     "masked arrays": "from numpy.ma import masked_array\n"
-    "assert masked_array([1, 5], [0, 1]).sum() == 1 and np.ma.masked_greater([1, 5], 2).sum() == 1\n"
+    "assert masked_array([1, 5], [0, 1]).sum() == np.ma.masked_greater([1, 5], 2).sum() == 1\n"
     "import numpy.ma.extras as extras\nassert np.ma.extras is extras",
     "help": "import pydoc\nassert 'absolute value' in pydoc.render_doc(abs)",
     "polynomials": "assert np.polynomial.Polynomial([1, 2])(3) == 7\n"

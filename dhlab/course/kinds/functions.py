@@ -12,7 +12,6 @@ from ...doctor.programs.cases import is_long, where
 from ...doctor.programs.explain import AND, NUMBERS
 from ...doctor.programs.running.answers import answers_in_time
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
-from ...doctor.programs.source.lines import lines_to_change
 from ...doctor.programs.source.precision import single_precision
 from ...printing import listed as joined
 from ...table import COLUMNS
@@ -150,6 +149,8 @@ class Function(Exercise):
         """The Verdict, with the lines in which something must change, where trying finds them."""
         if self.handed_out or self.read is not np.asarray:
             return verdict
+        from ...doctor.programs.source.lines import lines_to_change  # large, and for wrong ones
+
         calls = [(case, np.asarray(self.answer(*case), dtype=float)) for case in cases]
         lines, *_ = lines_to_change(f, calls, NEAR, SECONDS)
         if not lines:

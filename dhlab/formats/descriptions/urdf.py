@@ -20,9 +20,7 @@ from ..files import write_text
 if TYPE_CHECKING:
     from ...geometry.procedure.frames import PlacedArm
 
-__all__ = ["ENDINGS", "read_description", "read_urdf", "to_urdf"]
-
-ENDINGS = (".urdf", ".xacro", ".xml")
+__all__ = ["read_description", "read_urdf", "to_urdf"]
 
 FREE = 1e6  # m or rad; URDF wants limits on every sliding joint, and no arm goes further than this
 DUST = 1e-16  # what a cosine of 90° leaves in a length

@@ -77,7 +77,7 @@ def _tops(one):
     record = one.read_text("RECORD")
     if record is None:
         return {path.parts[0] for path in one.files or ()}
-    return set(re.findall(r'^"?([^/,"\n]+)', record, re.MULTILINE))
+    return {line[1] for line in re.finditer(r'^"?([^/,"\n]+)', record, re.MULTILINE)}
 
 
 def _plain(name):

@@ -55,6 +55,7 @@ def run(request_file: int, answer_file: int, warm: Collection[str] = ()) -> None
             }
         )
         return
+    del raw  # with all its pictures
     send({"slim": cells.slim})
     _Run(request, cells, send).go()
     send({"done": cells.lesson, "loaded": loaded(warm)})
