@@ -16,6 +16,7 @@ __all__ = [
     "restrict_resources",
     "look_at_memory",
     "memory_in_use",
+    "give_back",
     "threads_of_all",
     "no_new_privileges",
     "drop_to",
@@ -87,6 +88,12 @@ def memory_in_use() -> int:
         return int(os.pread(_size[0], 100, 0).split()[0]) * resource.getpagesize()
     except (OSError, IndexError, ValueError):
         return 1 << 30
+
+
+def give_back() -> None:
+    """Give back to the system what loading has left free, where the C library can (glibc)."""
+    if hasattr(libc, "malloc_trim"):
+        libc.malloc_trim(0)
 
 
 def threads_of_all() -> int:

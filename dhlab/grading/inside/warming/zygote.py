@@ -173,8 +173,7 @@ def _warm(modules, lessons):
         with contextlib.suppress(Exception):
             dhlab.load(arm)
     rehearsal.rehearse()
-    gc.collect()
-    gc.freeze()
+    _settle()
 
 
 def _load(modules):
@@ -189,8 +188,14 @@ def _load(modules):
         with contextlib.suppress(Exception):
             used_once(module)
     if modules:
-        gc.collect()
-        gc.freeze()
+        _settle()
+
+
+def _settle():
+    """Nothing that is here now is looked at again by the copies, and what is free goes back."""
+    gc.collect()
+    gc.freeze()
+    process.give_back()
 
 
 def _submission(config, warm, request, answers):
