@@ -50,9 +50,9 @@ def kept() -> tuple[str, ...]:
         path = known.pop(_plain(wanted.pop()), None)
         if path is not None:
             one = metadata.Distribution.at(path)
-            needed = [text for text in one.requires or () if "extra" not in text.partition(";")[2]]
+            needed = [text for text in _requires(one) if "extra" not in text.partition(";")[2]]
             wanted += [re.split(r"[^\w.-]", text)[0] for text in needed]
-            found |= _tops(one)
+            found |= _tops(one, path)
     return tuple(
         entry.path for folder in packages() for entry in os.scandir(folder) if entry.name in found
     )
@@ -70,14 +70,25 @@ def _installed():
     }
 
 
-def _tops(one):
+def _requires(one):
+    """What a package needs. Of what it says of itself only the head is read, where there is one:
+    what follows may be a book.
+    """
+    told = one.read_text("METADATA")
+    if told is None:
+        return one.requires or ()
+    return re.findall(r"^Requires-Dist: *(.+)", told.partition("\n\n")[0], re.MULTILINE)
+
+
+def _tops(one, path):
     """The files and folders that a package has put among the others. Thousands of lines list what
     is in them: only the beginnings are kept.
     """
-    record = one.read_text("RECORD")
-    if record is None:
-        return {path.parts[0] for path in one.files or ()}
-    return {line[1] for line in re.finditer(r'^"?([^/,"\n]+)', record, re.MULTILINE)}
+    try:
+        with open(os.path.join(path, "RECORD"), encoding="utf-8") as record:
+            return {line.lstrip('"').partition("/")[0].partition(",")[0] for line in record}
+    except OSError:
+        return {file.parts[0] for file in one.files or ()}
 
 
 def _plain(name):
