@@ -11,7 +11,8 @@ over is stopped and its line says so.
 
 "Each" is the time of all less the time of 1 (the best of three), divided by their number less 1:
 what one more submission costs once everything runs. Memory is the largest sum of what the
-grader's processes hold for themselves (PSS), sampled twenty times a second.
+grader's processes hold for themselves (PSS), sampled twenty times a second. Pages of files that
+other programs hold too count in part: let no other Python run meanwhile, or 10 MB may be missing.
 """
 
 import argparse
