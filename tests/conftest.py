@@ -31,6 +31,7 @@ FLAGS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    "--webgl-antialiasing-mode=none",  # solids are drawn without a graphics card, in half the time
 ]
 # pybullet has wheels up to Python 3.11 only; the others are asked for on Linux
 WANTED = {
