@@ -105,8 +105,10 @@ def jupyter(lab, new_page):
 def opened(page, name):
     """The panel of a notebook, opened as by a click on its file, with a kernel that answers."""
     page.evaluate("path => void jupyterapp.commands.execute('docmanager:open', { path })", name)
-    page.get_by_role("tab", name=name, selected=True).wait_for()
-    kernel_is_idle(page)
+    # by its own kernel: the status bar may still tell of the notebook that was opened before
+    idle = """path => { const { context, sessionContext } = jupyterapp.shell.currentWidget ?? {};
+        return context?.path === path && sessionContext.session?.kernel?.status === "idle"; }"""
+    wait_for(page, f"an idle kernel for {name}", lambda: page.wait_for_function(idle, arg=name))
     return page.locator(".jp-NotebookPanel:not(.lm-mod-hidden)")
 
 
