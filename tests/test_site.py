@@ -74,30 +74,20 @@ def address(site):
         server.shutdown()
 
 
-@pytest.fixture(scope="module")
-def reader(browser):
-    """A context for all pages with the usual settings: its own costs a page more than what it
-    shows.
-    """
-    reader = browser.new_context()
-    reader.set_default_timeout(240_000)
-    return reader
-
-
 @pytest.fixture
-def page(reader):
-    """A page of that reader, closed at the end: what it draws costs while others are looked at."""
-    page = reader.new_page()
+def page(new_page):
+    """A page, closed at the end: what it draws costs while others are looked at."""
+    page = new_page()
     yield page
     page.close()
 
 
 @pytest.fixture(scope="module")
-def opened(reader, address):
+def opened(new_page, address):
     """Every page after loading: {name: (page, what went wrong while it loaded)}."""
     seen = {}
     for name in PAGES:
-        page, faults = reader.new_page(), []
+        page, faults = new_page(), []
         page.on(
             "request",
             lambda r, f=faults: (

@@ -28,27 +28,15 @@ MODEL = """(state) => {
 OFFLINE = {"offline": True, "viewport": {"width": 1280, "height": 900}}
 
 
-@pytest.fixture(scope="module")
-def reader(browser):
-    """A context for all pages with the usual settings: its own costs a page more than what it
-    shows. One page stays open, since Chromium would draw a window anew for each that is the only
-    one, which costs as much again.
-    """
-    reader = browser.new_context(**OFFLINE)
-    reader.set_default_timeout(240_000)
-    reader.new_page()
-    return reader
-
-
 @pytest.fixture
-def opened(new_page, reader):
+def opened(new_page):
     """``opened(explorer, …)`` is a page without a kernel and without a network that shows them;
     whatever goes wrong on it fails the test.
     """
     pages, faults = [], []
 
     def get(*explorers, script="", stills=False, **settings):
-        page = new_page(**OFFLINE, **settings) if settings else reader.new_page()
+        page = new_page(**OFFLINE, **settings)
         page.add_init_script(script)
         page.goto("about:blank")  # where the script is run for the first time
         page.on("pageerror", lambda error: faults.append(str(error)))
