@@ -21,7 +21,7 @@ SPARED := jedi parso debugpy widgetsnbextension setuptools
 COSTLY := browser or cage or notebook or slow
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
-.PHONY: lab check lint quick test test-deps fuzz site lessons bench
+.PHONY: lab check lint quick test notebooks whole test-deps fuzz site lessons bench
 .DELETE_ON_ERROR:
 
 lab: .venv/lab
@@ -40,10 +40,16 @@ lint: .venv/test
 	$(BIN)/lint-imports
 	$(BIN)/mypy
 
-test: check
-	@$(MAKE) --no-print-directory test-deps
-	$(PYTEST) -m "$(COSTLY)" tests
-	$(BIN)/python -m pytest --numprocesses logical --dist loadfile -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
+# all at once: lint and the notebooks have ended long before the costly tests, which come first, and
+# the quick ones at the end leave no core without work
+test: .venv/test test-deps
+	@$(MAKE) --no-print-directory --jobs=3 lint notebooks whole
+
+notebooks: .venv/test
+	$(BIN)/python -m pytest -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions
+
+whole: .venv/test
+	$(PYTEST)
 
 # A seed that is given shows again what was found with it: make fuzz DHLAB_SEED=20261122
 fuzz: export DHLAB_SEED := $(or $(DHLAB_SEED),$(shell date +%s))
