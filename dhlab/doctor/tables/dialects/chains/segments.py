@@ -1,6 +1,7 @@
 """Chains in code: KDL's segments (C++ and PyKDL), ikpy's links."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,23 +9,27 @@ from .....kinematics import link_matrices
 from .....transform import from_xyz_rpy, rot_x, rot_y, rot_z, trans
 from ...chain import arm_of, joint_along, still
 from ...language.brackets import cells_in, groups, keyword
+from ..flat import arrays_in
+from .looped import named, written_out
 from .told import told
 
 __all__ = ["read"]
 
+FRAMES = "dh", "dh_craig1989", "vector", "frame", "identity", "rpy"
 ROTATIONS = {"rotx": rot_x, "roty": rot_y, "rotz": rot_z}
 JOINT = re.compile(r"\b(Rot|Trans)([XYZ])\b")
 
 
 def read(source, nominal=None):
     """The Readings of a chain of segments or links; None where there are none."""
-    found = groups(source.code)
+    code = written_out(source) if "segment" in source.code.lower() else source.code
+    found = groups(code)
     calls = [group for group in found if group.mark == "("]
     segments = [group for group in calls if _last(group) == "segment"]
     if segments and any(re.search(r"\[\s*[a-z]\s*\]", one.text) for one in segments):
         return None  # filled in a loop: the numbers stand in arrays
     if segments:
-        return _kdl(segments, source)
+        return _kdl(segments, source, code)
     frames = [
         group
         for group in calls
@@ -41,7 +46,7 @@ def _last(group):
 
 
 def _numbers(texts, source, what):
-    values = [source.value(text) for text in texts]
+    values = [_value(text, source) for text in texts]
     if any(value is None or value.letters for value in values):
         shown = ", ".join(texts)[:60]
         raise ValueError(
@@ -51,11 +56,21 @@ def _numbers(texts, source, what):
     return [np.deg2rad(value.number) if value.unit == "deg" else value.number for value in values]
 
 
-def _kdl(segments, source):
+def _value(text, source):
+    """The Value of an expression, or of an array's element, whatever its name is."""
+    element = re.fullmatch(r"([\w.]+)\[(\d+)\]", text)
+    held = arrays_in(source).get(element[1].split(".")[-1], ()) if element else ()
+    return (
+        held[int(element[2])][0] if element and int(element[2]) < len(held) else source.value(text)
+    )
+
+
+def _kdl(segments, source, code):
     """A segment moves about its joint, then goes to its tip."""
     parts, lengths = [], []
     for number, segment in enumerate(segments, 1):
         what = f"segment {number}"
+        segment = _with_names(segment, code, what)
         joint = JOINT.search(
             " ".join(item.text for item in segment.items if "joint" in item.text.lower())
         )
@@ -76,6 +91,23 @@ def _kdl(segments, source):
         return arm_of(steps)
 
     return told("segments of KDL", make, lengths, source, "each moving about its joint first")
+
+
+def _with_names(segment, code, what):
+    """The segment with what the names of its joint and its frame stand for."""
+    items, left = [], ""
+    for item in segment.items:
+        named_one = re.fullmatch(r"[A-Za-z_]\w*", item.text)
+        said = named(item.text, code, segment.line) if named_one else ""
+        left = item.text if named_one and not said else left
+        items.append(replace(item, text=said, groups=groups(said)) if said else item)
+    segment = replace(segment, items=items)
+    if left and not any(_last(one) in FRAMES for one in _all_groups(segment)):
+        raise ValueError(
+            f"recognise_table: {what}: expected its joint and its frame, found {left[:30]}; what is"
+            " that? Write it into the brackets of the segment"
+        )
+    return segment
 
 
 def _axis_given(segment):
@@ -161,8 +193,6 @@ def _bare_frames(frames, source):
 
 
 def _with_form(reading, form):
-    from dataclasses import replace
-
     choices = tuple((name, form if name == "form" else value) for name, value in reading.choices)
     return replace(reading, choices=choices)
 
