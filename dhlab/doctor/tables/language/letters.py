@@ -83,6 +83,12 @@ LAYOUT = re.compile(
     r"|(?:begin|end)\s*\{[^{}]*\}(?:\s*\[[^\]]*\])?(?:\s*\{[|lcrp@{}!.\s\d*]*\})?)"
 )
 TEX_NAMES = {"vartheta": "theta", "cdot": "*", "times": "*", "arctan": "atan", "star": "*"}
+# what has a backslash and is no TeX: C:\\robot\\toolbox, the ends of lines in printf("\\nPose")
+PATH = re.compile(r"(?<![A-Za-z])[A-Za-z]:\\[^\s'\"]*")
+ESCAPED = re.compile(
+    r"(?:[(,=:+]|<<)\s*[fr]?([\"'])(?:(?!\1)[^\n\\$]|\\[nrt](?!heta|ext|imes|ight|m\b))*\1"
+)
+TEX = re.compile(r"\\[A-Za-z]{2,}|\$[^$\n]*\$|\\\\")
 MOST_NESTED = 6
 
 
@@ -100,8 +106,8 @@ def unified(text):
     text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
     text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
     text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)
-    if re.search(r"\\[A-Za-z]{2,}|\$[^$\n]*\$|\\\\", text):
-        text = _from_tex(text)
+    if "\\" in text or "$" in text:
+        text = _from_tex(text) if TEX.search(ESCAPED.sub("", PATH.sub("", text))) else text
     return text
 
 

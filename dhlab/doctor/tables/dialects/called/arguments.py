@@ -4,15 +4,20 @@ import re
 
 from ...cells import cell_of, read_cell
 from ...language.brackets import cells_in, keyword
+from ...language.roles import role_of
 
 __all__ = ["by_order", "cell_in", "limits_in", "pairs_in"]
 
 FLAGS = ("modified", "standard", "revolute", "prismatic", "flip")
+QUOTED = re.compile(r"['\"]([\w .-]+)['\"]")
 
 
 def pairs_in(items):
     """(name, text) of what is named, as keywords or as MATLAB's pairs; and the rest."""
     pairs, loose, at = [], [], 0
+    of_one = [QUOTED.fullmatch(text) for text in items]
+    if sum(map(bool, of_one)) == 1 and of_one[0] and not role_of(of_one[0][1])[0]:
+        loose, at = [items[0]], 1  # the link's name: DHLink("shoulder", 0, 40, 0, 90)
     while at < len(items):
         text = items[at]
         named = keyword(text) if text[:1] not in "'\"[" else None

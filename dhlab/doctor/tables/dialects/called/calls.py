@@ -246,6 +246,8 @@ def _row(group, name, known, source, notes, number):
             sign = -1
         elif word in ("modified", "mdh", "standard", "dh", "stdh"):
             said = "craig" if word in ("modified", "mdh") else "standard"
+        elif text[:1] in "'\"":
+            label = label or text.strip("'\"")
         elif text[:1] in "[{":
             numbers = {**source.assigned, **source.known}  # no variables: the toolbox has its own
             known_here = replace(source, known=numbers) if known[1] == ROBOTICS_TOOLBOX else source
