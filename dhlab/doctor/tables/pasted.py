@@ -19,7 +19,8 @@ class Pasted:
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
     ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
     speaks of and ``worded`` how many in words, ``poses`` the lists that it calls joint values,
-    ``adds`` whether it says that theta is added to them, ``slides`` whether it has a "word" of a
+    ``adds`` whether it says that theta is added to them, ``each`` whether its program does so in a
+    loop over all rows, ``slides`` whether it has a "word" of a
     joint that slides, or calls the "arm" one of these, ``scaled`` whether its program takes
     thousandths, ``multiple`` the comment that calls its lengths multiples of others, ``replaced``
     whether the program puts the joints' values in the place of theta, ``behind`` whether the
@@ -45,6 +46,7 @@ class Pasted:
     worded: tuple = ()
     poses: tuple = ()
     adds: bool = False
+    each: bool = False
     slides: str = ""
     scaled: bool = False
     multiple: str = ""

@@ -21,7 +21,7 @@ from .dialects.lined.widths import NotFour
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
-from .evidence.poses import adds_theta, poses_in, require_pose
+from .evidence.poses import adds_each, adds_theta, poses_in, require_pose
 from .evidence.several import require_one_value
 from .evidence.source import source_of
 from .language.expressions import key
@@ -283,6 +283,7 @@ def _with_sayings(table, source):
         worded=tuple(joints_said(source)),
         poses=poses_in(source),
         adds=adds_theta(source),
+        each=adds_each(source.code),
         slides=speaks_of_sliding(source),
         scaled=takes_thousandths(source.code),
         multiple=multiple,

@@ -6,7 +6,7 @@ import re
 
 from ..dialects.flat import arrays_in
 from ..language.roles import role_of
-from ..meaning.columns import is_a_table
+from ..meaning.columns import is_a_table, snapped
 from .alike import repeats, same_arm
 
 __all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
@@ -231,9 +231,18 @@ def _named_zero(source, table):
         if not _is_zero(name, source):
             return f"{name} added to joint angles"
     used = " ".join(cell.text for row in table.rows for cell in row)
+    lengths = {
+        abs(cell.value)
+        for row in table.rows
+        for cell, role in zip(row, table.roles)
+        if role in ("d", "a", "r") and cell.value % 15 and not snapped(cell.value)[1]
+    }
     for name, said in ZERO.findall(source.code):
         if name in used or OF_AN_END.search(name):
             continue  # a length by its name
+        value = source.value(said.strip(" ,;"))
+        if value is not None and abs(value.number) in lengths:
+            continue  # wrist_offset: 0.072, which is the d of the wrist
         number = re.search(r"(?<!\w)[\d.]*[1-9]|pi\b", said)
         if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):
             return f"{name} = {said}"

@@ -11,7 +11,14 @@ from ..language.brackets import cells_in
 from ..language.expressions import key
 from ..language.letters import unified
 
-__all__ = ["adds_theta", "holds_joint_values", "poses_in", "require_pose", "theta_meanings"]
+__all__ = [
+    "adds_each",
+    "adds_theta",
+    "holds_joint_values",
+    "poses_in",
+    "require_pose",
+    "theta_meanings",
+]
 
 LISTED = re.compile(
     r"\b(q(?![a-z]*lim)\w*|joint\w*|angles?\w*|pose\w*|config\w*)[ \t]*[=:][ \t]*[\w.]*\(?"
@@ -24,6 +31,14 @@ ADDED = re.compile(
     r"|\btheta\w*(?:[\[(]\w+[\])])?\s*\+\s*(?:q|joint)",
     re.IGNORECASE,
 )
+ANGLE = r"(?<![\w.])(?:q|thetas?|th|joint\w*|angles?)\w{0,9}(?:\[\w+\]|\(\w+\))?"
+ZERO = r"(?:\w+(?:[\[(]\w+[\])])?(?:\.|->))?\w*(?:off(?:set)?s?|zeros?|theta_?0?)\w*"
+EACH = re.compile(  # q[i] + dh.offset
+    rf"{ANGLE}\s*\+\s*{ZERO}|(?<![\w.]){ZERO}(?:[\[(]\w+[\])])?\s*\+\s*{ANGLE}", re.IGNORECASE
+)
+SOME = re.compile(
+    r"\bif\b[^\n]*(?:[<>]|fixed|joint)|\bfixed\b|\?", re.IGNORECASE
+)  # not at all of them
 WITH_Q = ("SymPyBotics",)  # forms in which a joint's theta is written q + zero
 QUARTER_OFF = np.deg2rad(3)  # a zero found by measuring is no further from a quarter turn
 LEAST_ODD = 2  # angles that are neither equal nor quarter turns: one arm may have one such bend
@@ -94,6 +109,19 @@ def adds_theta(source):
     (True, False)
     """
     return bool(ADDED.search(source.text))
+
+
+def adds_each(code):
+    """Whether a program adds a joint's value to the zero of each row, in a loop over all of them:
+    then every row has a joint.
+
+    Examples
+    --------
+    >>> adds_each("for i, dh in enumerate(rows): T = T @ link(q[i] + dh.offset, dh.d, dh.a)")
+    True
+    """
+    looped = re.search(r"\bfor\b|\bmap\b|\bfold\b|each\b|\bwhile\b", code)
+    return bool(looped and EACH.search(code)) and not SOME.search(code)
 
 
 def theta_meanings(table, columns):

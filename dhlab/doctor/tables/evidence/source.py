@@ -61,10 +61,16 @@ ANGLE_WORDS = {
 }
 DENIED = re.compile(
     r"\b(?:not|non|no|isn't|instead of|rather than|unlike|nicht|kein\w*|pas|sin|не"
-    r"|(?:last|i|have|was|were|slightly))[ -]+"
+    r"|(?:last|i|have|was|were|slightly)|(?:correct|convert|chang|switch|translat|migrat)ed from"
+    r"|previously|formerly|earlier|originally|no longer|früher|antes|auparavant)[ -]+['\"]?"
     r"(?:(?:an?|the|in|using|use|el|la|los|de|del|le|les|celle|der|die|das|nach|von|di)\s+){0,3}"
     r"(?:modified|standard|classic(?:al)?|craig|mm|degrees?|deg|radians?"
     r"|rad)\b",
+    re.IGNORECASE,
+)
+CONVERTED = re.compile(  # a (mm -> m): what the numbers were in before
+    r"(?<![\w.])(?:mm|cm|inch(?:es)?|milli-?met(?:er|re)s?)\s*(?:->|=>|→|⇒|\bto\b|\binto\b)"
+    r"\s*(m|cm|mm|met(?:er|re)s?)\b(?!\s*\()",
     re.IGNORECASE,
 )
 
@@ -174,6 +180,7 @@ def source_of(text, values=None):
 
 def _prose(text, known):
     """The text without units that are factors of its own, as in 333*mm."""
+    text = CONVERTED.sub(r"\1", text)
     text = re.sub(r"\bmm/s\w*|(?<![*/])[*/]\s*(?:mm|cm)\b|(?<=\d)\s*(?:mm|cm)\b", "", text)
     text = re.sub(r"^.*\brpy/.*$", "", text, flags=re.MULTILINE | re.IGNORECASE)
     own = [unit for unit in ("mm", "cm", "inch", "meter", "metre") if unit in known]

@@ -167,7 +167,10 @@ def _might_be_degrees(column):
 
 def is_a_table(table):
     """Whether rows are an arm's beyond doubt: columns that are named, lengths and angles."""
-    found = next(iter(orders(table, None)), None) if table.rows else None
+    try:
+        found = next(iter(orders(table, None)), None) if table.rows else None
+    except ValueError:  # its heading lacks a column
+        return False
     if found is None:
         return False
     if [cell.value for cell in table.rows[-1]] == [0, 0, 0, 1]:

@@ -24,6 +24,7 @@ GRASPS = re.compile(
     r"hand\b|grip|claw|finger|pinza|greifer|garra|夹爪|手爪|схват"
 )  # a tool, or the joint of one
 OF_JOINTS = re.compile(r"joint|axis|gelenk|achse|articula|junta|motor|servo|^[jq] *_?\d")
+TURNS = re.compile(r"\b(?:roll|pitch|yaw|rotat|twist|spin|swivel|turn|dreh|rotaci|giro)")  # a motor
 COUNTED = re.compile(r"\d|^$")
 PARTS = re.compile(r"shoulder|elbow|waist|torso|upper|fore|lower")  # the base turns in such tables
 
@@ -74,7 +75,14 @@ def on_one_axis(table, columns, convention, found):
     n = len(table.rows)
     guessed = table.why == "as their names say" and not table.form and "P" not in table.kinds
     typed = any(table.kinds) and not guessed
-    if n < FEWEST or n in table.worded or typed or "sigma" in columns or () not in found:
+    if (
+        n < FEWEST
+        or n in table.worded
+        or table.each
+        or typed
+        or "sigma" in columns
+        or () not in found
+    ):
         return found
     flat = [not any(_said(columns[role][i]) for role in ("a", "alpha")) for i in range(n)]
     numbers = [columns["theta"][i].is_constant and columns["d"][i].is_constant for i in range(n)]
@@ -135,7 +143,8 @@ def _by_labels(table, labels, right):
     counted = all(COUNTED.search(label) or OF_JOINTS.search(label) for label in labels[1:-1])
     if BASE.fullmatch(labels[0]) and not any(PARTS.search(label) for label in labels):
         return [first] if counted else [(), first]
-    if FLANGE.search(labels[-1]) and not FLANGE.search(labels[0]):
+    turns = OF_JOINTS.search(labels[-1]) and TURNS.search(labels[-1])  # J6 tool roll
+    if FLANGE.search(labels[-1]) and not FLANGE.search(labels[0]) and not turns:
         return [(), last] if OF_JOINTS.search(labels[-1]) else [last] if counted else [last, ()]
     if GRASPS.search(labels[-1]):
         joints = [bool(OF_JOINTS.search(label)) for label in labels]

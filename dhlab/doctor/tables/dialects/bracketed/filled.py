@@ -68,8 +68,8 @@ def _siblings(found, source):
     for group in found:
         cells = [item.text for item in group.items]
         bare = group.outer is None and not group.name and not group.target
-        if not bare or cells == ["0", "0", "0", "1"]:  # the origin, as a point of four numbers
-            continue
+        if not bare or [re.sub(r"\.0*$", "", cell) for cell in cells] == ["0", "0", "0", "1"]:
+            continue  # the origin, as a point of four numbers
         read = len(cells) in (4, 5, 6) and all(source.value(cell) is not None for cell in cells)
         (whole if read else torn).append((group.line, cells))
     widths = Counter(len(cells) for _, cells in whole).most_common(1)

@@ -5,7 +5,7 @@ dictionaries, a stream of numbers.
 import re
 from dataclasses import replace
 
-from ...cells import cell_of
+from ...cells import cell_of, cell_or_none
 from ...evidence.makers import made_by
 from ...evidence.orders import order_of_three
 from ...evidence.poses import holds_joint_values
@@ -32,7 +32,7 @@ __all__ = ["read"]
 
 NO_TABLE = re.compile(r"screw|twist|[sb]_?list|jacob|inerti|axes|limit|^m(?:_|$)|home|pose")
 WIDE = 8  # columns; more only where the text names the first four
-LAST_ROW = ["0", "0", "0", "1"]
+LAST_ROW = [0, 0, 0, 1]  # of a pose
 
 
 def read(source, nominal=None):
@@ -157,8 +157,14 @@ def _is_table(rows, source):
     read = _is_read(rows, source) and bool(
         re.search(r"\d", " ".join(str(cell) for _, row in rows for cell in row))
     )
-    last = len(rows) in (1, 2, 4) and [str(cell).strip() for cell in rows[-1][1]] == LAST_ROW
+    last = len(rows) in (1, 2, 4) and _values(rows[-1][1]) == LAST_ROW
     return read and bool(rows) and not last and not _is_unit(rows)
+
+
+def _values(cells):
+    """The numbers of plain cells, None in the place of any other."""
+    found = (cell_or_none(str(cell)) for cell in cells)
+    return [cell.value if cell is not None and cell.is_constant else None for cell in found]
 
 
 def _is_vector(group, rows, source):
@@ -175,9 +181,9 @@ def _is_vector(group, rows, source):
 
 def _is_unit(rows):
     """Whether a matrix is the unit one, or the rows of it that take a part of another."""
-    cells = [[str(cell).strip() for cell in row] for _, row in rows]
-    ones = all(row.count("1") == 1 and row.count("0") == len(row) - 1 for row in cells)
-    return ones and [row.index("1") for row in cells] == list(range(len(rows))) and len(rows) > 2
+    cells = [_values(row) for _, row in rows]
+    ones = all(row.count(1) == 1 and row.count(0) == len(row) - 1 for row in cells)
+    return ones and [row.index(1) for row in cells] == list(range(len(rows))) and len(rows) > 2
 
 
 def _size(grid):
