@@ -5,6 +5,7 @@ import re
 from ..cells import cell_of
 from ..language.roles import ROLES, role_of
 from ..pasted import Pasted
+from .called.functions import own_calls
 from .flat import arrays_in
 
 __all__ = ["read"]
@@ -67,7 +68,7 @@ def _by_role(source, twice, notes):
     named: dict = {}
     unread: dict = {}
     arrays = _unnumbered(arrays_in(source, twice, unread))
-    said = _said_beside(source, arrays)
+    said = {**_taken_by_calls(source, arrays), **_said_beside(source, arrays)}
     for name, values in arrays.items():
         if re.search(r"delta_", name):
             continue
@@ -142,6 +143,21 @@ def _require_zeros(unread, found):
 
 def _moves(values):
     return any(value.letters for value, _ in values)
+
+
+def _taken_by_calls(source, arrays):
+    """{name: role} of the lengths and twists by the place in which the text's own link function
+    takes them, ``link(d[i], alpha[i], r[i], q[i])``, whatever they are called.
+    """
+    said = {}
+    for call, roles in own_calls(source):
+        for item, role in zip(call.items, roles):
+            taken = re.fullmatch(r"([A-Za-z_][\w.]*)[\[(]\s*\w+\s*[\])]", item.text)
+            name = taken[1].split(".")[-1] if taken else ""
+            name = next((one for one in (name, name.lower()) if one in arrays), "")
+            if name and role in ("d", "a", "alpha"):
+                said[name] = role
+    return said
 
 
 def _said_beside(source, arrays):

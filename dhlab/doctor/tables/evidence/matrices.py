@@ -96,11 +96,13 @@ def _locals(code):
 
 def _matrices(code):
     """The entries, 12 or 16, of everything that may be a matrix."""
-    for group in groups(code + _closing(code)):
+    closing = _closing(code)
+    sizes = (8, 12, 16) if closing else (12, 16)  # two rows of a text that was cut off tell it
+    for group in groups(code + closing):
         if 60 < len(group.text) < 1800:
             flat = len(group.items) in (12, 16)
             cells = [item.text for item in group.items] if flat else in_rows(group)
-            if len(cells) in (12, 16):
+            if len(cells) in sizes:
                 yield cells
     for block in FILLED.findall(code):
         cells = [cell.strip() for cell in cells_in(block.replace("\n", " "))]
@@ -251,7 +253,7 @@ def _convention(entries, known):
     M = np.array([value.number for value in values]).reshape(-1, 4)[:3]
     row = [ANGLES[role] for role in ROLES]
     for convention in ("standard", "craig"):
-        if np.allclose(M, link_matrices(convention, *row)[:3], atol=1e-6):
+        if np.allclose(M, link_matrices(convention, *row)[: len(M)], atol=1e-6):
             return convention
     return None
 

@@ -86,6 +86,12 @@ TOGETHER = re.compile(
     r"[ \t]*=(?!=)[ \t]*([^=;\n\[\]{}]+?)[ \t]*(?=;|$)",
     re.MULTILINE,
 )
+# L1, L2, L3 = L, where L = [0.3, 0.2, 0.1]; [d1, a2] = deal(0.3, 0.2)
+UNPACKED = re.compile(
+    r"^([ \t]*(?:local |let |var |const |auto )?)[\[(]?([\w.]+(?:[ \t]*,[ \t]*[\w.]+)+)[\])]?"
+    r"[ \t]*=[ \t]*(?:deal\((.+)\)|([A-Za-z_][\w.]*))[ \t]*;?[ \t]*$",
+    re.MULTILINE,
+)
 ZEROS = re.compile(  # zeros(7, 1), np.zeros(6), [0.0] * 6
     r"(?<![\w.])(?:np\.|numpy\.)?zeros[ ]?\(\(?(?:1,[ ]?\d|\d(?:,[ ]?1?)?)\)?\)"
     r"|\[0(?:\.0*)?\]\s*\*\s*\d\b"
@@ -142,6 +148,7 @@ def neutral(text):
     text = re.sub(r"\(/(.*?)/\)", r"[\1]", text, flags=re.DOTALL)
     text = re.sub(r"(?<=,)[ \t]*&[ \t]*$", "", text, flags=re.MULTILINE)  # the row goes on
     text = TOGETHER.sub(_apart, ELEMENT.sub(_element, text))
+    text = UNPACKED.sub(_unpacked, text)
     return _without_setters(text)
 
 
@@ -211,6 +218,17 @@ def _numbers(text):
 def _apart(match):
     names, said = match[2].split(","), cells_in(match[3])
     if len(names) != len(said):
+        return match[0]
+    return match[1] + "; ".join(f"{name.strip()} = {one}" for name, one in zip(names, said))
+
+
+def _unpacked(match):
+    """Each name with its number, where a list of as many is taken apart."""
+    made = r"[ \t]*=[ \t]*(?:[\w.]+\()?[\[({]([^\[\]{}=]+)[\])}]"
+    held = match[4] and re.findall(rf"\b{re.escape(match[4])}{made}", match.string)
+    names, said = match[2].split(","), cells_in(held[-1] if held else match[3] or "")
+    columns = {role_of(name)[0] for name in names} >= {"theta", "alpha"}  # theta, d, a, alpha = row
+    if columns or len(names) != len(said) or (held and len(held) > 1):
         return match[0]
     return match[1] + "; ".join(f"{name.strip()} = {one}" for name, one in zip(names, said))
 

@@ -14,6 +14,7 @@ from ...meaning.columns import misplaced
 from ...pasted import Pasted, Row, from_rows
 from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
+from .used import of_the_robot
 
 __all__ = ["read"]
 
@@ -138,7 +139,10 @@ def _of_one_arm(made, notes, code):
         )
     if again:
         notes.append(f"{again[0]} is made twice, and the last counts")
-    return [one for k, one in enumerate(made) if places[k] not in places[k + 1 :]]
+    made = [one for k, one in enumerate(made) if places[k] not in places[k + 1 :]]
+    used, note = of_the_robot([f"{group.target}{group.index}" for group, *_ in made], code)
+    notes += [note] if note else []
+    return [made[k] for k in used]
 
 
 def _unrolled(found, source):
