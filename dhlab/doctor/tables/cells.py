@@ -16,6 +16,10 @@ TWO_JOINTS = re.compile(r"\bprismatic\b.*\brevolute\b|\brevolute\b.*\bprismatic\
 BESIDE = re.compile(  # theta2 (-90), where q(2) is an element
     r"((?:theta|th|q)_?\d+)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
 )
+NAMED_NUMBER = re.compile(  # L_ARM (0.146), d1 (290 mm), and no element L(2)
+    r"([LDAHR]\w*)(?:\s*\(\s*([-+]?\d*\.\d+\s*(?:mm|cm|m)?)\s*\)|\s+\(\s*([-+]?\d{2,}\s*(?:mm|cm|m)?)\s*\))",
+    re.IGNORECASE,
+)
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
     ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
@@ -151,6 +155,8 @@ def _trimmed(text):
     text = re.sub(rf"^{BESIDE.pattern}$", r"\1 + (\2)", text)
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
+    if beside := NAMED_NUMBER.fullmatch(text):
+        text = beside[2] or beside[3]  # the number of a length or twist
     named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)
     if named and kind_of_letter(named[1].replace("_", "")) in ("d", "a", "alpha", "length"):
         text = text[named.end() :]  # d1 = 0.5 in a cell is 0.5

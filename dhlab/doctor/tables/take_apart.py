@@ -31,7 +31,7 @@ from .language.wrapping.notebook import without_notebook
 from .meaning.beside import APART, with_added, with_types
 from .meaning.columns import NAMED, is_a_table
 from .meaning.joint_types import with_sigma
-from .meaning.scales import multiples_said, takes_thousandths
+from .meaning.scales import measured_in, multiples_said, takes_thousandths
 from .pasted import Pasted
 
 __all__ = ["take_apart"]
@@ -277,7 +277,7 @@ def _with_sayings(table, source):
     multiple = multiples_said(source, table.rows)
     return replace(
         table,
-        length=table.length or source.length,
+        length=table.length or source.length or measured_in(source.text, table.rows, table.roles),
         angle=table.angle or source.angle,
         joints=counts_in(source),
         worded=tuple(joints_said(source)),

@@ -41,7 +41,7 @@ SOME = re.compile(
 )  # not at all of them
 WITH_Q = ("SymPyBotics",)  # forms in which a joint's theta is written q + zero
 QUARTER_OFF = np.deg2rad(3)  # a zero found by measuring is no further from a quarter turn
-LEAST_ODD = 2  # angles that are neither equal nor quarter turns: one arm may have one such bend
+LEAST_ODD = 2  # rows with angles that are no quarter turns: one arm may have one such bend
 
 
 def poses_in(source):
@@ -135,7 +135,7 @@ def theta_meanings(table, columns):
     letters = any(not cell.is_constant for role in ("theta", "d") for cell in columns[role])
     if table.form in WITH_Q and any(values) and not letters:
         return ["zeros", "pose"]
-    odd = {round(abs(value), 3) for value in values if _is_odd(value)}
+    odd = [round(abs(value), 3) for value in values if _is_odd(value)]
     if not odd or table.form or not all(cell.is_constant for cell in cells):
         return ["zeros"]
     if any(len(one) == len(values) and np.allclose(one, values, atol=1e-3) for one in table.poses):

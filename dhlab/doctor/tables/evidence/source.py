@@ -68,6 +68,19 @@ DENIED = re.compile(
     r"|rad)\b",
     re.IGNORECASE,
 )
+# words that praise an arm, in a long line that speaks of no table: un brazo clásico
+VAGUE = re.compile(
+    r"\b(?:standard|est[aá]ndar|padrão|classic(?:al)?|cl[aá]sic[oa]|classic[oa]|classique|klassisch\w*"
+    r"|modifi\w*|original\w*|классич\w*|стандарт\w*)\b",
+    re.IGNORECASE,
+)
+OF_TABLES = re.compile(
+    r"d-?h(?![a-z])|d&h|denavit|hartenberg|conv[ei]n|konvention|param|paramèt|parám|tab[lue]|notation|notaci"
+    r"|formul|matri|frame|variant|version|link|row|defini|method|métod|méthod|transform|theta|alpha"
+    r"|craig|modif\w*.*standard|standard.*modif",
+    re.IGNORECASE,
+)
+SENTENCE, LONG = re.compile(r"[^.:;!?\n]+"), 7  # words
 CONVERTED = re.compile(  # a (mm -> m): what the numbers were in before
     r"(?<![\w.])(?:mm|cm|inch(?:es)?|milli-?met(?:er|re)s?)\s*(?:->|=>|→|⇒|\bto\b|\binto\b)"
     r"\s*(m|cm|mm|met(?:er|re)s?)\b(?!\s*\()",
@@ -196,8 +209,17 @@ def _convention(text):
 def _only(text, words):
     """The one name whose words stand in the text, and are not denied there."""
     text = DENIED.sub(" ", text)
+    if words is WORDS_FOR:
+        text = SENTENCE.sub(_without_praise, text)
     said = [name for name, pattern in words.items() if re.search(pattern, text, re.IGNORECASE)]
     return said[0] if len(said) == 1 else ""
+
+
+def _without_praise(match):
+    """A long sentence of prose that speaks of no table, without words that praise an arm."""
+    said = match[0]
+    prose = len(said.split()) > LONG and not re.search(r"[={}]", said)
+    return VAGUE.sub(" ", said) if prose and not OF_TABLES.search(said) else said
 
 
 def _require_apart(code):

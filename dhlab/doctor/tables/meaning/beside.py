@@ -34,6 +34,7 @@ SMALL = re.compile(  # type = ['r', 'r', 'p']
     r"\w*(?:type|joint|kind)\w*\s*=\s*[\[{(]((?:\s*['\"][rp]['\"]\s*,?)+)[\]})]"
 )
 LINK = re.compile(r"(?:l|len|link)[\W_]*[ijkn]?[\W_]*")  # where a alone has no column
+WORDS = re.compile(r"[^\W\d_]{4,}(?: ?[-/(&]? ?[^\W\d_]+\)?)*")  # shoulder, flange (fixed)
 COUNTED = re.compile(r"(?:joint|link|axis|motor|servo|frame)_?\d+", re.IGNORECASE)
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
@@ -87,6 +88,8 @@ def explained(roles, heading, rows):
             continue  # the variable is named once more
         elif APART.search(name):
             notes.append(f"the column {name[:20]} was left out")
+        elif all(_is_a_word(text) for text in said if text.strip(" -")):
+            roles[k] = "label"
         elif LINK.fullmatch(plain(name)) and {*ROLES, "r"} - {*roles} == {"a", "r"}:
             roles[k] = "a"
             notes.append(f"the column {name[:20]} is taken for a")
@@ -96,6 +99,11 @@ def explained(roles, heading, rows):
                 f" {name[:20]!r}; what is it? Give it one of these names, or leave it out"
             )
     return tuple(roles), tuple(notes)
+
+
+def _is_a_word(text):
+    """Whether a cell is a word or two, and no kind of joint."""
+    return bool(WORDS.fullmatch(text)) and plain(text) not in KINDS
 
 
 def _counts(cells):
@@ -157,7 +165,9 @@ def with_added(table, source):
                 f"recognise_table: the program adds {text} to theta at one joint; in which row is"
                 " it? Write it into the row, as theta - 90"
             )
-        own = zip(table.rows[k], table.roles or ())
+        own = [*zip(table.rows[k], table.roles or ())]
+        if any(role == "theta" and _says(cell, value) for cell, role in own):
+            continue  # the row itself is where the program adds it
         if zeros[k].value or any(cell.value for cell, role in own if role in ("theta", "offset")):
             raise ValueError(
                 f"recognise_table: row {k + 1} has a zero of its own, and the program adds {text}"
@@ -173,6 +183,11 @@ def with_added(table, source):
     zeros = tuple(zeros) if any(cell.value for cell in zeros) else ()
     table = replace(table, signs=tuple(signs), zeros=zeros, notes=(*table.notes, *notes))
     return _with_slides(table, source)
+
+
+def _says(cell, zero):
+    """Whether a cell is a variable with this zero, ``q[0] + pi/2``."""
+    return bool(cell.letters) and abs(cell.value - zero.number) < 1e-9
 
 
 def _with_slides(table, source):

@@ -12,6 +12,7 @@ from .columns import LENGTHS, snapped
 
 __all__ = [
     "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units",
+    "measured_in",
     "multiples_said", "reached", "takes_thousandths",
     "units_by_size",
 ]  # fmt: skip
@@ -34,6 +35,7 @@ MULTIPLE = re.compile(
     r"(?:an?\s+)?(?:factor\s+(?:of\s+)?)?\d|\b10+(?:x|\s*times)\s+(?:the|as|larger|bigger|smaller)",
     re.IGNORECASE,
 )
+MEASURE = re.compile(r"(?<![\w.,])(\d+(?:[.,]\d+)?)\s?(mm|cm|m)\b(?!/)")
 OPEN = "m", "cm", "mm"  # what multiples may be in, as far as anybody can tell
 # an arm that somebody gives in this unit: how far, in metres, all its links reach in a row
 REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05, 1.5)}
@@ -122,6 +124,29 @@ def length_units(table, columns, given):
     if len(found) > 1 and "mm" in found and table.scaled and longest >= TOY:
         return [("mm", "by the factor in the program")]
     return [(unit, reached(sizes, unit)) for unit in found]
+
+
+def measured_in(text, rows, roles):
+    """The unit that the text gives beside all lengths of the rows, ``L1 = 10 cm`` above a table
+    with 10; "" where it does not.
+
+    Examples
+    --------
+    >>> from ..cells import read_cell
+    >>> rows = [[read_cell(one) for one in row] for row in (("10", "0"), ("0", "12"))]
+    >>> measured_in("L1 = 10 cm, L2 = 12 cm", rows, ("d", "a"))
+    'cm'
+    """
+    kept = [k for k, role in enumerate(roles or ()) if role in ("d", "a", "r")]
+    lengths = {abs(row[k].value) for row in rows for k in kept if row[k].value}
+    units = {
+        unit: {
+            float(number.replace(",", ".")) for number, one in MEASURE.findall(text) if one == unit
+        }
+        for unit in ("mm", "cm", "m")
+    }
+    fits = [unit for unit, numbers in units.items() if len(lengths) > 1 and lengths <= numbers]
+    return fits[0] if len(fits) == 1 else ""
 
 
 def takes_thousandths(code):

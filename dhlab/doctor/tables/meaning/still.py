@@ -4,6 +4,7 @@ a row of numbers only may be among rows of variables.
 
 import re
 
+from .columns import IMPLIED
 from .joints import MOVES, by_number, named_alone
 
 __all__ = ["on_one_axis", "unwritten"]
@@ -14,7 +15,8 @@ BASE = re.compile(r"(?:0 *)?\(?(?:base|world|ground)\b.*|world *(?:->|-|to|/) *\
 # 6->T, 3-E, or T alone below rows that are counted
 FLANGE = re.compile(
     r"flange|tool|\btcp\b|\bee\b|\bend\b|^end|\bfin(?:al)?\b|(?:^|->|→|-|\bto |/) *[teghnf]$"
-    r"|工具|末端|法兰|ツール|werkzeug|herramienta|\boutil|strumento|ferramenta|инструмент|фланец"
+    r"|工具|末端|法兰|플랜지|말단|툴|\bflens|\bbrida\b|\bbride\b|\bflangia|ko[łl]nierz|narz[ęe]dzi|fl[aâ]n[sș]"
+    r"|ツール|werkzeug|herramienta|\boutil|strumento|ferramenta|инструмент|фланец"
 )
 NONE = re.compile(
     r"\b(?:fixed|static|no joint|not a joint|fest(?:er?)?|kein gelenk|fij[oa]|fixe|fiss[oa]|fixo)\b"
@@ -24,7 +26,9 @@ GRASPS = re.compile(
     r"hand\b|grip|claw|finger|pinza|greifer|garra|夹爪|手爪|схват"
 )  # a tool, or the joint of one
 OF_JOINTS = re.compile(r"joint|axis|gelenk|achse|articula|junta|motor|servo|^[jq] *_?\d")
-TURNS = re.compile(r"\b(?:roll|pitch|yaw|rotat|twist|spin|swivel|turn|dreh|rotaci|giro)")  # a motor
+TURNS = re.compile(
+    r"\b(?:roll|pitch|yaw|rotat|twist|spin|swivel|turn|dreh|rotaci|giro)|回转|旋转|俯仰|回転|회전"
+)  # a motor
 COUNTED = re.compile(r"\d|^$")
 PARTS = re.compile(r"shoulder|elbow|waist|torso|upper|fore|lower")  # the base turns in such tables
 
@@ -49,7 +53,7 @@ def unwritten(table, columns, right):
     labels = [str(label).lower() for label in table.labels or ("",) * n]
     moves = [
         (kinds[i] or by_number(columns, i)) in ("R", "P")
-        or not columns["theta"][i].is_constant
+        or not (columns["theta"][i].is_constant or _is_flange_without_theta(columns, labels, i))
         or columns["d"][i].variable in MOVES["d"]
         for i in range(n)
     ]
@@ -66,6 +70,12 @@ def unwritten(table, columns, right):
     else:
         found = [*_sliding(table, columns), *_by_labels(table, labels, right)]
     return _counted(found, table, moves)
+
+
+def _is_flange_without_theta(columns, labels, i):
+    """Whether a row of a table without a column theta is called the flange."""
+    flange = FLANGE.search(labels[i]) and not OF_JOINTS.search(labels[i])
+    return columns["theta"][i] == IMPLIED and bool(flange)
 
 
 def on_one_axis(table, columns, convention, found):

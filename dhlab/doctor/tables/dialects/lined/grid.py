@@ -190,7 +190,8 @@ def _row(cells, roles, where, source):
         role = roles[k] if roles is not None else None
         word = plain(cell).strip("*`'\" ") if isinstance(cell, str) else ""
         if role == "label":
-            label = word or str(cell)
+            numbered = re.fullmatch(r"(?:j|q|joint)[ _]?\d", label)
+            label = f"{label} {word}" if numbered and word else word or str(cell)
             told = re.search(r"\((r|p)\*?\)$", label)  # 3 (P)
             kind = kind or (told[1].upper() if told else "")
         elif role == "type" or (

@@ -74,4 +74,5 @@ def units_of(cells):
 
 
 def _bare(cell):
-    return re.sub(r"[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])]", "", plain(str(cell))).strip("$* ")
+    text = re.sub(r"(?<=\S)\s+\((?:joint )?var(?:iable)?s?\)\s*$", "", plain(str(cell)))
+    return re.sub(r"[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])]", "", text).strip("$* ")

@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 from itertools import groupby
 
-from ...cells import read_cell
+from ...cells import cell_or_none, read_cell
 from ...evidence.orders import order_of_names
 from ...evidence.poses import holds_joint_values
 from ...language.brackets import cells_in
@@ -124,7 +124,7 @@ def _upright(grid):
     named = {}
     for _, cells in grid:
         role = role_of(cells[0])[0] if cells and isinstance(cells[0], str) else None
-        if role in (*ROLES, "r", "offset") and len(cells) > 2:
+        if role in (*ROLES, "r", "offset") and len(cells) > 2 and _holds_numbers(cells[1:]):
             named.setdefault(role, cells)
     n = {len(cells) for cells in named.values()}
     if not {"alpha", "d"} <= set(named) or len(named) < 3 or len(n) > 1:
@@ -132,6 +132,12 @@ def _upright(grid):
     return [
         ("line 1" if k == 0 else f"column {k}", list(c)) for k, c in enumerate(zip(*named.values()))
     ]
+
+
+def _holds_numbers(cells):
+    """Whether more of the cells can be read than not: ``alpha | twist | about x_i`` explains."""
+    read = sum(cell_or_none(str(cell)) is not None for cell in cells)
+    return 2 * read > len(cells)
 
 
 def _with_heading(grid, source, split):
