@@ -264,6 +264,13 @@ def _with_words(table, source):
             "recognise_table: expected the rows of a table, found a link matrix and one row; is it"
             " the last row of the matrix? Paste the rows of all links"
         )
+    if len(table.rows) == 1 and re.search(
+        r"\bfor\b[^\n]*(?:\bin\b|[=;])|\]\s*\*\s*\w", source.code
+    ):
+        raise ValueError(
+            "recognise_table: expected the rows of all links, found one row and a loop; does it"
+            " make the row several times? Write a row for each link"
+        )
     if not (table.roles or any(cell.value or cell.letters for row in table.rows for cell in row)):
         raise ValueError(
             "recognise_table: expected a table, found zeros only, as of an arm that stands at"

@@ -17,6 +17,7 @@ from ..language.assigned import (
 from ..language.expressions import NoExpression, evaluate, key
 from ..language.letters import unified
 from ..language.neutral import neutral
+from ..language.repeated import repeated
 from ..language.roles import role_of
 from ..language.wrapping.comments import without_comments
 from ..language.wrapping.unwrapped import unwrapped
@@ -165,7 +166,7 @@ def source_of(text, values=None):
     code = without_comments(text, comments)
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
-    code = neutral(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code))
+    code = neutral(repeated(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)))
     code = without_overwritten(from_zero(_two_families(code)))
     known = assigned_in(code)
     _require_apart(code)

@@ -39,7 +39,7 @@ TYPED = re.compile(
 )
 PARAMETER = re.compile(  # def dh(theta: float, d: float), fn dh(theta: f64)
     rf"(?<=\w)[ \t]*:[ \t]*(?:{KIND}|(?:sp|sympy|torch|jnp)\.\w+|str|bool|Symbol|Expr)[ \t]*"
-    r"(?=[,)])",
+    r"(?=[,);}])",
     re.IGNORECASE,
 )
 FORTRAN_TYPED = re.compile(

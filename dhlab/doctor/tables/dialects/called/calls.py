@@ -14,7 +14,7 @@ from ...meaning.columns import misplaced
 from ...pasted import Pasted, Row, from_rows
 from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
-from .used import of_the_robot
+from .used import made_here, of_the_robot
 
 __all__ = ["read"]
 
@@ -62,6 +62,8 @@ def read(source, nominal=None):
             continue  # links made of links, one by one
         if known[1] == "DHLink" and not own.get(name) and source.order:
             known = (*known[:3], " ".join(source.order[0]))
+        if not own.get(name) and made_here(name, source.code):
+            known = (known[0], "", "", "")  # it keeps its theta, which the toolbox's does not
         if own.get(name):  # a class of the text's own: its order is the one that it defines
             known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
@@ -257,7 +259,8 @@ def _row(group, name, known, source, notes, number):
             known_here = replace(source, known=numbers) if known[1] == ROBOTICS_TOOLBOX else source
             cells.update(by_order(_vector(text), order, known_here, number))
     numbers = [text for text in loose if text[:1] not in "[{'\"" and source.value(text) is not None]
-    if not cells and len(numbers) >= 3 and known[0] == "link":
+    elsewhere = known[0] == "link" and (known[1] or name.islower())
+    if not cells and len(numbers) >= 3 and elsewhere:
         return None, ""  # somebody's own class: the toolbox takes names or one vector
     if not cells and len(numbers) >= 3 and order:
         cells.update(by_order(numbers, order, source, number))

@@ -1,8 +1,8 @@
-"""Which of the links that a program makes its robot has, and in which order."""
+"""Whose links a program makes, which of them its robot has, and in which order."""
 
 import re
 
-__all__ = ["of_the_robot"]
+__all__ = ["made_here", "of_the_robot"]
 
 LISTED = re.compile(
     r"\b(?:SerialLink|DHRobot|SerialManipulator|robot|chain|arm)\w*\s*\(\s*\[([^\[\]]+)\]",
@@ -48,3 +48,16 @@ def of_the_robot(places, code):
     if left:
         return used, f"{', '.join(left)[:60]} is made and not in the robot"
     return used, "" if used == sorted(used) else "the links stand in the order of the robot"
+
+
+def made_here(name, code):
+    """Whether the text makes a class itself, ``Link = namedtuple("Link", …)`` or ``class Link:``.
+
+    Examples
+    --------
+    >>> made_here("Link", "class Link:"), made_here("Link", "from toolbox import Link")
+    (True, False)
+    """
+    words = r"(?:\w+[ \t]+)*(?:class|struct|record|type)[ \t]+"
+    made = rf"namedtuple\(\s*['\"]{name}\b|^[ \t]*{words}{name}\b"
+    return bool(re.search(made, code, re.MULTILINE))
