@@ -240,6 +240,7 @@ def _named_zero(source, table):
     for name, said in ZERO.findall(source.code):
         if name in used or OF_AN_END.search(name):
             continue  # a length by its name
+        said = said if re.match(r"[^;]*[\[{(]", said) else said.partition(";")[0]
         value = source.value(said.strip(" ,;"))
         if value is not None and abs(value.number) in lengths:
             continue  # wrist_offset: 0.072, which is the d of the wrist

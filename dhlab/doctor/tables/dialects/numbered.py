@@ -21,6 +21,7 @@ CELL = re.compile(
     r"\b([A-Za-z_]+)\s*[\[(](?:[01]\s*(?:,|\]\s*\[)\s*(?=\d+\s*[\])]))?(\d+)(?:\s*(?:,|\]\s*\[)\s*[01])?"
     r"\s*[\])]\s*=\s*([^;\n=]+)"
 )
+WIDE = re.compile(r"\b([A-Za-z_]+)\s*[\[(]\s*\d\s*(?:,|\]\s*\[)\s*[23]\s*[\])]\s*=(?!=)")
 # MATLAB's a(1:6) = 0
 SLICE = re.compile(r"(?<![\w.])([A-Za-z_][\w.]*)\((\d):(\d)\)\s*=(?!=)\s*([^;,\n=\[]+)")
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
@@ -145,7 +146,10 @@ def _require_read(unread, found):
 
 def _named(code):
     """(name, index, text) of every assignment with one number in its name, wherever it stands."""
+    matrices = set(WIDE.findall(code))
     for match in CELL.finditer(code):
+        if match[1] in matrices:
+            continue  # T(0, 1) = -st * ca beside T(0, 3)
         yield match[1], match[2], match[3]
     for name, first, last, text in SLICE.findall(code):
         for index in range(int(first), int(last) + 1):
