@@ -15,6 +15,7 @@ warning of Sphinx, ends the build.
 
 import argparse
 import functools
+import gc
 import hashlib
 import os
 import re
@@ -230,6 +231,7 @@ def main():
     )
     which.add_argument("--both", action="store_true", help="and the class edition, in OUT/class")
     given = parser.parse_args()
+    gc.disable()  # Sphinx keeps nearly all it makes; to look what of it may go takes long
     status = build(given.out.resolve(), given.answers, given.both)
     if given.live:
         sys.path.insert(0, str(DOCS / "live"))
