@@ -12,8 +12,12 @@ __all__ = ["read_text", "write_text", "write_bytes"]
 LARGEST = 10_000_000  # bytes; tables, pose files and logs are far smaller
 
 
-# what a file may say of itself, in an XML declaration or in a comment: coding: latin-1
-DECLARED = re.compile(rb"(?:coding[:=]\s*|encoding=[\"'])([-\w.]+)")
+# what a file says of itself, in an XML declaration or in a comment (coding: latin-1); in what else
+# stands there, a name for one, these words are anybody's
+DECLARED = re.compile(
+    rb"^\s*(?:<\?xml\b[^>]*?encoding=[\"']|(?:[#%;!]|//|/\*|--|-\*-|<!--).*?coding[:=]\s*[\"']?)([-\w.]+)",
+    re.MULTILINE,
+)
 ENCODINGS = {"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252", "utf-16"}
 
 

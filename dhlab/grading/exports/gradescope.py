@@ -70,7 +70,8 @@ def export_gradescope(
     Raises
     ------
     ValueError
-        A student of the roster has no e-mail address, by which Gradescope would know them.
+        A student of the roster has no e-mail address, by which Gradescope would know them, or
+        another one's.
     """
     nameless = [student.student for student in roster if not student.email]
     if key and nameless:
@@ -78,6 +79,14 @@ def export_gradescope(
             "export gradescope: expected an e-mail address for everybody, found none for"
             f" {', '.join(nameless[:5])}; add the column email to the roster"
         )
+    owners: dict[str, str] = {}
+    for student in roster:
+        owner = owners.setdefault(student.email.casefold(), student.student)
+        if key and owner != student.student:
+            raise ValueError(
+                "export gradescope: expected an e-mail address of their own for everybody, found"
+                f" {student.email} for {owner} and {student.student}; Gradescope knows people by it"
+            )
     numbers = variants(key, [student.student for student in roster])
     files = {
         "setup.sh": SETUP,

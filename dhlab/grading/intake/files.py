@@ -107,13 +107,14 @@ def _in_folder(place, zone, room):
                 refused = "refused: a link, a pipe or a device, not a file"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             elif name.lower().endswith(".zip"):
-                yield from _opened(partial(str, path), parts, (when, FILE_TIME), 1, zone, room)
+                opened = partial(_no_link, str(place), parts)
+                yield from _opened(opened, parts, (when, FILE_TIME), 1, zone, room)
             elif status.st_size > LARGEST:
                 size, most = status.st_size // 1_000_000, LARGEST // 1_000_000
                 refused = f"refused: {size} MB, at most {most} are read"
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             else:
-                yield Entry(parts, _reader(path), when, FILE_TIME, "", status.st_size)
+                yield Entry(parts, _reader(place, parts), when, FILE_TIME, "", status.st_size)
 
 
 def _nothing():
@@ -121,18 +122,32 @@ def _nothing():
     return b""
 
 
-def _reader(path):
+def _reader(place, parts):
     def read():
         try:
-            handle = os.open(
-                path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-            )
+            with _no_link(str(place), parts) as file:
+                return file.read(LARGEST + 1)[:LARGEST]
         except OSError:
             return b""
-        with os.fdopen(handle, "rb") as file:
-            return file.read(LARGEST + 1)[:LARGEST]
 
     return read
+
+
+def _no_link(place, parts):
+    """A file below a folder, opened to be read: no link leads there, also where a folder has become
+    one since it was looked at.
+    """
+    link = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    if os.open not in os.supports_dir_fd:
+        return io.FileIO(os.open(os.path.join(place, *parts), os.O_RDONLY | link))
+    here = os.open(place, os.O_RDONLY | os.O_DIRECTORY)
+    for part in parts:
+        folder, rest = here, link if part is parts[-1] else link | os.O_DIRECTORY
+        try:
+            here = os.open(part, os.O_RDONLY | rest, dir_fd=folder)
+        finally:
+            os.close(folder)
+    return io.FileIO(here)
 
 
 def _opened(source, parts, when, depth, zone, room):
@@ -216,7 +231,7 @@ def _archive(source, listing=None):
             for one in _open.pop(next(iter(_open))):
                 one.close()
         place = source()
-        file = _Short(place if isinstance(place, io.BytesIO) else io.FileIO(place))
+        file = _Short(io.FileIO(place) if isinstance(place, (str, Path)) else place)
         file.most = listing
         try:
             _open[source] = zipfile.ZipFile(file), file

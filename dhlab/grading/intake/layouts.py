@@ -36,51 +36,55 @@ class Owner(NamedTuple):
 
 
 class Names:
-    """The roster's students by everything a platform may call them."""
+    """The roster's students by everything a platform may call them. An id is one person's; a name
+    may be chosen, and takes no id's place; an address takes neither's.
+    """
 
     def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
         self.lessons = [re.escape(name) for name in lessons]
-        self.known: dict[str, set[str]] = {}
         self.ids = {_plain(student.student): student.student for student in roster}
+        self._names: dict[str, set[str]] = {}
+        self._letters: dict[str, set[str]] = {}  # Canvas writes "Lovelace, Ada" as lovelaceada
+        self._mails: dict[str, set[str]] = {}
+        self._whose: dict[str, tuple[str | None, bool]] = {}
         for student in roster:
-            mails = [_plain(student.email), _plain(student.email.partition("@")[0])]
-            for called in (
-                _plain(student.student),
-                *(mail for mail in mails if mail not in self.ids),  # it may be anybody's id
-                _plain(_words(student.name)),
-            ):
-                if called:
-                    self.known.setdefault(called, set()).add(student.student)
+            name = _plain(_words(student.name))
+            _add(self._names, name, student)
+            if " " in name:
+                for words in (name, " ".join(reversed(name.split()))):
+                    _add(self._letters, _letters(words), student)
+            for mail in (student.email, student.email.partition("@")[0]):
+                _add(self._mails, _plain(mail), student)
+
+    def by_name(self, called: str) -> str | None:
+        """The one student of this name; None."""
+        return _only(self._so_called(called))
 
     def find(self, called: str) -> str | None:
-        """The one student of this name, or None."""
-        found = (
-            self.known.get(_plain(called))
-            or self.known.get(_plain(_words(called)))
-            or self._run_together(called)
-            or set()
-        )
-        return next(iter(found)) if len(found) == 1 else None
+        """The one student of this id, of this name where it is no id, or else of this address."""
+        plain = _plain(called)
+        known = self.ids.get(plain)
+        return known or _only(self._so_called(called) or self._mails.get(plain, ()))
 
-    def _run_together(self, called):
-        """Canvas writes "Lovelace, Ada" as lovelaceada."""
-        letters = _letters(called)
+    def _so_called(self, called):
         return {
-            student
-            for name, students in self.known.items()
-            if " " in name
-            for student in students
-            if letters and letters in (_letters(name), _letters(" ".join(reversed(name.split()))))
+            *self._names.get(_plain(called), ()),
+            *self._names.get(_plain(_words(called)), ()),
+            *self._letters.get(_letters(called), ()),
         }
 
     def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
         plain = _plain(text)
+        spaced = plain.replace("_", " ")
         found = {
             student
             for key, student in self.ids.items()
-            if re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", plain.replace("_", " "))
-            or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)
+            if key in plain  # patterns are slow, and a class has many ids
+            and (
+                re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", spaced)
+                or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)
+            )
         }
         longest = {
             student
@@ -88,6 +92,21 @@ class Names:
             if not any(student != other and _plain(student) in _plain(other) for other in found)
         }
         return longest.pop() if len(longest) == 1 else None
+
+    def whose(self, part: str) -> tuple[str | None, bool]:
+        """(student or None, whether that is sure) of one file or folder; each is looked at once."""
+        if part not in self._whose:
+            self._whose[part] = _known(part, self)
+        return self._whose[part]
+
+
+def _only(found):
+    return next(iter(found)) if len(found) == 1 else None
+
+
+def _add(known, called, student):
+    if called:
+        known.setdefault(called, set()).add(student.student)
 
 
 def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
@@ -107,7 +126,7 @@ def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
     """
     strange = False  # within what a platform calls by a name that nobody has, names are its owner's
     for place, part in enumerate(parts):
-        known, sure = _known(part, names)
+        known, sure = names.whose(part)
         if known:
             numbered = _numbered(part, parts[:place])
             # an id is one person's, whatever numbers stand beside it
@@ -116,9 +135,11 @@ def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
             return Owner(known, True, name, number, where, sure and not strange)
         strange = strange or from_platform(part)
     called = _called(parts[0], names, is_file=len(parts) == 1)
-    safe = _safe(called or folder)
-    if _plain(safe) in names.ids:  # by other signs, which a name of a file cannot have
-        safe = f"{safe}-{hashlib.sha256(parts[0].encode('utf-8', 'replace')).hexdigest()[:6]}"
+    called = unicodedata.normalize("NFC", called or folder)
+    safe = _safe(called)
+    if safe != called or _plain(safe) in names.ids:
+        # other signs stood there, which a file's name cannot have: somebody else may be called so
+        safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
     return Owner(safe, False, *_numbered(parts[0], ()))
 
 
@@ -147,17 +168,20 @@ def _known(part, names):
     platform put there counts; the rest is the student's own.
     """
     stem = ENDINGS.sub("", part)
-    moodle, canvas = MOODLE.match(part), CANVAS.match(part)
-    if moodle:
-        written = [moodle["name"]]
-    elif canvas:
-        written = [canvas["user"], canvas["name"]]
-    else:
-        written = [stem, _called(part, names, True)]
-    for called in written:
+    canvas = CANVAS.match(part)
+    written = MOODLE.match(part) or canvas
+    if written:
+        # a number is the platform's; a name is its owner's choice, and may be another's id
+        if written is canvas and (found := names.ids.get(_plain(written["user"]))):
+            return found, True
+        called = written["name"]
+        if found := names.by_name(called):
+            return found, True
+        return names.find(called), False
+    for called in (stem, _called(part, names, True)):
         if called and (found := names.find(called)):
             return found, True
-    return (None, True) if moodle or canvas else (names.within(stem), False)
+    return names.within(stem), False
 
 
 def _called(part, names, is_file):

@@ -21,6 +21,7 @@ PASSED_OVER = "passed over"
 MOST_NOTEBOOKS = 12  # of a student
 MOST_LOOKED_INTO = 20  # files of another name, of a student, that may be notebooks
 MOST_NOTES = 20  # of a student
+LONGEST_NAME = 400  # letters of a file's name, folders and all, that are shown
 NOTEBOOK_ENDINGS = (".ipynb", ".json", ".txt", "")
 LOOKS_LIKE_ONE = re.compile(rb'"(cells|worksheets)"\s*:')
 
@@ -198,7 +199,7 @@ def _take(mine, entry):
     """Add a file to a student's submission, or say why not."""
     name, read, fault = "/".join(entry.parts), entry.read, entry.fault
     ending = os.path.splitext(name)[1].lower()
-    name = printable(name.encode("utf-8", "replace").decode("utf-8"))
+    name = _shown(name)
     if fault:
         mine.notes.append(f"{name}: {fault}")
     elif ending == ".ipynb" or (ending in NOTEBOOK_ENDINGS and _sniffed(mine, read)):
@@ -209,6 +210,13 @@ def _take(mine, entry):
         mine.notebooks.append(Notebook(name, read, entry.when, entry.source, entry.size))
     else:
         mine.notes.append(f"{name}: no notebook, {PASSED_OVER}")
+
+
+def _shown(name):
+    """What a file is called in notes and marks: no longer than one reads."""
+    told = printable(name.encode("utf-8", "replace").decode("utf-8"))
+    half = LONGEST_NAME // 2
+    return told if len(told) <= LONGEST_NAME else f"{told[:half]} … {told[-half:]}"
 
 
 def printable(name: str) -> str:

@@ -1,0 +1,135 @@
+"""What students call themselves and their files takes nothing from anybody else, and a file that
+becomes a link once it was looked at leads nowhere.
+"""
+
+import os
+import re
+import zipfile
+from datetime import UTC, datetime
+
+import pytest
+
+from dhlab.grading.exports.gradescope import export_gradescope
+from dhlab.grading.intake.roster import Student, read_roster
+from dhlab.grading.intake.submissions import submissions
+from dhlab.grading.results.gradebook import Gradebook
+from dhlab.grading.results.marks import GRADED, Graded, Mark
+
+NOTEBOOK = b'{"cells": []}'
+ADA, MALLORY = Student("ada", "Ada Lovelace", "ada@x.org"), Student("mallory", "Mallory")
+
+
+def put(path, data=NOTEBOOK, day=1):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+    when = datetime(2026, 11, day, tzinfo=UTC).timestamp()
+    os.utime(path, (when, when))
+
+
+def taken(top, *roster):
+    return {
+        student: [one.name for one in mine.notebooks]
+        for student, mine in submissions(top, roster).items()
+    }
+
+
+def test_a_platforms_name_that_is_anothers_id(tmp_path):
+    put(tmp_path / "lovelaceada_771_900_05.ipynb")
+    put(tmp_path / "ada_880_901_05.ipynb", day=9)
+    assert taken(tmp_path, ADA, MALLORY)["ada"] == ["lovelaceada_771_900_05.ipynb"]
+
+
+def test_a_name_on_the_roster_that_is_anothers_id(tmp_path):
+    put(tmp_path / "ada" / "05.ipynb")
+    assert taken(tmp_path, ADA, Student("mallory", "ada")) == {
+        "ada": ["ada/05.ipynb"],
+        "mallory": [],
+    }
+
+
+@pytest.mark.parametrize("other", [("", "lovelaceada@x.org"), ("lovelaceada", "")])
+def test_an_address_or_a_name_as_canvas_writes_anothers(tmp_path, other):
+    put(tmp_path / "lovelaceada_771_900_05.ipynb")
+    assert taken(tmp_path, ADA, Student("mallory", *other))["mallory"] == []
+
+
+def test_without_a_roster_other_signs_are_another_name(tmp_path):
+    for folder in ("ada_l", "ada,l", "ada:l"):
+        put(tmp_path / folder / "05.ipynb")
+    found = taken(tmp_path)
+    assert found["ada_l"] == ["ada_l/05.ipynb"] and len(found) == 3
+
+
+@pytest.mark.parametrize("depth", [0, 1])
+def test_a_folder_that_becomes_a_link(tmp_path, depth):
+    own = tmp_path / "class" / "mallory" / "hw"
+    put(own / "05.ipynb")
+    put(tmp_path / "class" / "ada" / "05.ipynb", b"hers")
+    (mine,) = submissions(tmp_path / "class", (ADA, MALLORY))["mallory"].notebooks
+    place = (own, own / "05.ipynb")[depth]
+    place.rename(tmp_path / "away")
+    place.symlink_to(tmp_path / "class" / "ada" / ("05.ipynb" if depth else ""))
+    assert mine.read() == b""
+
+
+def test_a_zip_that_becomes_a_link(tmp_path):
+    def zipped(path, data):
+        put(path)
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("05.ipynb", data)
+
+    for student in ("mallory", "a", "b", "c", "d"):  # of several, not all stay open
+        zipped(tmp_path / "class" / student / "x.zip", b"own")
+    zipped(tmp_path / "other.zip", b"hers")
+    (mine,) = submissions(tmp_path / "class")["mallory"].notebooks
+    place = tmp_path / "class" / "mallory" / "x.zip"
+    place.unlink()
+    place.symlink_to(tmp_path / "other.zip")
+    assert mine.read() != b"hers"
+
+
+def test_marks_are_read_whatever_their_owner_is_called(tmp_path):
+    book = Gradebook(tmp_path)
+    graded = Graded("coding=utf-16 李, perhaps ada", "x", GRADED, (Mark("05.1", "right", 1, 1),))
+    with book.alone():
+        book.write(graded)
+    assert book.read(graded.student) == graded
+
+
+@pytest.mark.parametrize("said", ["coding: utf-16", "encoding='latin-1'", "coding=cp1252"])
+def test_a_roster_is_read_whatever_its_students_are_called(tmp_path, said):
+    path = tmp_path / "roster.csv"
+    path.write_text(f"student,name\nmallory,{said}\nli,李小龙\n", encoding="utf-8")
+    assert [student.name for student in read_roster(path)] == [said, "李小龙"]
+
+
+def test_names_are_shown_no_longer_than_one_reads(tmp_path):
+    put(tmp_path / "mallory" / "05.ipynb")
+    folders = "/".join(["\U000e0041" * 200] * 39)
+    with zipfile.ZipFile(tmp_path / "mallory" / "x.zip", "w") as archive:
+        for number in range(12):
+            archive.writestr(f"{folders}/{number}.ipynb", NOTEBOOK)
+    mine = submissions(tmp_path)["mallory"]
+    names = [one.name for one in mine.notebooks]
+    assert len(names) == len(set(names)) == 12
+    assert max(map(len, (*names, *mine.notes))) < 600
+
+
+def test_folders_in_folders_of_somebody_unknown_cost_little(tmp_path, monkeypatch):
+    searches = []
+    search = re.search
+    monkeypatch.setattr(re, "search", lambda *given: searches.append(1) or search(*given))
+    roster = [Student(f"s{number:04d}", f"N{number} M{number}") for number in range(1000)]
+    put(tmp_path / "nobody" / "x.zip")
+    with zipfile.ZipFile(tmp_path / "nobody" / "x.zip", "w") as archive:
+        for number in range(400):
+            archive.writestr("/".join([f"d{number}"] * 39) + "/x.txt", b"")
+    submissions(tmp_path, roster)
+    assert len(searches) < 10_000  # there were sixty million
+
+
+def test_two_students_of_one_address_are_told(tmp_path):
+    roster = [ADA, Student("mallory", "Mallory", "ADA@x.org")]
+    with pytest.raises(ValueError, match="ada and mallory"):
+        export_gradescope(tmp_path / "a.zip", roster, b"k" * 32)
+    assert not (tmp_path / "a.zip").exists()
