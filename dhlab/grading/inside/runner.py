@@ -122,9 +122,18 @@ class _Run:
             self._cell(number, cell)
             if number == self.cells.last_for(self.book.only):
                 break
-        for key in self.cells.unplaced:
-            if key not in self.book.noted:
-                self._fallback(key)
+        for key in self._unheard():
+            self._fallback(key)
+
+    def _unheard(self):
+        """The exercises of whose answers nothing was noted: there is no place for them, or a check
+        stopped, since its cell stands above the one that was run before it.
+        """
+        gone = {key for n in self.request["skip"] for key in self._answered_in(n)}
+        return [key for key in self.cells.expressions if key not in {*self.book.noted, *gone}]
+
+    def _answered_in(self, number):
+        return self.cells.code[number].answers if number < len(self.cells.code) else ()
 
     def _cell(self, number, cell):
         self.send({"cell": number, "ids": cell.ids})

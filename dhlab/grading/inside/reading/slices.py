@@ -1,8 +1,8 @@
 """What a name of a notebook depends on: the statements that make it, found by reading them.
 
-A statement is taken when it binds, or changes in place, a name that is wanted; the names that it
-reads are wanted then too, until nothing is added. Where reading cannot tell (``exec``, ``globals``,
-``from x import *``) it is taken.
+A statement is taken when it binds, or changes in place, a name that is wanted, by whatever other
+name; the names that it reads are wanted then too, until nothing is added. Where reading cannot tell
+(``exec``, ``globals``, ``from x import *``) it is taken.
 """
 
 import ast
@@ -21,15 +21,20 @@ UNREADABLE = frozenset(
 DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 # calls that show something and change nothing
 SHOWING = frozenset("print display check predict reveal hint given progress view help len".split())
+# methods that change what they are called on, also where somebody takes their answer
+CHANGING = frozenset(
+    "append extend insert pop popitem setdefault update add remove discard clear sort".split()
+)
 
 
 @dataclass(frozen=True)
 class Statement:
     """One statement of a cell: the names that it reads, those that it binds or changes, and those
-    that it ``assigns`` whatever happens; whether it is taken whenever something it reads is wanted
-    (``acts``), or always; whether it makes functions or classes (``defines``), is a function that
-    changes nothing when it is called (``harmless``), or ``imports``. All is found when it is read,
-    which the warm parent does once.
+    that it ``assigns`` whatever happens; those that ``act`` in it, so that it is taken when one of
+    them is wanted: what a call reads, a decorator, what a class inherits from; that of whose object
+    it binds a part or another name (``alias``); whether it is taken ``always``, makes functions or
+    classes (``defines``), is a function that changes nothing when it is called (``harmless``), or
+    ``imports``. All is found when it is read, which the warm parent does once.
     """
 
     cell: int
@@ -37,7 +42,8 @@ class Statement:
     reads: frozenset[str]
     writes: frozenset[str]
     assigns: frozenset[str] = frozenset()
-    acts: bool = False
+    act: frozenset[str] = frozenset()
+    alias: str = ""
     always: bool = False
     defines: bool = False
     harmless: bool = False
@@ -98,20 +104,30 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
     changed = _changed(within)
     writes = binds | (changed & reads)
     star = isinstance(node, ast.ImportFrom) and node.names[0].name == "*"
-    call = _call(node)
-    called = _root(call.func) if call else None
     return Statement(
         cell,
         node,
         frozenset(reads),
         frozenset(writes),
         frozenset(_assigned(node)),
-        acts=call is not None and called not in SHOWING,
+        act=_acting(node, reads),
+        alias=(_root(node.value) or "") if isinstance(node, ast.Assign) else "",
         always=star or _of_the_future(node) or bool(reads & UNREADABLE),
         defines=any(isinstance(inner, DEFINING) for inner in within),
         harmless=isinstance(node, ast.FunctionDef) and not changed and binds == {node.name},
         imports=isinstance(node, (ast.Import, ast.ImportFrom)),
     )
+
+
+def _acting(node, reads):
+    """The names by which a statement may change something that it does not bind: a class may be
+    noted where it inherits, a function by its decorator.
+    """
+    if call := _call(node):
+        return frozenset() if _root(call.func) in SHOWING else frozenset(reads)
+    by = [*getattr(node, "decorator_list", ()), *getattr(node, "bases", ())]
+    called = [one.func if isinstance(one, ast.Call) else one for one in by]
+    return frozenset(filter(None, map(_root, called)))
 
 
 def _of_the_future(node):
@@ -131,17 +147,19 @@ def _assigned(node):
 def needed(statements: Sequence[Statement], wanted: Iterable[str]) -> list[Statement]:
     """Those of the statements that make the wanted names, in their order."""
     names, taken = set(wanted), set()
+    modules = {"np", "dh"}.union(*(one.writes for one in statements if one.imports))
     more = True
     while more:
         more = False
         for number, one in enumerate(statements):
             if number not in taken and (
-                one.always or one.writes & names or (one.acts and one.reads & names)
+                one.always or one.writes & names or one.act & names or one.alias in names - modules
             ):
                 taken.add(number)
-                # who calls a function that changes something matters too
+                # who calls a function that changes something matters too, and who changes a part
                 defined = isinstance(one.node, (ast.FunctionDef, ast.ClassDef))
-                names |= one.reads | (one.writes if defined else frozenset())
+                also = defined or one.alias in names - modules
+                names |= one.reads | (one.writes if also else frozenset())
                 more = True
     return [statements[number] for number in sorted(taken)]
 
@@ -169,7 +187,9 @@ def _names(text):
 
 
 def _changed(within):
-    """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``."""
+    """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``, and x where
+    ``for row in x`` does so with a row.
+    """
     found = set()
     for inner in within:
         if isinstance(inner, (ast.Subscript, ast.Attribute)) and not isinstance(
@@ -178,7 +198,16 @@ def _changed(within):
             found.add(_root(inner))
         elif (call := _call(inner)) and isinstance(call.func, ast.Attribute):
             found.add(_root(call.func))
+        elif isinstance(inner, ast.Call) and getattr(inner.func, "attr", "") in CHANGING:
+            found.add(_root(inner.func))
+    for loop in within:
+        if isinstance(loop, ast.For) and _names_in(loop.target) & found:
+            found |= _names_in(loop.iter)
     return found
+
+
+def _names_in(node):
+    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
 
 
 def _root(node):

@@ -1,0 +1,144 @@
+"""Right answers written in ways that hide, from who only reads a notebook, what a program depends
+on: they keep their marks in a room that runs no more than that.
+"""
+
+import ast
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import corpus
+from corpus import answer, closed
+from corpus_making import RIGHT_FORM
+
+from dhlab.grading.grade import grade
+from dhlab.grading.inside.reading.slices import needed, statement
+from dhlab.grading.settings import Settings
+
+FORM = "".join(f"    {line}\n" for line in RIGHT_FORM.splitlines())
+LINK = f"def form(theta, d, a, alpha):\n{FORM}"
+IN_CLASS = "".join(f"    {line}\n" for line in LINK.replace("form(", "form(self, ").splitlines())
+MOVES = """def move(kind, v):
+    T, c, s = np.eye(4), np.cos(v), np.sin(v)
+    i, j = {"z": (0, 1), "x": (1, 2)}[kind[1]]
+    if kind[0] == "r":
+        T[i, i] = T[j, j] = c
+        T[i, j], T[j, i] = -s, s
+    else:
+        T["xyz".index(kind[1]), 3] = v
+    return T
+STEPS = [["rz", 1], ["tz", 2], ["tx", 3], ["rx", 4]]
+for step in STEPS:
+    step[1] -= 1
+first = STEPS[0]
+first.append("about z")"""
+
+
+def out_of_order(notebook, facts):
+    """The check was written above, and run after, the cell with the program."""
+    cells = notebook["cells"]
+    at = [
+        next(k for k, cell in enumerate(cells) if found(cell))
+        for found in (
+            lambda cell: cell["metadata"].get("exercise") == "05.6",
+            lambda cell: cell["source"].startswith('check("05.6"'),
+        )
+    ]
+    cells[at[0]], cells[at[1]] = cells[at[1]], cells[at[0]]
+
+
+def in_every_dress(notebook, facts):
+    answer(
+        "05.5",
+        "from fractions import Fraction\nfrom decimal import Decimal\n"
+        "origin = [Fraction(float(origin[0])), Decimal(float(origin[1])), np.array(origin[2])]",
+    )(notebook, facts)
+    closed(
+        "计数 = zähle()\nif (n := 计数) < 0: raise ValueError(f'{n=}')\n"
+        "return functools.reduce(np.matmul, ziehe(theta, d, a, alpha))",
+        "import functools\nimport sympy as sp\nzahl: int = 0\n"
+        "def zähle() -> int:\n    global zahl\n    zahl += 1\n    return zahl\n"
+        f"def 连杆矩阵(θ: float, d: float, a: float, α: float) -> np.ndarray:\n"
+        f"    theta, alpha = θ, α\n{FORM}\n"
+        "x = sp.symbols('x')\none = sp.lambdify(x, x * sp.eye(4), 'numpy')\n"
+        "def ziehe(*row):\n    yield np.einsum('ij,jk->ik', 连杆矩阵(*row), np.asarray(one(1)))\n"
+        "    yield np.block([[np.eye(3), np.zeros((3, 1))], [np.zeros((1, 3)), np.ones((1, 1))]])",
+    )(notebook, facts)
+
+
+WAYS = {
+    "a register": closed(
+        "return KNOWN['form'](theta, d, a, alpha)",
+        "KNOWN = {}\ndef register(f):\n    KNOWN[f.__name__] = f\n    return f\n@register\n" + LINK,
+    ),
+    "a register by name": closed(
+        "return KNOWN['dh'](theta, d, a, alpha)",
+        "KNOWN = {}\ndef named(name):\n    def note(f):\n        KNOWN[name] = f\n"
+        f"        return f\n    return note\n@named('dh')\n{LINK}",
+    ),
+    "a table changed in a loop": closed(
+        "row, T = (theta, d, a, alpha), np.eye(4)\nfor kind, place, *_ in STEPS:\n"
+        "    T = T @ move(kind, row[place])\nassert len(STEPS[0]) == 3\nreturn T",
+        MOVES,
+    ),
+    "subclasses that note themselves": closed(
+        "return Kind.known[0]().form(theta, d, a, alpha)",
+        "class Kind:\n    known = []\n    def __init_subclass__(cls): Kind.known.append(cls)\n"
+        f"class Standard(Kind):\n{IN_CLASS}",
+    ),
+    "a function for each type": closed(
+        "return power(form(theta, d, a, alpha))",
+        f"import functools\n{LINK}@functools.singledispatch\ndef power(x): raise TypeError(x)\n"
+        "@power.register\ndef _(x: np.ndarray): return x",
+    ),
+    "another name for a list": closed(
+        "return found[0](theta, d, a, alpha)", f"found = []\nmine = found\n{LINK}mine.append(form)"
+    ),
+    "an answer of a method that nobody needs": closed(
+        "return found[-1](theta, d, a, alpha)", f"{LINK}found = [form, print]\nlast = found.pop()"
+    ),
+    "cells out of order": out_of_order,
+    "in every dress": in_every_dress,
+}
+
+
+@pytest.mark.cage
+def test_right_answers_keep_their_marks(tmp_path):
+    for name, make in WAYS.items():
+        corpus.put(tmp_path / "class" / name, make, {})
+    results, _ = grade(tmp_path / "class", tmp_path / "out", settings=Settings(cage=None))
+    assert {one.student: corpus.lost(one) for one in results} == {name: set() for name in WAYS}
+
+
+@pytest.mark.parametrize(
+    "source, wanted",
+    [
+        ("for row in table: row[0] = 1", "table"),
+        ("for k, row in enumerate(table.rows): row.append(k)", "table"),
+        ("last = table.pop()", "table"),
+        ("table = []\nother = table\nother += [1]", "table"),
+        ("part = table[0]\npart[1] = 2", "table"),
+        ("@table.register\ndef f(): pass", "table"),
+        ("class Two(table): pass", "table"),
+    ],
+)
+def test_what_changes_a_name_is_taken(source, wanted):
+    found = [statement(0, node) for node in ast.parse(source).body]
+    assert needed(found, {wanted}) == found
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "for row in table: print(row)",
+        "T = f(table)",
+        "pi = np.pi\npi = 3",
+        "class Two(dict): pass",
+        "@functools.cache\ndef f(): pass",
+    ],
+)
+def test_what_changes_nothing_is_not(source):
+    found = [statement(0, node) for node in ast.parse(source).body]
+    assert needed(found, {"table", "np"}) == []
