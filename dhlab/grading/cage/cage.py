@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Self
 
-from ..inside.clock import WAIT
+from ..inside.clock import IDLE, WAIT
 from ..settings import Limits
 from . import stage
 from .folder import Folder, staged
@@ -266,10 +266,11 @@ class Cage:
 
 
 def _counted(seconds, begun):
-    """What a run takes of the time that there is: seconds of processor, and of those that it only
-    slept a part, so that sleeping comes to an end too.
+    """What a run takes of the time that there is: seconds of processor, and of those on the wall's
+    clock a part, so that sleeping comes to an end too; of one that did nothing else half of them.
     """
-    return max(seconds, (time.monotonic() - begun) / WAIT)
+    passed = time.monotonic() - begun
+    return max(seconds, passed / (2 if seconds < IDLE * passed else WAIT))
 
 
 def check_system() -> None:

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from ..settings import Limits
 from . import stage
 from .folder import readable_by_others
-from .sight import OWN, hidden, kept, packages, readable_without
+from .sight import OWN, hidden, kept, packages, packages_of_others, readable_without
 
 __all__ = ["launch"]
 
@@ -72,4 +72,4 @@ def _covered(room):
         for entry in os.scandir(folder)
         if entry.path not in seen
     ]
-    return [*hidden(), *foreign]
+    return [*hidden(), *foreign, *(packages_of_others() if room == OWN else ())]

@@ -9,10 +9,21 @@ import sys
 import sysconfig
 from collections.abc import Iterable
 from functools import cache
+from glob import glob
 from importlib import metadata
 from pathlib import Path
 
-__all__ = ["OPEN", "OWN", "SYSTEM", "packages", "readable", "hidden", "kept", "readable_without"]
+__all__ = [
+    "OPEN",
+    "OWN",
+    "SYSTEM",
+    "packages",
+    "packages_of_others",
+    "readable",
+    "hidden",
+    "kept",
+    "readable_without",
+]
 
 # the two rooms: one with the library, and one where kinematics is to be written oneself
 OPEN, OWN = "open", "own"
@@ -37,6 +48,21 @@ def packages() -> list[str]:
     return [
         folder for folder in dict.fromkeys(map(os.path.abspath, found)) if os.path.isdir(folder)
     ]
+
+
+@cache
+def packages_of_others() -> tuple[str, ...]:
+    """The folders of packages of the machine's other Pythons, among what is readable: what stands
+    there may know kinematics, and whoever names the folder could import it.
+    """
+    own = set(map(os.path.realpath, packages()))
+    found = {
+        os.path.realpath(folder)
+        for root in readable()
+        for place in ("", "local/", "pkgs/*/", "envs/*/")
+        for folder in glob(os.path.join(root, f"{place}lib*/python*/*-packages"))
+    }
+    return tuple(sorted(found - own))
 
 
 @cache
@@ -135,4 +161,10 @@ def _spread(path, covered, above):
         return []
     if path not in above:
         return [path]
-    return [found for entry in os.scandir(path) for found in _spread(entry.path, covered, above)]
+    found = []
+    for entry in os.scandir(path):
+        real = os.path.realpath(entry.path)
+        # lib64 is a link to lib: what is allowed by the one name is allowed by the other
+        if not (entry.is_symlink() and real in above):
+            found += _spread(real, covered, above)
+    return found

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from ..settings import Limits
-from .sight import OPEN, OWN, PACKAGE, SYSTEM, hidden, kept, packages, readable
+from .sight import OPEN, OWN, PACKAGE, SYSTEM, hidden, kept, packages, packages_of_others, readable
 
 __all__ = ["library", "stage", "python_command", "bubblewrap_command", "environment"]
 
@@ -176,13 +176,15 @@ def bubblewrap_command(
     lock += [word for parent in sorted(parents) for word in ("--perms", "0755", "--dir", parent)]
     lock += [word for path in readable() for word in _bind(path)]
     lock += [word for path in hidden() for word in ("--tmpfs", path)]
-    emptied = packages() if room == OWN else []
+    emptied = [*packages(), *packages_of_others()] if room == OWN else []
     lock += [word for path in emptied for word in ("--perms", "0755", "--tmpfs", path)]
     lock += [word for path in (kept() if emptied else ()) for word in ("--ro-bind", path, path)]
     lock += ["--proc", "/proc"] if proc else []
     lock += ["--ro-bind", folder, INSIDE, "--dev", "/dev"]
     lock += [
-        word for path in ("/dev", *emptied, *sorted(below), "/") for word in ("--remount-ro", path)
+        word
+        for path in ("/dev", *hidden(), *emptied, *sorted(below), "/")
+        for word in ("--remount-ro", path)
     ]
     lock += [
         word for name, value in environment("/tmp").items() for word in ("--setenv", name, value)

@@ -25,7 +25,11 @@ setgid setreuid setregid setresuid setresgid setgroups setfsuid setfsgid capset 
 setdomainname settimeofday clock_settime clock_adjtime adjtimex lookup_dcookie chown fchown lchown
 fchownat link linkat symlink symlinkat
 bind connect listen accept accept4 sendmsg sendmmsg inotify_init inotify_init1 inotify_add_watch
+sync syncfs
 """.split()
+# F_SETLEASE, F_NOTIFY, F_SETDELEG of fcntl: who opens a file of one's own user, the library's too,
+# would wait for who has a lease on it
+LEASES = 1024, 1026, 1040
 # where a submission has the grader's own user: no file of that user may change what it is
 DENIED_TO_OWN_USER = """
 chmod fchmod fchmodat fchmodat2 utime utimes utimensat futimesat setxattr lsetxattr fsetxattr
@@ -35,6 +39,9 @@ fallocate rename renameat renameat2 openat2 truncate
 # there nothing is removed, though it looks so: a file that is open and has no name any more would
 # take room that nobody can count
 UNDONE = "unlink", "unlinkat"
+# attributes of any file, read by its name, of which Landlock knows nothing: a browser keeps there
+# where a download came from. The last two are getxattrat and listxattrat.
+UNKNOWN = "getxattr", "lgetxattr", "listxattr", "llistxattr", 464, 465
 NAMELESS = 0x400000  # O_TMPFILE: a file that never had a name
 ONLY_CUT, CUT = 0x203, 0x200  # O_TRUNC with O_RDONLY: a right that Landlock knows from 6.2 on
 # kinds of ioctl that set what a file is, or seal it, and want no right to write to it
@@ -45,6 +52,7 @@ NEWER = 463, 466, 469
 # other processes named as owners of a file, whom the kernel then signals
 OWNERS = {"fcntl": (8, 10, 15), "ioctl": (0x8901, 0x8902)}
 ALLOW, DONE, EPERM, ENOSYS = 0x7FFF0000, 0x00050000, 0x00050001, 0x00050026
+ENOTSUP = 0x0005005F  # what a file system without attributes says
 NOT_EQUAL, MASKED = 1, 7
 CLONE_THREAD = 0x10000
 INT = 0xFFFFFFFF  # the kernel reads no more of such an argument
@@ -83,6 +91,8 @@ def filter_of_calls(library: Any, own_user: bool = True) -> bytes:
     for name, commands in OWNERS.items():
         for command in commands:
             _rule(library, filter_, EPERM, name, Compare(1, MASKED, INT, command))
+    for command in LEASES:
+        _rule(library, filter_, EPERM, "fcntl", Compare(1, MASKED, INT, command))
     # PR_SET_PDEATHSIG, PR_SET_DUMPABLE: that it dies with its parent, and leaves no core to the
     # machine's handler, is not its to take back
     for option in (1, 4):
@@ -123,6 +133,8 @@ def _keep_files(library, filter_):
         _rule(library, filter_, EPERM, name)
     for name in UNDONE:
         _rule(library, filter_, DONE, name)
+    for name in UNKNOWN:
+        _rule(library, filter_, ENOTSUP, name)
     for argument, name in ((1, "open"), (2, "openat")):
         _rule(library, filter_, EPERM, name, Compare(argument, MASKED, NAMELESS, NAMELESS))
         _rule(library, filter_, EPERM, name, Compare(argument, MASKED, ONLY_CUT, CUT))

@@ -15,7 +15,9 @@ import select
 import signal
 import socket
 import sys
+import time
 
+from dhlab.grading.inside.clock import IDLE
 from dhlab.grading.inside.confining import landlock, process, seccomp
 from dhlab.grading.inside.warming import later
 from dhlab.grading.inside.warming.ending import clean, end
@@ -54,24 +56,36 @@ def main() -> None:
             _submission(config, warm, *files)
         for file in files:
             os.close(file)
-        if not _told_that_it_is_over(control, child, config):
+        late = _late_when_it_is_over(control, child, config)
+        if late is None:
             return
         status, seconds = end(child, config["own_processes"])
+        status = -signal.SIGXCPU if late else status
         emptied = clean(config["work"], kept)
         said = {"status": status, "seconds": round(seconds, 3), "clean": emptied}
         control.sendall(json.dumps(said).encode())
 
 
-def _told_that_it_is_over(control, child, config):
-    """Wait until the grader says so; False when it has hung up. Who leaves more files than there
-    is room for, or starts threads without number, is stopped meanwhile.
+def _late_when_it_is_over(control, child, config):
+    """Wait until the grader says so; None when it has hung up. Who leaves more files than there
+    is room for, starts threads without number, or does nothing but wait, is stopped meanwhile;
+    whether it was the last.
     """
-    watched, before = True, process.threads_of_all()
+    watched, late, before, begun = True, False, process.threads_of_all(), time.monotonic()
     while not select.select([control], [], [], LOOK)[0]:
-        if watched and (_too_many_files(config) or _too_many_threads(config, before)):
+        late = late or (watched and _only_waits(child, begun, config["limits"]["seconds"]))
+        if watched and (late or _too_many_files(config) or _too_many_threads(config, before)):
             os.kill(child, signal.SIGKILL)
             watched = False
-    return bool(control.recv(1))
+    return late if control.recv(1) else None
+
+
+def _only_waits(child, begun, seconds):
+    """Whether a submission has had its time on the wall's clock and hardly used a processor: the
+    clock within, which it may have put away, would have ended that.
+    """
+    passed = time.monotonic() - begun
+    return passed > seconds and process.seconds_of(child, passed) < IDLE * passed
 
 
 def _too_many_threads(config, before):
