@@ -6,11 +6,13 @@ A run of tokens is a fingerprint (Schleimer, Wilkerson & Aiken, "Winnowing", SIG
 changes nothing. What was handed out, and what many in the class write, is no evidence.
 """
 
+import ast
 import io
 import keyword
+import re
 import tokenize
 from collections import Counter, defaultdict
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -18,7 +20,7 @@ from typing import Any
 from ...course.exercises import exercises
 from .cells import answered
 
-__all__ = ["Pair", "alike", "answers"]
+__all__ = ["Pair", "alike", "answers", "is_cut"]
 
 RUN = 12  # tokens: about a line of a formula
 # a run that more than this share of the class, or this many, wrote is how one writes it, no copy:
@@ -29,6 +31,10 @@ ENOUGH, SHARE = 40, 0.8
 SINK = 3  # people, of whom no two are alike, that one person's code is alike to
 LARGEST = 10_000  # characters of one answer that are read; a long one has a thousand
 MOST = 20_000  # of all answers to one lesson; the longest lesson's have eight thousand
+APART = "\f"  # no letter of a program that means anything
+# comments, magics, and whatever else makes a cell longer and not another
+NO_CODE = re.compile(r"^[ \t]*(?:[#!%?][^\n]*)?(?:\n|\Z)|^[\w, \t]+=[ \t]*[!%][^\n]*", re.M)
+STRING = 40  # letters of a text that may be a program
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 
 
@@ -44,7 +50,9 @@ class Pair:
 
 
 def answers(notebook: Any) -> dict[str, str]:
-    """The code of each exercise in a notebook: what stands between its check and the one before.
+    """The code of each exercise in a notebook: what stands between its check and the one before,
+    without comments and lines that are no Python; what stands below the last check is the last
+    one's. Cells are set apart by a form feed.
 
     Parameters
     ----------
@@ -59,25 +67,42 @@ def answers(notebook: Any) -> dict[str, str]:
     --------
     >>> cells = [{"source": "x = 1"}, {"source": ["check('05.1', ", "x)"]}]
     >>> answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
-    {'05.1': 'x = 1\\n'}
+    {'05.1': 'x = 1\\x0c\\x0c'}
     """
     found: dict[str, str] = {}
     left: dict[str, int] = defaultdict(lambda: MOST)
-    code = ""
-    for _, part, exercise in answered(notebook):
-        code += part or ""
-        if exercise:
-            code = code[: min(LARGEST, left[exercise[:2]])]
-            if exercise in exercises():
-                found[exercise] = code
-                left[exercise[:2]] -= len(code)
-            code = ""
-        elif part is not None:
-            code += "\n"
+    for exercise, code in _written_in(notebook).items():
+        found[exercise] = code[: min(LARGEST, left[exercise[:2]])]
+        left[exercise[:2]] -= len(found[exercise])
     return found
 
 
-def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str]) -> list[Pair]:
+def is_cut(notebook: Any) -> bool:
+    """Whether there is more code in a notebook than is compared."""
+    found = answers(notebook)
+    return any(len(code) > len(found[key]) for key, code in _written_in(notebook).items())
+
+
+def _written_in(notebook):
+    found: dict[str, str] = {}
+    code = last = ""
+    for _, part, exercise in answered(notebook):
+        code += "" if part is None else NO_CODE.sub("", part) + APART
+        if exercise in exercises():
+            found[exercise] = found.get(exercise, "") + code
+            code, last = "", exercise
+        elif exercise:
+            code = ""
+    if last:
+        found[last] += code
+    return found
+
+
+def alike(
+    codes: Mapping[str, Mapping[str, str]],
+    handed_out: Mapping[str, str],
+    counted: Collection[str] = (),
+) -> list[Pair]:
     """The pairs whose answers share more rare runs than chance and a common lesson explain, most
     alike first.
 
@@ -87,6 +112,8 @@ def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str])
         For each student the code of each exercise, as :func:`answers` gives it.
     handed_out : mapping
         The same of the lesson as it was handed out.
+    counted : collection of str
+        By whom is counted what many write, all when empty: files of nobody's name may be anybody's.
 
     Returns
     -------
@@ -100,13 +127,17 @@ def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str])
     for student, own in written.items():
         for run in own:
             writers[run].append(student)
-    most = min(max(2, FEW * len(codes)), MANY)
+    known = (set(counted) & codes.keys()) or codes.keys()
+    most = min(max(2, FEW * len(known)), MANY)
+    rarely = {run for run, students in writers.items() if _count(students, known) <= most}
     common: Counter[tuple[str, ...]] = Counter()
     rare: Counter[str] = Counter()
-    for students in writers.values():
-        if len(students) <= most:
-            rare.update(students)
-            common.update(combinations(sorted(students), 2))
+    for run in rarely:
+        # each pair costs time, and strangers may be as many as somebody likes
+        few = len(writers[run]) <= 2 * MANY
+        students = [one for one in writers[run] if few or one in known]
+        rare.update(students)
+        common.update(combinations(sorted(students), 2))
     found = {
         pair: shared / min(rare[student] for student in pair)
         for pair, shared in common.items()
@@ -116,12 +147,16 @@ def alike(codes: Mapping[str, Mapping[str, str]], handed_out: Mapping[str, str])
         Pair(
             (pair[0], pair[1]),
             share,
-            _where(codes, pair, lambda run: 1 < len(writers.get(run, ())) <= most),
+            _where(codes, pair, lambda run: run in rarely and len(writers[run]) > 1),
         )
         for pair, share in found.items()
         if share >= SHARE
     ]
     return sorted(_without_sinks(pairs), key=lambda pair: (-pair.share, pair.students))
+
+
+def _count(students, known):
+    return sum(student in known for student in students)
 
 
 def _written(own, given):
@@ -179,12 +214,22 @@ def runs(code):
 
 
 def _tokens(code):
-    """(kind, text) of each token that means something; a program that cannot be read gives those up
-    to the fault.
+    """(kind, text) of each token that means something, of a program that is a text too; a line that
+    cannot be read costs neither its cell's rest nor the next cell.
     """
     found: list[tuple[str, str]] = []
+    for cell in code.split(APART):
+        while cell:
+            cell = _read(cell, found)
+    return found
+
+
+def _read(cell, found):
+    """Read the tokens of a cell into ``found``; what stands behind a line that cannot be read."""
     try:
-        for token in tokenize.generate_tokens(io.StringIO(code).readline):
+        for token in tokenize.generate_tokens(io.StringIO(cell).readline):
+            if token.type == tokenize.STRING and len(token.string) > STRING:
+                found += _tokens_of_text(token.string)
             if (
                 token.type in SKIPPED
                 or token.string in ("(", ")")
@@ -202,9 +247,25 @@ def _tokens(code):
                 if layout
                 else ("name" if name else "text", token.string)
             )
-    except (tokenize.TokenError, SyntaxError):
-        pass
-    return found
+    except tokenize.TokenError as error:
+        return _below(cell, error.args[1][0])
+    except SyntaxError as error:
+        return _below(cell, error.lineno or 1)
+    return ""
+
+
+def _below(cell, line):
+    return "".join(cell.splitlines(keepends=True)[line:])
+
+
+def _tokens_of_text(text):
+    """The tokens of a program in quotes, which somebody may run; none of another text."""
+    try:
+        inner = ast.literal_eval(text)
+        program = isinstance(inner, str) and ast.parse(inner).body
+    except (ValueError, SyntaxError, RecursionError, MemoryError):
+        return []
+    return _tokens(inner) if program else []
 
 
 def _numbered(tokens):

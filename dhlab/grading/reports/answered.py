@@ -1,5 +1,6 @@
 """What each student wrote for each exercise, kept beside the marks for whoever reads them."""
 
+import ast
 import json
 import re
 from collections.abc import Mapping
@@ -23,8 +24,11 @@ MOST = 20_000  # characters of one answer that are kept
 MOST_PICTURES = 3  # of one answer
 KINDS = ("image/png", "image/jpeg", "image/gif", "image/webp")
 FOLDER = "answers"
-# how the cells of one's own numbers begin
-LOCKED = ("from dhlab.course import set_variant\nset_variant(", YOUR_NUMBERS)
+# the cell of one's own numbers, and what it is made of in a lesson of the teacher's own
+VARIANT = re.compile(
+    r"from dhlab\.course import set_variant\nset_variant\(\d+\)[ \t]*(?:#[^\n]*)?\s*\Z"
+)
+NUMBERS = ast.Dict | ast.List | ast.Constant | ast.UnaryOp | ast.USub | ast.expr_context
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]+\Z")
 
 
@@ -45,8 +49,9 @@ class Answer(NamedTuple):
 
 
 def own_answers(notebook: Any) -> dict[str, Answer]:
-    """The student's own answer to each exercise: the code cells between its check and the one
-    before, without those that are still as they were handed out, and the pictures between them.
+    """The student's own answer to each exercise: the code between its check and the one before,
+    without cells that are still as they were handed out, and the pictures between them; what stands
+    below the last check is the last one's.
 
     Parameters
     ----------
@@ -65,18 +70,47 @@ def own_answers(notebook: Any) -> dict[str, Answer]:
     """
     found: dict[str, Answer] = {}
     mine: list[str] = []
+    last = ""
     pictures: list[Picture] = []
     for cell, part, exercise in answered(notebook):
-        pictures += _pictures(cell)
+        pictures += _pictures(cell) if part is None else ()
         code = (part or "").strip()
-        if code and code not in _handed_out_cells() and not code.startswith(LOCKED):
+        if code and code not in _handed_out_cells() and not _is_given(code):
             mine.append(code)
         if exercise:
             if mine or pictures:
-                own = "\n\n".join(mine)[:MOST]
-                found[exercise] = Answer(own, tuple(pictures[:MOST_PICTURES]))
-            mine, pictures = [], []
+                found[exercise] = _answer(found.get(exercise), mine, pictures)
+            mine, pictures, last = [], [], exercise
+    if mine and last:  # below the last check
+        found[last] = _answer(found.get(last), mine, [])
     return found
+
+
+def _answer(before, mine, pictures):
+    """An answer with what is found of it further below."""
+    known = before or Answer()
+    code = "\n\n".join(filter(None, [known.code, *mine]))[:MOST]
+    return Answer(code, (*known.pictures, *pictures)[:MOST_PICTURES])
+
+
+def _is_given(code):
+    """Whether a cell is that of one's own numbers, and nothing else."""
+    if not code.startswith(YOUR_NUMBERS):
+        return bool(VARIANT.match(code))
+    try:
+        (task,) = ast.parse(code).body
+    except (ValueError, SyntaxError, RecursionError, MemoryError):
+        return False
+    return isinstance(task, ast.Assign) and all(map(_is_number, ast.walk(task.value)))
+
+
+def _is_number(node):
+    match node:
+        case ast.Call(ast.Attribute(ast.Name("np"), "array")) | ast.Attribute(ast.Name("np")):
+            return True
+        case ast.Name("np"):
+            return True
+    return isinstance(node, NUMBERS)
 
 
 def _pictures(cell):

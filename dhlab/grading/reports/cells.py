@@ -1,5 +1,5 @@
 """The cells of a notebook that a student handed in, read as the cage reads them: what is shown to
-the teacher and compared with others is what was run.
+the teacher and compared with others is what was run, all of it.
 """
 
 import re
@@ -10,6 +10,7 @@ from ..inside.reading.notebook import cells_of, listed
 
 __all__ = ["answered"]
 
+LINE = 1000  # letters of a check
 # a check, with what may stand before it in its line
 CHECK = re.compile(
     r"""(?:^[ \t]*(?:\w+[ \t]*=[ \t]*)?|\b)check\(\s*["']([0-9A-Za-z.]+)["']""", re.MULTILINE
@@ -17,14 +18,14 @@ CHECK = re.compile(
 
 
 def answered(notebook: Any) -> Iterator[tuple[dict[str, Any], str | None, str | None]]:
-    """(the cell, its code up to the check, the exercise that is answered once it has run) of each
-    cell; of one that is no code the second is None.
+    """(the cell, its code up to a check, the exercise that is answered once it has run) of each
+    cell, and again for what stands behind a check in it; of one that is no code the second is None.
 
     Examples
     --------
-    >>> cell = {"cell_type": "code", "source": ["x = 1\\n", "check('05.1', x)"]}
+    >>> cell = {"cell_type": "code", "source": ["x = 1\\n", "check('05.1', x)\\n", "y = 2"]}
     >>> [found[1:] for found in answered({"cells": [cell]})]
-    [('x = 1\\n', '05.1')]
+    [('x = 1\\n', '05.1'), ('\\ny = 2', None)]
     """
     try:
         found = cells_of(notebook, {}).code
@@ -38,8 +39,28 @@ def answered(notebook: Any) -> Iterator[tuple[dict[str, Any], str | None, str | 
             continue
         own = next(code)
         source = own.source.encode("utf-8", "replace").decode("utf-8")  # JSON has half letters
-        checked = CHECK.search(source) if own.checked else None
-        if checked:
-            yield cell, source[: checked.start()], checked[1]
-        else:
-            yield cell, source, next((key for key in own.ids if key not in checks), None)
+        yield from ((cell, *part) for part in _parts(source, own, checks))
+
+
+def _parts(source, own, checks):
+    """(code, exercise) up to each check, and what is left."""
+    here = 0
+    for checked in CHECK.finditer(source) if own.checked else ():
+        if checked.start() >= here:
+            yield source[here : checked.start()], checked[1]
+            here = _behind(source, checked.end())
+    rest = source[here:]
+    if not here or rest.strip():
+        yield rest, None if here else next((key for key in own.ids if key not in checks), None)
+
+
+def _behind(source, place):
+    """Where a call ends of which the first argument does: at its bracket or, where brackets stand
+    in texts, at the first one, so that nothing behind it is lost.
+    """
+    open_, line = 1, source[place : place + LINE].partition("\n")[0]
+    for number, sign in enumerate(line):
+        open_ += (sign == "(") - (sign == ")")
+        if not open_:
+            return place + number + 1
+    return place + line.find(")") + 1

@@ -11,7 +11,7 @@ from typing import Any
 
 from ...formats import plainyaml
 
-__all__ = ["render", "words", "duration"]
+__all__ = ["render", "words", "duration", "readable"]
 
 HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
@@ -59,17 +59,25 @@ def _with_code(text):
     return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
-def _readable(value):
-    """A text without control characters and without those that turn the direction of writing, and
-    not too long.
+def readable(text: str) -> str:
+    """A text without control characters, without letters that nobody sees, and without those that
+    turn the direction of writing: what is read is what is there.
+
+    Examples
+    --------
+    >>> readable("a\\u202eb\\n")
+    'a·b\\n'
     """
+    return "".join(
+        c if c in "\n\t" or not unicodedata.category(c).startswith("C") else "·" for c in text
+    )
+
+
+def _readable(value):
+    """A text that is readable, and not too long."""
     if type(value) is not str:
         return value
-    shown = "".join(
-        c if c == "\n" or not unicodedata.category(c).startswith("C") else "·"
-        for c in value[:LONGEST]
-    )
-    return shown + "…" * (len(value) > LONGEST)
+    return readable(value[:LONGEST]).replace("\t", "·") + "…" * (len(value) > LONGEST)
 
 
 def duration(days: float, said: Mapping[str, str]) -> str:

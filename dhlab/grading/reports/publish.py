@@ -13,7 +13,7 @@ from ...course.workspace import handed_out
 from ..intake.notebooks import LARGEST, parsed
 from ..intake.roster import Student
 from ..results.marks import NOT_ATTEMPTED, Graded
-from .alike import alike, answers
+from .alike import alike, answers, is_cut
 from .answered import keep_answers, own_answers, read_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
@@ -54,10 +54,10 @@ def publish(
             own = {name: own_answers(notebook) for name, notebook in notebooks.items()}
             keep_answers(graded, own, out)
             names = {one.name for one in mine.notebooks}
-            graded = replace(graded, notes=(*graded.notes, *_unseen(graded, own, names)))
+            unseen = (*_unseen(graded, own, names), *_uncompared(graded, notebooks))
+            graded = replace(graded, notes=(*graded.notes, *unseen))
             if mine.notebooks:
-                every = map(answers, notebooks.values())
-                codes[graded.student] = {key: code for one in every for key, code in one.items()}
+                codes[graded.student] = _compared(graded, notebooks)
         shown.append(graded)
         student = known.get(graded.student, Student(graded.student))
         write_feedback(graded, student, folder, read_answers(graded.student, out))
@@ -66,7 +66,28 @@ def publish(
         for path in sorted(handed_out().glob("*.ipynb"))
         for exercise, code in answers(json.loads(path.read_text(encoding="utf-8"))).items()
     }
-    return write_class_report(shown, roster, out, alike(codes, given))
+    return write_class_report(shown, roster, out, alike(codes, given, known.keys()))
+
+
+def _used(graded, notebooks):
+    """The notebooks that marks come from, by name; all where none does."""
+    used = {mark.file for mark in graded.marks}
+    return {name: one for name, one in notebooks.items() if name in used} or notebooks
+
+
+def _compared(graded, notebooks):
+    """The code by exercise, of every file that earned a mark: a newer one may hold next to none."""
+    found: dict[str, str] = {}
+    for one in _used(graded, notebooks).values():
+        for key, code in answers(one).items():
+            found[key] = found.get(key, "") + code
+    return found
+
+
+def _uncompared(graded, notebooks):
+    for name, one in _used(graded, notebooks).items():
+        if is_cut(one):
+            yield f"{name}: longer than is compared with others: look at the file"
 
 
 def _unseen(graded, own, names):

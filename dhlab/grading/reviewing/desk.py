@@ -9,6 +9,7 @@ from ...course.exercises import exercises
 from ...course.kinds import Explain, Lettered
 from ..intake.roster import Student
 from ..reports.answered import read_answers
+from ..reports.pages import readable
 from ..results.decisions import MOST, NAME, Decided, of_another, read_decisions
 from ..results.decisions import Student as Of
 from ..results.gradebook import Gradebook
@@ -82,9 +83,9 @@ class Desk:
         kept = read_answers(student, self.folder)
         shown = {key: openable(own.pictures) for key, own in kept.items()}
         found = {
-            key: f"{own.code}\n\n{NOT_SHOWN}".strip()
+            key: f"{readable(own.code)}\n\n{NOT_SHOWN}".strip()
             if len(shown[key]) < len(own.pictures)
-            else own.code
+            else readable(own.code)
             for key, own in kept.items()
         }
         for mark in self.marks[student].marks:

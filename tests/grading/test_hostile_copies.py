@@ -1,0 +1,161 @@
+"""A copier is named, and the teacher reads what ran, wherever in a notebook the code stands and
+whatever stands around it.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import corpus
+from corpus import code
+
+from dhlab.course.workspace import handed_out
+from dhlab.grading.reports.alike import _tokens, alike, answers, is_cut
+from dhlab.grading.reports.answered import Answer, keep_answers, own_answers
+from dhlab.grading.reports.pages import readable
+from dhlab.grading.reports.publish import _compared
+from dhlab.grading.results.gradebook import Gradebook
+from dhlab.grading.results.marks import GRADED, Graded, Mark
+from dhlab.grading.reviewing.desk import Desk
+
+PROGRAM = "def dh_closed("  # of ada's, and of who copied it
+
+
+def handed_out_code():
+    (path,) = handed_out().glob("05-*.ipynb")
+    return answers(json.loads(path.read_text(encoding="utf-8")))
+
+
+def is_named(notebook, others=(), counted=()):
+    """Whether ada and the copier stand in the report, beside each other or as not compared."""
+    codes = {"ada": answers(corpus.solved()), "copier": answers(notebook)}
+    codes |= {name: answers(corpus.solved()) for name in others}
+    pairs = [pair.students for pair in alike(codes, handed_out_code(), counted)]
+    return ("ada", "copier") in pairs or is_cut(notebook)
+
+
+def answered_by(change):
+    """The solved notebook, each answer's cell changed: ``change(source, exercise)``."""
+    notebook = corpus.solved()
+    for cell in notebook["cells"]:
+        if key := cell.get("metadata", {}).get("exercise"):
+            cell["source"] = change(cell["source"], key)
+    return notebook
+
+
+def below_the_last_check():
+    notebook = corpus.solved()
+    below = ["from dhlab.course import check as c"]
+    for cell in notebook["cells"]:
+        if cell.get("metadata", {}).get("exercise"):
+            below.append(cell["source"])
+            cell["source"] = "x = 1"
+        elif cell["source"].startswith("check("):
+            below.append(cell["source"].replace("check(", "c("))
+    notebook["cells"].append(code("\n".join(below)))
+    return notebook
+
+
+def checked_twice():
+    notebook = corpus.solved()
+    cells = [cell for cell in notebook["cells"] if cell["source"].startswith("check(")]
+    notebook["cells"] += [code(cell["source"]) for cell in cells]
+    return notebook
+
+
+def behind_a_broken_cell():
+    notebook = answered_by(lambda source, key: source)
+    at = [k for k, cell in enumerate(notebook["cells"]) if cell.get("metadata", {}).get("exercise")]
+    for k in reversed(at):
+        notebook["cells"].insert(k, code("x = ((('''"))
+    return notebook
+
+
+WAYS = {
+    "a shell line that opens a text": lambda: answered_by(lambda s, key: f"!echo '''\n{s}"),
+    "one whose answer is taken": lambda: answered_by(lambda s, key: f"x = !echo '''\n{s}"),
+    "comments without end": lambda: answered_by(
+        lambda s, key: "x = 1\n" + 120 * "# blah\n" * 20 + s
+    ),
+    "texts without end": lambda: answered_by(lambda s, key: f"x = '''{'blah ' * 3000}'''\n{s}"),
+    "behind a check": lambda: answered_by(lambda s, key: f"x = 1\ncheck('{key}', None)\n{s}"),
+    "behind one in its line": lambda: answered_by(
+        lambda s, key: f"check('{key}', '('); x = 2\n{s}"
+    ),
+    "as a text": lambda: answered_by(lambda s, key: f"exec({s!r})"),
+    "below the last check": below_the_last_check,
+    "checked twice": checked_twice,
+    "behind a broken cell": behind_a_broken_cell,
+}
+
+
+@pytest.mark.parametrize("make", WAYS.values(), ids=WAYS)
+def test_a_copier_is_named(make):
+    assert is_named(make())
+
+
+def test_what_strangers_hand_in_is_not_what_many_write():
+    strangers = [f"stranger{number}" for number in range(30)]
+    assert is_named(corpus.solved(), strangers, ("ada", "copier"))
+
+
+def test_a_newer_file_without_answers_hides_nothing():
+    untouched = corpus.solved()
+    for cell in untouched["cells"]:
+        if cell.get("metadata", {}).get("exercise"):
+            cell["source"] = "x = ..."
+    graded = Graded("m", "old; new", GRADED, (Mark("05.6", "right", 2, 2, file="old"),))
+    found = _compared(graded, {"old": corpus.solved(), "new": untouched})
+    assert PROGRAM in found["05.6"] and found == answers(corpus.solved())
+
+
+@pytest.mark.parametrize(
+    "make", [WAYS[name] for name in ("behind a check", "below the last check", "checked twice")]
+)
+def test_the_teacher_reads_what_ran(make):
+    assert sum(PROGRAM in answer.code for answer in own_answers(make()).values()) == 1
+
+
+@pytest.mark.parametrize(
+    "begin",
+    [
+        "from dhlab.course import set_variant\nset_variant(17)\n",
+        "from dhlab.course import set_variant\nset_variant(17)  # own\n",
+        "# your own numbers: leave this cell as it is\ntask = {'a': 1}\n",
+        "# your own numbers: leave this cell as it is\ntask = open\n",
+    ],
+)
+def test_what_stands_below_ones_own_numbers_is_shown(begin):
+    found = own_answers(answered_by(lambda source, key: begin + source))
+    assert PROGRAM in found["05.6"].code
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "from dhlab.course import set_variant\nset_variant(17)  # your own numbers: leave it",
+        "# your own numbers: leave this cell as it is\ntask = {'q': np.array([-1]), 'n': ['a;']}",
+    ],
+)
+def test_ones_own_numbers_are_no_answer(cell):
+    cells = [code(cell), code("y = 2"), code("check('05.6', y)")]
+    assert own_answers({"cells": cells}) == {"05.6": Answer("y = 2")}
+
+
+def test_the_review_shows_what_is_there(tmp_path):
+    book = Gradebook(tmp_path)
+    graded = Graded("m", "a", GRADED, (Mark("05.2", "right", 1, 1, file="a"),))
+    with book.alone():
+        book.write(graded)
+    hidden = "rule = 'a' # \u202e 'b' = elur \u2066\u200b\x9b2J"
+    keep_answers(graded, {"a": {"05.2": Answer(hidden)}}, tmp_path)
+    ((text, _),) = Desk(tmp_path).answers("m").values()
+    assert text == readable(hidden) and text.isprintable() and "·" in text
+
+
+def test_lines_that_cannot_be_read_cost_themselves_alone():
+    broken = "\n".join(f"{' ' * (9 - k % 9)}x{k} = 1" for k in range(900))
+    assert {("name", f"x{k}") for k in range(0, 900, 9)} <= set(_tokens(broken))
