@@ -16,6 +16,7 @@ from ..results.standing import lateness
 
 __all__ = ["read_marks", "settled", "canvas_csv", "moodle_csv"]
 
+POINTS_POSSIBLE = "Points Possible"
 WITH_MARK = (GRADED, NOT_ATTEMPTED, TIMED_OUT)
 
 
@@ -115,11 +116,11 @@ def canvas_csv(
     columns = _columns(marks, by_lesson)
     rows = [
         ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", *(each[0] for each in columns)],
-        ["Points Possible", "", "", "", "", *(each[1] for each in columns)],
+        [POINTS_POSSIBLE, "", "", "", "", *(each[1] for each in columns)],
     ]
     rows += [
         [
-            student.name or student.student,
+            _canvas_name(student),
             "",
             student.student,
             student.student,
@@ -157,6 +158,14 @@ def moodle_csv(
         for student in _students(marks, roster)
     ]
     return csv_text(rows)
+
+
+def _canvas_name(student):
+    """Canvas finds nobody by this cell; but a row in which it holds the words of the second row is
+    another second row to it.
+    """
+    taken = POINTS_POSSIBLE.casefold() in " ".join(student.name.split()).casefold()
+    return student.student if taken or not student.name else student.name
 
 
 def _students(marks, roster):

@@ -25,6 +25,7 @@ CHANCE = 0.01
 # numbers from which it is estimated how many values an exercise has; they come from the class and,
 # where it is small, are drawn
 DRAWS = 300
+GRAIN = 1e-3  # of the logarithm of a chance
 
 
 def borrowed_from(
@@ -109,12 +110,14 @@ def _expected(exercise, variant):
 
 def _tail(rare, evidence):
     """The chance that a stranger's numbers fit at least this well: over all sets of exercises that
-    they could fit, each with its own chance.
+    they could fit, each with its own chance. There are 2**n sets: those of one sum, but for a
+    grain, count together.
     """
-    sums, chances = np.zeros(1), np.ones(1)
-    for p in rare:
-        sums, chances = (
-            np.concatenate([sums, sums - np.log(p)]),
-            np.concatenate([chances * (1 - p), chances * p]),
-        )
-    return chances[sums >= evidence - 1e-9].sum()
+    steps = np.round(-np.log(rare) / GRAIN).astype(int)
+    chances = np.zeros(1 + steps.sum())
+    chances[0] = 1
+    for p, step in zip(rare, steps):
+        fits = np.roll(chances, step) * p
+        chances = chances * (1 - p) + fits
+    least = int(evidence / GRAIN) - len(steps)  # what rounding may have taken is given back
+    return chances[max(0, least) :].sum()

@@ -4,6 +4,7 @@ that came out is trusted.
 
 from __future__ import annotations
 
+from collections import deque
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +13,9 @@ from ...course.kinds import Function
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
+from ..inside.book import MOST
 from ..inside.wire import DECODED, decode, error_name
+from ..reports.pages import readable
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
 from .shares import share
 
@@ -41,7 +44,7 @@ class Answers:
     """
 
     def __init__(self) -> None:
-        self.notes: dict[str, list[tuple[dict[str, Any], Handed]]] = {}
+        self.notes: dict[str, deque[tuple[dict[str, Any], Handed]]] = {}
         self.troubles: dict[str, tuple[str, str]] = {}
         self.ids: dict[int, list[str]] = {}
         # how the last run of a notebook ended, when that was before its end
@@ -51,7 +54,9 @@ class Answers:
         """Take in one run of one notebook, a Handed."""
         for line in run.lines:
             if isinstance(line.get("check"), str):
-                self.notes.setdefault(line["check"], []).append((line, handed))
+                # the last ones, as many as the book within sends: a line may be made up
+                last = self.notes.setdefault(line["check"], deque(maxlen=MOST))
+                last.append((line, handed))
             ids = (
                 [key for key in line.get("ids", ()) if isinstance(key, str)]
                 if isinstance(line.get("ids", ()), list)
@@ -68,7 +73,7 @@ class Answers:
     def _trouble(self, ids, kind, message):
         for key in ids:
             self.troubles.setdefault(
-                key, (kind, message[:TEXT] if isinstance(message, str) else "")
+                key, (kind, readable(message[:TEXT]) if isinstance(message, str) else "")
             )
 
 

@@ -13,7 +13,8 @@ __all__ = ["csv_text"]
 FORMULA = tuple("=+-@\t\r\n＝＋－＠")
 # the same within a text, where a spreadsheet ends cells with semicolons or tabs, as in much of
 # Europe: to it this is another cell, or another line
-INNER = re.compile(r"([;\t\n]\s*)([=+\-@＝＋－＠])")
+# (a quote there is taken for one that begins a cell)
+INNER = re.compile(r"([;\t\n][\s\"]*)([=+\-@＝＋－＠])")
 
 
 def csv_text(rows: Iterable[Iterable[object]]) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from hashlib import sha256
 
 from .notebook import Cell
-from .slices import statements
+from .slices import UNREADABLE, statements
 
 __all__ = ["print_of", "showing", "skippable"]
 
@@ -41,6 +41,9 @@ def skippable(
     read = [statements(0, cell.source) for cell in cells]
     modules = {name for found in read for one in found or () if one.imports for name in one.writes}
     settled = {n for n, cell in enumerate(cells) if print_of(cell.source) in untouched}
+    own = (one for n, found in enumerate(read) if n not in settled for one in found or ())
+    if any(one.reads & UNREADABLE for one in own):
+        return set()  # nobody sees what an answer uses
     run = {
         number
         for number, (cell, found) in enumerate(zip(cells, read))

@@ -13,7 +13,7 @@ from functools import cache
 
 from .cells import parsed, plain
 
-__all__ = ["Statement", "statement", "statements", "needed"]
+__all__ = ["UNREADABLE", "Statement", "statement", "statements", "needed"]
 
 UNREADABLE = frozenset(
     "exec eval compile globals locals vars setattr delattr __import__ get_ipython".split()
