@@ -84,12 +84,17 @@ def grade(
     if dry_run:
         _tell_plan(plan(place, **common), as_json)
         return
+    reports = []
+
+    def finish(results, planned):
+        reports.append(publish(planned, results, students, out))
+
     try:
         with _Bar() as bar:
+            common |= {"progress": bar.update, "finish": finish}
             results, planned = grade_all(
-                place, out, jobs=jobs, scheduler=scheduler or None, progress=bar.update, **common
+                place, out, jobs=jobs, scheduler=scheduler or None, **common
             )
-        report = publish(planned, results, students, out)
     except KeyboardInterrupt:
         print(
             "dhlab: grade: stopped; every mark written so far is kept: run the same command again"
@@ -100,7 +105,7 @@ def grade(
     print(
         json.dumps([graded.to_dict() for graded in results], ensure_ascii=False)
         if as_json
-        else _summary(results, planned, report, students)
+        else _summary(results, planned, reports[0], students)
     )
 
 

@@ -39,6 +39,7 @@ def grade(
     scheduler: str | None = None,
     exercise: str = "",
     progress: Callable[[int, int], None] = lambda done, of: None,
+    finish: Callable[[list[Graded], Plan], None] = lambda results, planned: None,
 ) -> tuple[list[Graded], Plan]:
     """Grade everything that was handed in; what an earlier run graded, and has not changed since,
     is kept.
@@ -62,6 +63,8 @@ def grade(
         The address of a Dask scheduler, to grade on its workers.
     progress : callable
         Called with how many are done, and of how many.
+    finish : callable
+        Called at the end with what is returned, before another grader may write in ``out``.
 
     Returns
     -------
@@ -110,7 +113,9 @@ def grade(
         book.write_grades(decided, roster)
         changed = changes(earlier, decided)
         book.write_changes(changed)
-    return decided, replace(planned, notes=(*planned.notes, *stale, *_told(changed)))
+        planned = replace(planned, notes=(*planned.notes, *stale, *_told(changed)))
+        finish(decided, planned)
+    return decided, planned
 
 
 def _told(changed):

@@ -19,6 +19,7 @@ from judging import marks_of
 from terminal import dhlab
 
 from dhlab.course.exercises import exercises
+from dhlab.grading.cage.cage import Cage
 from dhlab.grading.exports.gradebooks import canvas_csv, moodle_csv, read_marks
 from dhlab.grading.exports.gradescope import export_gradescope
 from dhlab.grading.exports.gradescope_run import results
@@ -413,11 +414,14 @@ def test_gradescope_in_its_own_folders(tmp_path):
 
 @pytest.mark.cage
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
-def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path):
+def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path, monkeypatch):
     """By the library that is installed: what stands in the zip is looked at above."""
     answers = {**WRONG, "05.4": "def dh_transform(theta, d, a, alpha):\n    return [theta]"}
+    start, rooms = Cage._start, []
+    monkeypatch.setattr(Cage, "_start", lambda self: rooms.append(self.room) or start(self))
     found = results(autograder(tmp_path, answers, user="stranger@example.org"))
     close()
+    assert sorted(rooms) == ["open", "own"]  # none is started only to see that it works
     assert "seen at" not in json.dumps(found)
     assert sum(test["score"] for test in found["tests"]) == 0.5
 

@@ -192,6 +192,21 @@ def test_two_graders_do_not_share_a_folder(reference, tmp_path):
         pass
 
 
+def test_what_is_made_of_the_marks_is_made_before_another_grader_may_write(reference, tmp_path):
+    folder, _, whole = reference
+    out = tmp_path / "out"
+    shutil.copytree(whole, out)
+    refused = []
+
+    def finish(results, planned):
+        with pytest.raises(ValueError, match="another grader is at work"), Gradebook(out).alone():
+            pass
+        refused.append([one.student for one in results])
+
+    grade(folder, out, roster=ROSTER, finish=finish)
+    assert refused == [[student.student for student in ROSTER]]
+
+
 def test_killed_in_the_middle_and_taken_up_again(reference, tmp_path):
     folder, _, whole = reference
     # who has no programs comes first: then the grader is killed with one cage, not with two

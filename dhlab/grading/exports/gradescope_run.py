@@ -12,15 +12,16 @@ from typing import Any
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
 from ...formats.files import write_text
-from ..cage.levels import best_level
+from ..cage.sight import OPEN
 from ..intake.notebooks import numbers_of
 from ..intake.submissions import submissions
 from ..judging.questions import Course, seed
+from ..judging.running import cage_of
 from ..judging.work import Handed, Task, work
 from ..reports.feedback import headline
 from ..reports.pages import words
 from ..results.marks import RIGHT
-from ..settings import Settings, read_settings
+from ..settings import LEVELS, Settings, read_settings
 
 __all__ = ["results"]
 
@@ -49,9 +50,8 @@ def results(root: Path) -> dict[str, Any]:
     handed_in = submissions(root / "submission").values()
     found = [notebook for one in handed_in for notebook in one.notebooks]
     notes = tuple(note for one in handed_in for note in one.notes)
-    # Gradescope runs each submission in a container of its own, where bubblewrap may not work
-    settings = replace(settings, percent_per_day=0.0, cage=settings.cage or best_level())
-    course = Course(lessons, settings, {student: variant})
+    settings = replace(settings, percent_per_day=0.0)
+    course = _in_a_cage(Course(lessons, settings, {student: variant}))
     number = secrets.token_hex(16)  # nobody knows it before
     task = Task(
         student,
@@ -67,6 +67,21 @@ def results(root: Path) -> dict[str, Any]:
         if (given := numbers_of(handed.raw)) and given != {variant}
     ]
     return _shown(work(task, course), strange)
+
+
+def _in_a_cage(course):
+    """The course with the strongest cage that works, which is kept for the submission: Gradescope
+    runs each in a container of its own, where bubblewrap may not work.
+    """
+    settings = course.settings
+    for level in [settings.cage] if settings.cage else LEVELS:
+        found = replace(course, settings=replace(settings, cage=level))
+        try:
+            cage_of(found, OPEN)
+            return found
+        except ValueError as error:
+            problem = error
+    raise problem
 
 
 def _student(root):
