@@ -108,8 +108,8 @@ def octant(x):
 
 
 PARTS = {  # of the cases: in how many of them, and in which one a case is
-    "08.2": (12, lambda frames, T_end, sliding: tuple(sliding)),
-    "08.11": (12, lambda frames, T_end, sliding: tuple(sliding)),
+    "08.2": (15, lambda frames, T_end, sliding: tuple(sliding)),
+    "08.11": (15, lambda frames, T_end, sliding: tuple(sliding)),
     "08.4": (8, lambda T, T_goal: octant(Rotation.from_matrix((T_goal @ T.T)[:3, :3]).as_rotvec())),
     "08.6": (2, lambda rows, T_goal, q, damping, steps: steps),
     "08.8": (8, lambda T: octant(T[:3, 3] - [0, 0, 0.1])),

@@ -86,7 +86,7 @@ def strength(lesson: Lesson) -> tuple[bool, str]:
     known |= {e.id: len(MISTAKES) for e in lesson.exercises.values() if isinstance(e, Frames)}
     programs = [e for e in lesson.exercises.values() if isinstance(e, Function)]
     inputs = min((e.calls + len(e.special) for e in programs), default=CASES)
-    return inputs >= 12 and all(
+    return inputs >= 16 and all(
         n >= 10 for n in known.values()
     ), f"{inputs} inputs; mistakes known: " + ", ".join(f"{key} {n}" for key, n in known.items())
 

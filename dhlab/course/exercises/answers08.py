@@ -33,7 +33,7 @@ __all__ = [
 
 # of a program: fewer than elsewhere, since each takes long; what a program could be right in only a
 # part of (which joints slide, the signs of what it is given) is gone through, not left to chance
-CALLS = 12
+CALLS = 16
 # which of five joints slide: each alone, and two together in every way
 ALONE = np.eye(5, dtype=bool)
 TWO = np.array([ALONE[i] | ALONE[j] for i in range(5) for j in range(i)])
