@@ -9,6 +9,7 @@ from .completing.accounted import counts_in, joints_said, require_accounted, spe
 from .completing.alike import holds, repeats
 from .completing.conventions import with_convention
 from .completing.lists import with_lists
+from .completing.second import with_second
 from .completing.uses import with_uses
 from .dialects import arrays, keyed, numbered
 from .dialects.bracketed import rows
@@ -143,9 +144,8 @@ def _read(source, nominal, length):
 
 def _is_likelier(found, read):
     """Whether what stands beside a list of another width is a table: rows with names, or calls."""
-    if not isinstance(found, Pasted):
-        return True
-    return len(found.rows) > 1 and (found.roles is not None or read is not lines.read)
+    named = not isinstance(found, Pasted) or found.roles is not None or read is not lines.read
+    return named and (not isinstance(found, Pasted) or len(found.rows) > 1)
 
 
 def _completed(found, read, source):
@@ -159,7 +159,7 @@ def _completed(found, read, source):
     if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
         table = with_lists(table, source)
     table = with_sigma(with_types(table, source), source)
-    table = with_ends(with_added(table, source), source)
+    table = with_ends(with_second(with_added(table, source), source), source)
     require_one_value(table, source)
     require_pose(table, source)
     _require_one_table(table, source)

@@ -59,6 +59,9 @@ def _said(table, source):
         return replace(table, convention=called, because="as the call in the text says")
     if table.why == "as the comment says" and previous_in(source):
         return replace(table, convention="craig", because="by the index i-1 in the comment")
+    if source.convention and has_formula(source.text):
+        told = f"the text names the {NAMES[source.convention]} convention, and its link matrix"
+        return replace(table, notes=(*table.notes, f"{told} could not be read"))
     if source.convention:
         return replace(table, convention=source.convention, because="as the text says")
     if defined := defined_in(source):

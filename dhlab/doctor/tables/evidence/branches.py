@@ -6,7 +6,7 @@ q[i], a[i], alpha[i])``.
 import re
 from collections import Counter
 
-__all__ = ["added_at_joints", "sliding_at_joints", "turned_at_joints"]
+__all__ = ["added_at_joints", "row_of", "sliding_at_joints", "turned_at_joints"]
 
 CONDITION = r"if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
@@ -65,9 +65,9 @@ def added_at_joints(code, indexed=False):
         body = match[3]
         added = next((one for pattern in ADDED if (one := pattern.search(body))), None)
         if added and (added.re is not ADDED[0] or body.count(",") >= 3):
-            found[_row(match[1], match[2], code)] = added[1] + added[2]
+            found[row_of(match[1], match[2], code)] = added[1] + added[2]
     for match in CHOSEN.finditer(code):
-        found[_row(match[3], match[4], code)] = match[1] + match[2]
+        found[row_of(match[3], match[4], code)] = match[1] + match[2]
     for line in code.split("\n") if indexed else ():
         for match in INDEXED.finditer(line) if line.count(",") >= 3 else ():
             found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
@@ -126,10 +126,10 @@ def _branch(match, code):
 
 
 def _of(branch, code):
-    return _row(branch[1], branch[2], code) if branch else None
+    return row_of(branch[1], branch[2], code) if branch else None
 
 
-def _row(name, number, code):
+def row_of(name, number, code):
     """The row that ``name == number`` means; None where the text does not say how it counts."""
     if re.search(FROM_ZERO.format(name), code):
         return int(number)

@@ -5,29 +5,23 @@ is which parameter, whatever they are called.
 import math
 import re
 from dataclasses import dataclass, replace
-from itertools import permutations
+from itertools import permutations, product
 
 import numpy as np
 
 from ....kinematics import link_matrices
-from ..language.brackets import Group, cells_in, groups
 from ..language.expressions import NoExpression, evaluate
 from ..language.roles import ROLES, role_of
+from .entries import matrices
 
-__all__ = ["INDEX", "LinkMatrix", "in_rows", "link_matrix_in"]
+__all__ = ["INDEX", "LinkMatrix", "link_matrix_in", "said_plainly"]
 
 ANGLES = {"theta": 0.3, "d": 0.5, "a": 0.7, "alpha": 1.1}
-FUNCTION = re.compile(r"(?:\b\w+\.)?\b(cos|sin)\b\s*\(?")
 SHORT = re.compile(r"(c|s)(?:os|in)?_?([tqa])(?:h|heta|l|lpha|lfa)?_?\d?", re.IGNORECASE)
 LOCAL = re.compile(
     r"\b(\w+)\s*=\s*((?:\w+(?:\.|::))?(?:cos|sin)f?d?\s*\((?:[^()\n]|\([^()\n]*\))*\))",
     re.IGNORECASE,
 )
-ENTRY = re.compile(
-    r"\b[A-Za-z_]\w*\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
-)
-IN_LINE = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*=(?!=)\s*([^=;\n]+)")
-FILLED = re.compile(r"<<([^;]{40,1500});")
 LIKE = re.compile(r"\b(?:\w+\.)*(zero|one)s(?:_like)?\([^()]*\)")
 # one number of a row: dh[i][2], dh(i, 3), params[:, 0], dh[4*i + 1], p[2]
 COLUMN = re.compile(
@@ -48,17 +42,20 @@ NO_NAMES = ("pi", "np", "math", "cos", "sin")
 class LinkMatrix:
     """The convention of a link matrix ("" where a text has one of each), the parameter that each of
     its names means, and the order of the columns that it takes its numbers from, () where it takes
-    names; ``listed`` are the names of which it takes one number for each link, as ``a[i]``.
+    names; ``listed`` are the names of which it takes one number for each link, as ``a[i]``;
+    ``turn`` the angle in radians that it adds to theta.
     """
 
     convention: str
     roles: dict
     order: tuple = ()
     listed: tuple = ()
+    turn: float = 0.0
 
 
-def link_matrix_in(code):
-    """The LinkMatrix that the text computes; None where it computes none.
+def link_matrix_in(code, turns=(0.0,)):
+    """The LinkMatrix that the text computes; None where it computes none, or one that adds another
+    angle to theta than the ``turns`` in radians.
 
     Examples
     --------
@@ -70,16 +67,16 @@ def link_matrix_in(code):
     ('standard', 'alpha', 'a')
     """
     local, solved, tried = _locals(code), None, 0
-    for entries in _matrices(code):
+    for entries in matrices(code):
         if tried == MOST_TRIED:
             break
         if not re.search(
-            r"\b(?:\w+\.)?((?:cos|sin)\w*|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)
+            r"\b(?:\w+\.)?((?i:cos|sin)\w*|[cs]_?[taq]\w{0,9}|[cs])\b", " ".join(entries)
         ):
             continue
         tried += 1
         entries = [_plain(entry, local) for entry in entries]
-        found = _solved(_by_column(entries))
+        found = _solved(_by_column(entries), turns)
         if found:
             listed = re.findall(rf"\b(\w+)(?={INDEX.pattern})", " ".join(entries))
             found = replace(found, listed=tuple(set(listed) & set(found.roles)))
@@ -94,91 +91,10 @@ def _locals(code):
     return dict(LOCAL.findall(code))
 
 
-def _matrices(code):
-    """The entries, 12 or 16, of everything that may be a matrix."""
-    closing = _closing(code)
-    sizes = (8, 12, 16) if closing else (12, 16)  # two rows of a text that was cut off tell it
-    for group in groups(code + closing):
-        if 60 < len(group.text) < 1800:
-            flat = len(group.items) in (12, 16)
-            cells = [item.text for item in group.items] if flat else in_rows(group)
-            if len(cells) in sizes:
-                yield cells
-    for block in FILLED.findall(code):
-        cells = [cell.strip() for cell in cells_in(block.replace("\n", " "))]
-        if len(cells) in (12, 16):
-            yield cells
-    yield from _one_by_one(code)
-    yield from _drawn(code)
-    entries: dict = {}
-    for i, j, text in ENTRY.findall(code):
-        entries.setdefault((int(i), int(j)), text.strip())
-    first = min((min(at) for at in entries), default=0)
-    if len(entries) >= 8 and max(max(at) for at in entries) - first <= 3:
-        yield [
-            entries.get((i + first, j + first), "1" if i == j else "0")
-            for i in range(4)
-            for j in range(4)
-        ]
-
-
-def _drawn(code):
-    """The entries of a matrix that is drawn over three or four lines, each with four of them."""
-    rows: list = []
-    for line in [*code.split("\n"), ""]:
-        line = re.sub(r"^[^=\[|]*=\s*(?=[\[|(]|$)", "", line).strip(" \t[]|;,.⎡⎢⎣⎤⎥⎦")
-        cells = [cell for cell in re.split(r"\s{2,}|\s*[|&]\s*|\s*,\s+", line) if cell]
-        if len(cells) == 4:
-            rows.append(cells)
-            continue
-        if len(rows) in (3, 4):
-            yield [cell for row in rows for cell in row]
-        rows = []
-
-
-def _one_by_one(code):
-    """The entries, 16 under one name, that are written one behind the other: ``m[7] = d``."""
-    held: dict = {}
-    for name, index, text in IN_LINE.findall(code):
-        held.setdefault(name, {})[int(index)] = text.strip()
-    for entries in held.values():
-        if set(range(12)) <= set(entries) <= set(range(16)):
-            last = ["0", "0", "0", "1"]
-            whole = [entries.get(k, last[k - 12] if k > 11 else "") for k in range(16)]
-            yield whole
-            yield [whole[4 * (k % 4) + k // 4] for k in range(16)]
-
-
-def _closing(code):
-    """The brackets that are still open where a text was cut off."""
-    left: list = []
-    for mark in re.findall(r"[\[({\])}]", code):
-        if mark in "[({":
-            left.append({"[": "]", "(": ")", "{": "}"}[mark])
-        elif left and left[-1] == mark:
-            left.pop()
-    return "".join(reversed(left[-6:]))
-
-
-def in_rows(group: Group):
-    """The entries of a matrix in a group, row by row."""
-    return [cell for row in _rows(group) for cell in row]
-
-
-def _rows(group: Group):
-    """The rows in a group: lists in it, bare or in a call of their own, or MATLAB's."""
-    for item in group.items:
-        inner = item.groups[0] if len(item.groups) == 1 else None
-        if inner is not None and item.text == inner.text:
-            yield [part.text for part in inner.items]
-        elif inner is not None and inner.items and inner.items[0].text[:1] == "[":
-            yield (
-                [part.text for part in inner.items[0].groups[0].items]
-                if inner.items[0].groups
-                else []
-            )
-        else:
-            yield cells_in(item.text)
+def said_plainly(entries, code):
+    """The entries with what the code lets stand for their cosines and sines."""
+    local = _locals(code)
+    return [_plain(entry, local) for entry in entries]
 
 
 def _plain(entry, local):
@@ -208,7 +124,7 @@ def _order(roles):
     return tuple(at[k] for k in sorted(at)) if len(at) > 2 else ()
 
 
-def _solved(entries):
+def _solved(entries, turns):
     """The LinkMatrix of entries: names as they are usually meant, else as they make it one."""
     text = " ".join(entries)
     names = list(dict.fromkeys(re.findall(r"(?<![\w.])([A-Za-z_]\w*)(?![\w.]|\s*\()", text)))
@@ -218,10 +134,10 @@ def _solved(entries):
     usual = {name: "a" if role == "r" else role for name, role in usual.items()}
     for roles in _assignments(names, usual, bool(short)):
         known = {**short, **{name: ANGLES.get(role, 0.0) for name, role in roles.items()}}
-        convention = _convention(entries, known)
+        convention, turn = _convention(entries, known, turns)
         if convention:
             held = {name: role for name, role in roles.items() if role in ROLES}
-            return LinkMatrix(convention, held, _order(held))
+            return LinkMatrix(convention, held, _order(held), turn=turn)
     return None
 
 
@@ -242,20 +158,21 @@ def _assignments(names, usual, shortened):
             yield {**usual, **dict(zip(free, roles))}
 
 
-def _convention(entries, known):
+def _convention(entries, known, turns):
+    """(convention, turn) of a link matrix; ("", 0) of another."""
     known = {re.sub(r"_", "", name): value for name, value in known.items()}
     try:
         values = [evaluate(_called(entry), dict(known)) for entry in entries]
     except NoExpression:
-        return None
+        return "", 0.0
     if any(value.letters for value in values):
-        return None
+        return "", 0.0
     M = np.array([value.number for value in values]).reshape(-1, 4)[:3]
-    row = [ANGLES[role] for role in ROLES]
-    for convention in ("standard", "craig"):
+    for convention, turn in product(("standard", "craig"), turns):
+        row = [ANGLES[role] + (turn if role == "theta" else 0.0) for role in ROLES]
         if np.allclose(M, link_matrices(convention, *row)[: len(M)], atol=1e-6):
-            return convention
-    return None
+            return convention, turn
+    return "", 0.0
 
 
 def _called(entry):

@@ -9,7 +9,8 @@ import numpy as np
 from ....transform import rot_x, rot_z, trans
 from ..language.brackets import groups
 from ..language.expressions import NoExpression, evaluate
-from .matrices import INDEX, in_rows
+from .entries import in_rows
+from .matrices import INDEX
 
 __all__ = ["multiplied_moves"]
 

@@ -5,6 +5,7 @@ from collections import Counter
 
 from ...cells import cell_of
 from ...evidence.orders import every_column_in
+from ...evidence.second import link_functions
 from ...evidence.several import apart, in_parts
 from ...language.brackets import groups, keyword
 from ...language.roles import ROLES, role_of
@@ -48,6 +49,7 @@ def read(source, nominal=None):
         if cells and (known or not NOT_A_LINK.match(name)):
             found.setdefault((_last(call.name), len(cells)), []).append((call.line, cells))
             kinds[call.line, cells] = _kind(call)
+    found, callers = _together(found, orders, source)
     found = {name: rows for name, rows in found.items() if len(rows) >= 2}
     found = found or _of_all_links(calls, source)
     if not found:
@@ -81,9 +83,34 @@ def read(source, nominal=None):
         lines=(min(lines), max(lines)),
         convention="standard" if factored else None,
         because="as DHFactor has it" if factored else "", notes=notes,
+        callers=tuple(callers[one] for one in made) if callers else (),
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
     return with_factors(table, name, source)
+
+
+def _together(found, orders, source):
+    """(what :func:`read` collects with the calls of all link functions of the text under the name
+    that is called most, {call: its function}); nothing in the second where one function makes all.
+    """
+    of_links = link_functions(source.code) if len(found) > 1 else {}
+    several = [
+        one for one in found if one[0] in of_links and len(orders.get(one[0], ())) == one[1] == 4
+    ]
+    if len(several) < 2:
+        return found, {}
+    main = max(several, key=lambda one: len(found[one]))
+    rows, callers = [], {}
+    for name, width in several:
+        at = [orders[name].index(role) for role in orders[main[0]] if role in orders[name]]
+        if len(at) < width:
+            return found, {}
+        for line, cells in found[name, width]:
+            row = line, tuple(cells[k] for k in at)
+            rows.append(row)
+            callers[row] = name
+    rest = {one: calls for one, calls in found.items() if one not in several}
+    return {**rest, main: sorted(rows, key=lambda row: row[0])}, callers
 
 
 def _with_behind(roles, rows, source):
