@@ -9,6 +9,7 @@ from ..language.roles import role_of
 
 __all__ = ["with_lists"]
 
+ANGLES = re.compile(r"(?:thetas?|th|q|joint_?\w*|angles?)")
 SIGN = re.compile(r"sign(?!al)|joint_?dir(?:ection)?s?$")
 
 
@@ -21,6 +22,7 @@ def with_lists(table, source):
         The rows have zeros of their own, and others.
     """
     n = len(table.rows)
+    table = _with_angles(table, source)
     for name, values in arrays_in(source).items():
         signs = SIGN.search(name.lower()) or _are_signs(name, values, source)
         role = "sign" if signs else role_of(name)[0]
@@ -33,6 +35,32 @@ def with_lists(table, source):
         if role == "offset" and any(cell.value for cell in cells) and not _held(table, cells, name):
             table = replace(table, zeros=cells, notes=(*table.notes, f"{name} is added to theta"))
     return table
+
+
+def _with_angles(table, source):
+    """The table with a list of joint angles, variables and perhaps numbers among them, in its
+    column theta, where it has none: ``theta = [q1, q2 - pi/2, 0, q4]`` beside d, a and alpha.
+    """
+    free = all(cell.is_constant and not cell.value for row in table.rows for cell in row[:1])
+    if not table.roles or table.roles[0] != "theta" or not free or any(table.kinds):
+        return table
+    found = {}
+    for name, values in arrays_in(source).items():
+        cells = [cell_of(value, text) for value, text in values]
+        moving = [cell.variable in ("theta", "q") for cell in cells]
+        plain = all(one or cell.is_constant for one, cell in zip(moving, cells))
+        if (
+            ANGLES.fullmatch(name.lower())
+            and len(cells) == len(table.rows)
+            and plain
+            and any(moving)
+        ):
+            found[name] = cells
+    if len(found) != 1:
+        return table
+    name, cells = found.popitem()
+    rows = tuple((cell, *row[1:]) for cell, row in zip(cells, table.rows))
+    return replace(table, rows=rows, notes=(*table.notes, f"theta is that of the list {name}"))
 
 
 def _are_signs(name, values, source):

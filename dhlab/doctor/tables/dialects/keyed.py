@@ -29,6 +29,9 @@ NAMED = re.compile(  # gripper: of a block, - name: gripper
     re.IGNORECASE,
 )
 BLOCK = re.compile(r"\s*-|\s*[\w .-]+:\s*$|\s*['\"]?\w+['\"]?\s*:\s*\{")
+OF_ANGLE = re.compile(
+    r"\b(?:cos|sin)[dfl]?\s*\(\s*[A-Za-z_]", re.IGNORECASE
+)  # cos_alpha = cos(alpha)
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
 LABELS = ("name", "joint", "link", "label", "id", "frame")
 
@@ -116,7 +119,7 @@ def _pairs(line, source):
     if len({match[2] for match in PAIR.finditer(line)} - {""}) > 1:
         return found  # one name for each number
     for match in PAIR.finditer(line):
-        role = role_of(match[1])[0]
+        role = None if OF_ANGLE.search(match[3]) else role_of(match[1])[0]
         if kind := kind_said(match[1], match[3]):
             found["type"] = kind
             continue

@@ -23,6 +23,9 @@ LOCAL = re.compile(
     re.IGNORECASE,
 )
 LIKE = re.compile(r"\b(?:\w+\.)*(zero|one)s(?:_like)?\([^()]*\)")
+PRODUCT = re.compile(  # cos_theta_a = cos_theta * a
+    r"\b(\w+)\s*=\s*(-?\s*[A-Za-z_]\w*(?:\s*\*\s*[A-Za-z_]\w*)+)[ \t]*(?=[;\n]|$)"
+)
 # one number of a row: dh[i][2], dh(i, 3), params[:, 0], dh[4*i + 1], p[2]
 COLUMN = re.compile(
     r"\b([A-Za-z_]\w*)\s*(?:\[[^\[\]]*\]\s*\[\s*(\d)\s*\]|\[[^\[\],]*,\s*(\d)\s*\]"
@@ -87,8 +90,12 @@ def link_matrix_in(code, turns=(0.0,)):
 
 
 def _locals(code):
-    """What stands for the cosines and sines: ``ct = cos(theta)``."""
-    return dict(LOCAL.findall(code))
+    """What stands for the cosines and sines, and for products of them: ``ct = cos(theta)``."""
+    local = dict(LOCAL.findall(code))
+    for name, said in PRODUCT.findall(code):
+        if set(re.findall(r"\w+", said)) & set(local):
+            local.setdefault(name, f"({said})")
+    return local
 
 
 def said_plainly(entries, code):

@@ -16,7 +16,8 @@ def pairs_in(items):
     """(name, text) of what is named, as keywords or as MATLAB's pairs; and the rest."""
     pairs, loose, at = [], [], 0
     of_one = [QUOTED.fullmatch(text) for text in items]
-    if sum(map(bool, of_one)) == 1 and of_one[0] and not role_of(of_one[0][1])[0]:
+    numbers = len(items) > 3 and not any(map(keyword, items[1:]))
+    if sum(map(bool, of_one)) == 1 and of_one[0] and (numbers or not role_of(of_one[0][1])[0]):
         loose, at = [items[0]], 1  # the link's name: DHLink("shoulder", 0, 40, 0, 90)
     while at < len(items):
         text = items[at]
@@ -34,7 +35,8 @@ def pairs_in(items):
 
 
 def by_order(texts, order, source, number):
-    if not 4 <= len(texts) <= 6 and not (order.startswith("d") and len(texts) == 3):
+    fewest = 3 if order and "theta" not in order.split()[:3] else 4
+    if not fewest <= len(texts) <= 6:
         raise ValueError(
             f"recognise_table: link {number}: expected four to six numbers, found {len(texts)};"
             " write theta, d, a, alpha or name them"

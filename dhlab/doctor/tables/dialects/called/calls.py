@@ -14,12 +14,13 @@ from ...meaning.columns import misplaced
 from ...pasted import Pasted, Row, from_rows
 from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
+from .own import own_classes
 from .used import made_here, of_the_robot
 
 __all__ = ["read"]
 
 ROBOTICS_TOOLBOX = "links of the Robotics Toolbox"
-# (name, form, convention, order of numbers without names, whether its theta is ignored)
+# (name, form, convention, order of numbers without names)
 CLASSES = (
     (r"(revolute|prismatic)mdhlink", "pybotics", "craig", "alpha a theta d"),
     (r"revolutemdh", ROBOTICS_TOOLBOX, "craig", "d a alpha offset"),
@@ -53,9 +54,11 @@ def read(source, nominal=None):
         for group in groups(source.code)
         if group.mark == "(" and _defines(group)
     }
+    three = own_classes(source.text)
     for group in _unrolled(groups(source.code), source):
         name = _name(group)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
+        known = known or ((name, "", "", "") if name in three else None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):
             continue
         if OF_LINKS.search(group.text):
@@ -63,7 +66,8 @@ def read(source, nominal=None):
         if known[1] == "DHLink" and not own.get(name) and source.order:
             known = (*known[:3], " ".join(source.order[0]))
         if not own.get(name) and made_here(name, source.code):
-            known = (known[0], "", "", "")  # it keeps its theta, which the toolbox's does not
+            # it keeps its theta, which the toolbox's does not
+            known = (known[0], "", "", " ".join(three.get(name, ())))
         if own.get(name):  # a class of the text's own: its order is the one that it defines
             known = (known[0], "", "", " ".join(str(role) for role in own[name]))
             if _defines(group):
@@ -123,9 +127,8 @@ def _of_one_arm(made, notes, code):
     ValueError
         Two arms are made.
     """
-    lists = Counter(
-        id(group.outer) for group, *_ in made if group.outer and group.outer.mark in "[{"
-    )
+    listed = [group.outer for group, *_ in made if group.outer and group.outer.mark in "[{"]
+    lists = Counter(map(id, listed))
     places = [f"{group.target}{group.index}" for group, *_ in made]
     places = [
         place if re.search(r"\d", place) else f"{place} {k}" for k, place in enumerate(places)
@@ -134,7 +137,7 @@ def _of_one_arm(made, notes, code):
     in_parts(parts, lambda row: sorted((k, cell.value) for k, cell in row.cells.items()), "links")
     again = [place for place, times in Counter(places).items() if times > 1]
     if len(again) > 1 or sum(times > 1 for times in lists.values()) > 1:
-        what = f"{again[0]} and {again[1]} made twice" if len(again) > 1 else "two lists of links"
+        what = " and ".join(again[:2]) + " made twice" if again[1:] else "two lists of links"
         raise ValueError(
             f"recognise_table: expected one arm, found {what}; which one is meant? Paste the links"
             " of one arm"
@@ -244,8 +247,7 @@ def _row(group, name, known, source, notes, number):
             kind = "P" if text.strip("'\"").lower()[:1] in ("p", "1") else "R"
         elif role in NAMED and not (role == "r" and text[:1] in "[("):  # a centre of mass
             cells[role] = cell_in(text, source, number, role)
-    for text in loose:
-        word = text.strip("'\"").lower()
+    for text, word in ((text, text.strip("'\"").lower()) for text in loose):
         if word == "prismatic":
             kind = "P"
         elif word == "flip":
@@ -263,13 +265,12 @@ def _row(group, name, known, source, notes, number):
     if not cells and len(numbers) >= 3 and elsewhere:
         return None, ""  # somebody's own class: the toolbox takes names or one vector
     if not cells and len(numbers) >= 3 and order:
-        cells.update(by_order(numbers, order, source, number))
-    if not cells and group.items and not pairs:
+        left = order.replace("apart", "").strip() if len(numbers) == 3 else order
+        cells.update(by_order(numbers, left, source, number))
+    if not cells and not pairs and (group.items or known[0] == "link"):
         return None, ""
-    if not cells and not pairs and known[0] == "link":
-        return None, ""
-    sigma = cells.pop("sigma", None)
-    kind = ("P" if sigma.value else "R") if sigma is not None else kind
+    if sigma := cells.pop("sigma", None):
+        kind = "P" if sigma.value else "R"
     of_joints = known[1] not in ("DHLink", "")  # other classes may hold a flange
     kind = kind or ("P" if name.lower().startswith("prismatic") else "R" if of_joints else "")
     _ignore_theta(cells, kind, known, notes, number)
