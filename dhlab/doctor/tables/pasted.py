@@ -25,8 +25,8 @@ class Pasted:
     thousandths, ``multiple`` the comment that calls its lengths multiples of others, ``replaced``
     whether the program puts the joints' values in the place of theta, ``behind`` whether the
     header counts d, and not theta, from the link before, ``lines`` the first and the last line of
-    the rows, where it is known, ``callers`` the link function that makes each row, where they are
-    calls of several.
+    the rows, where it is known, ``posed`` whether a program multiplies calls with numbers alone out
+    and prints the result, ``callers`` the link function that makes each row, where there are two.
     """
 
     rows: tuple
@@ -54,6 +54,7 @@ class Pasted:
     replaced: bool = False
     behind: bool = False
     lines: tuple = ()
+    posed: bool = False
     callers: tuple = ()
     notes: tuple = ()
 

@@ -9,11 +9,11 @@ from ..language.brackets import Group, cells_in, groups
 __all__ = ["in_rows", "matrices"]
 
 ENTRY = re.compile(
-    r"\b[A-Za-z_]\w*\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
+    r"\b([A-Za-z_]\w*)\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
 IN_LINE = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*=(?!=)\s*([^=;\n]+)")
 NAMED = re.compile(  # m.m01 = …, M12 = …
-    r"\b(?:\w+\.)?[mne]_?([0-4])([0-4])\s*[=:](?![=:])\s*([^=;,}\n][^;,}\n]*)", re.IGNORECASE
+    r"\b((?:\w+\.)?[mne])_?([0-4])([0-4])\s*[=:](?![=:])\s*([^=;,}\n][^;,}\n]*)", re.IGNORECASE
 )
 # m.SetRow(0, …), T.col(3) << …, T(1,:) = […], m[0] = …
 LINE = re.compile(
@@ -74,17 +74,18 @@ def _four(text):
 
 
 def _by_entries(pattern, code):
-    """The entries of a matrix that is written entry by entry."""
-    entries: dict = {}
-    for i, j, text in pattern.findall(code):
-        entries.setdefault((int(i), int(j)), text.strip())
-    first = min((min(at) for at in entries), default=0)
-    if len(entries) >= 8 and max(max(at) for at in entries) - first <= 3:
-        yield [
-            entries.get((i + first, j + first), "1" if i == j else "0")
-            for i in range(4)
-            for j in range(4)
-        ]
+    """The entries of each matrix that is written entry by entry."""
+    held: dict = {}
+    for name, i, j, text in pattern.findall(code):
+        held.setdefault(name, {}).setdefault((int(i), int(j)), text.strip())
+    for entries in held.values():
+        first = min(min(at) for at in entries)
+        if len(entries) >= 8 and max(max(at) for at in entries) - first <= 3:
+            yield [
+                entries.get((i + first, j + first), "1" if i == j else "0")
+                for i in range(4)
+                for j in range(4)
+            ]
 
 
 def _drawn(code):

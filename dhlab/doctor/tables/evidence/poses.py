@@ -15,6 +15,7 @@ __all__ = [
     "adds_each",
     "adds_theta",
     "holds_joint_values",
+    "multiplied_out",
     "poses_in",
     "require_pose",
     "theta_meanings",
@@ -36,6 +37,7 @@ ZERO = r"(?:\w+(?:[\[(]\w+[\])])?(?:\.|->))?\w*(?:off(?:set)?s?|zeros?|theta_?0?
 EACH = re.compile(  # q[i] + dh.offset
     rf"{ANGLE}\s*\+\s*{ZERO}|(?<![\w.]){ZERO}(?:[\[(]\w+[\])])?\s*\+\s*{ANGLE}", re.IGNORECASE
 )
+PRINTED = re.compile(r"\b(?:print\w*|disp|pprint|cout|console\.log|display|show)\b")
 SOME = re.compile(
     r"\bif\b[^\n]*(?:[<>]|fixed|joint)|\bfixed\b|\?", re.IGNORECASE
 )  # not at all of them
@@ -124,11 +126,27 @@ def adds_each(code):
     return bool(looped and EACH.search(code)) and not SOME.search(code)
 
 
+def multiplied_out(code):
+    """Whether a program multiplies the links together, prints what comes of it, and names no
+    joint's variable but the parameter of its functions: its angles are one pose, or zeros.
+
+    Examples
+    --------
+    >>> multiplied_out("A = dh(0.1, 1.57)\\nB = dh(0.2, 0)\\nprint(A @ B)")
+    True
+    >>> multiplied_out("A = dh(0.1, q1 + 1.57)\\nB = dh(0.2, q2)\\nprint(A @ B)")
+    False
+    """
+    product = re.search(r"@|\bdot\b|\bmat_?mul\b|\bmultiply\b|[A-Za-z]\w*\s*\*\s*[A-Z]", code)
+    moving = re.search(r"(?<![\w.])(?:q|thetas?|th|joint\w*?|angles?)_?(?:\d|[\[(]\w)", code)
+    return bool(product and PRINTED.search(code)) and not moving
+
+
 def theta_meanings(table, columns):
     """ "zeros", "pose" or both, the likelier first."""
     cells = columns["theta"]
     values = [cell.value for cell in cells]
-    if table.replaced:
+    if table.replaced or (table.posed and any(values) and not table.adds):
         return ["pose", "zeros"]
     if table.roles and any(BESIDE.fullmatch(unified(cell.text)) and cell.value for cell in cells):
         return ["zeros", "pose"]

@@ -19,6 +19,7 @@ from ..language.letters import unified
 from ..language.neutral import neutral
 from ..language.repeated import repeated
 from ..language.roles import role_of
+from ..language.shifted import with_shifts
 from ..language.wrapping.comments import without_comments
 from ..language.wrapping.unwrapped import unwrapped
 from .makers import called_convention
@@ -38,7 +39,7 @@ WORDS_FOR = {
     r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
-    r"|standart d-?h|standaard|\bframe(?:::|\.)dh\(",
+    r"|standart d-?h|d-?h standar(?![a-z])|standaard|\bframe(?:::|\.)dh\(",
 }
 CONVENTION = re.compile(
     r"^[ \t]*['\"]?(?:dh_?)?convention['\"]?[ \t]*[:=][ \t]*['\"]?([\w -]+)",
@@ -167,7 +168,7 @@ def source_of(text, values=None):
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     code = neutral(repeated(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)))
-    code = without_overwritten(from_zero(_two_families(code)))
+    code = with_shifts(without_overwritten(from_zero(_two_families(code))))
     known = assigned_in(code)
     _require_apart(code)
     for name, value in listed_in(code).items():

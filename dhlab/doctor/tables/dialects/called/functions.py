@@ -5,6 +5,7 @@ from collections import Counter
 
 from ...cells import cell_of
 from ...evidence.orders import every_column_in
+from ...evidence.poses import multiplied_out
 from ...evidence.second import link_functions
 from ...evidence.several import apart, in_parts
 from ...language.brackets import groups, keyword
@@ -84,6 +85,7 @@ def read(source, nominal=None):
         convention="standard" if factored else None,
         because="as DHFactor has it" if factored else "", notes=notes,
         callers=tuple(callers[one] for one in made) if callers else (),
+        posed=multiplied_out(source.code) and all(c.is_constant for row in rows for c in row),
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
     return with_factors(table, name, source)
