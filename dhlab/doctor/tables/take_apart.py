@@ -31,7 +31,7 @@ from .language.wrapping.comments import uncommented
 from .language.wrapping.notebook import without_notebook
 from .meaning.beside import APART, with_added, with_types
 from .meaning.columns import NAMED, is_a_table
-from .meaning.joint_types import with_sigma
+from .meaning.joint_types import with_made_joints, with_sigma
 from .meaning.scales import measured_in, multiples_said, takes_thousandths
 from .pasted import Pasted
 
@@ -158,7 +158,7 @@ def _completed(found, read, source):
     table = _with_words(found, source)
     if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
         table = with_lists(table, source)
-    table = with_sigma(with_types(table, source), source)
+    table = with_sigma(with_types(with_made_joints(table, source), source), source)
     table = with_ends(with_second(with_added(table, source), source), source)
     require_one_value(table, source)
     require_pose(table, source)

@@ -108,3 +108,40 @@ def test_a_link_matrix_may_hold_products_with_names_of_their_own():
     """
     found = recognise_table(text)
     assert len(found.readings) == 1 and is_the_form(found.arm, ARM), str(found)
+
+
+BODIES = """dh = [0 pi/2 0.31 0; 0.42 0 0 0; 0.13 0 0 0];
+shoulder = rigidBodyJoint('shoulder', 'revolute');
+setFixedTransform(shoulder, %s, 'dh');
+upper = rigidBody('upper');
+upper.Joint = shoulder;
+elbow = rigidBodyJoint('elbow', 'revolute');
+setFixedTransform(elbow, %s, 'dh');
+hand = rigidBody('hand');
+%ssetFixedTransform(%s, %s, 'dh');
+"""
+INLINE = "[0 pi/2 0.31 0]", "[0.42 0 0 0]", "[0.13 0 0 0]"
+TAKEN = "dh(1,:)", "dh(2,:)", "dh(3,:)"
+
+
+@pytest.mark.parametrize(
+    "made, third, joints",
+    [
+        ("", "hand.Joint", "RRF"),
+        ("grip = rigidBodyJoint('grip');\nhand.Joint = grip;\n", "hand.Joint", "RRF"),
+        ("hand.Joint = rigidBodyJoint('grip', 'revolute');\n", "hand.Joint", "RRR"),
+        ("grip = rigidBodyJoint('grip', 'prismatic');\n", "grip", "RRP"),
+    ],
+)
+@pytest.mark.parametrize("rows", [INLINE, TAKEN], ids=["inline", "taken"])
+def test_a_body_without_a_joint_of_its_own_is_a_row_without_one(rows, made, third, joints):
+    text = BODIES % (rows[0], rows[1], made, third, rows[2])
+    text = text if rows is TAKEN else text.partition("\n")[2]
+    found = recognise_table(text)
+    right = {
+        "convention": "standard",
+        "rows": [(0, 0.31, 0, HALF), (0, 0, 0.42, 0), (0, 0, 0.13, 0)],
+        "joints": joints,
+        "sign": [1, 1, 1],
+    }
+    assert all(is_the_form(one.arm, right) for one in found.readings[:1]), str(found)

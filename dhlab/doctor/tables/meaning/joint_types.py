@@ -1,11 +1,18 @@
-"""Kinds of joints that a text writes as two numbers: which of them slides."""
+"""Kinds of joints that a text writes as two numbers, or makes one by one, as MATLAB does."""
 
 import re
 from dataclasses import replace
 
 from ..cells import Cell
+from ..language.words import KINDS
 
-__all__ = ["kinds_by_number", "with_sigma"]
+__all__ = ["kinds_by_number", "with_made_joints", "with_sigma"]
+
+# setFixedTransform(body3.Joint, dh(3,:), 'dh'), setFixedTransform(jnt1, [0 pi/2 0 0], 'dh')
+FIXED_TRANSFORM = re.compile(
+    r"\bsetFixedTransform\s*\(\s*([A-Za-z_][\w.]*(?:\{\d+\}[\w.]*)?)\s*,\s*(?:\w+\((\d+)\s*,\s*:\)|\[)"
+)
+JOINT_MADE = r"(?<![\w.]){}\s*=\s*rigidBodyJoint\s*\(\s*[^,()]+(?:,\s*['\"](\w+)['\"]\s*)?\)"
 
 
 def number_of_sliding(text):
@@ -63,3 +70,28 @@ def kinds_by_number(kinds, text=""):
     said = {numbers[0]: "P", numbers[1]: "R"}
     note = f"type {numbers[0]} is taken for a joint that slides, {numbers[1]} for one that turns"
     return tuple(said.get(kind, kind) for kind in kinds), (note,)
+
+
+def with_made_joints(table, source):
+    """The table of ``setFixedTransform`` with the types of the joints that its calls name, row by
+    row: one that ``rigidBodyJoint`` makes, or the own joint of a body, which does not move.
+    """
+    calls = list(FIXED_TRANSFORM.finditer(source.code))
+    rows = [int(call[2]) if call[2] else k for k, call in enumerate(calls, 1)]
+    if rows != [*range(1, len(table.rows) + 1)] or any(table.kinds):
+        return table
+    kinds = [_made(call[1], source.code[: call.start()]) for call in calls]
+    return table if None in kinds else replace(table, kinds=tuple(kinds))
+
+
+def _made(joint, before):
+    """The kind of the joint of a call by what the program did before it; None where that says
+    nothing.
+    """
+    made = re.findall(JOINT_MADE.format(re.escape(joint)), before)
+    if made:
+        return KINDS.get((made[-1] or "fixed").lower())
+    if not joint.lower().endswith(".joint"):
+        return None
+    given = re.findall(rf"(?<![\w.]){re.escape(joint)}\s*=\s*([A-Za-z_][\w.]*)\s*[;\n]", before)
+    return _made(given[-1], before) if given and given[-1] != joint else "fixed"
