@@ -9,6 +9,7 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
+from .completing.alike import stands_for
 from .dialects.lined.lines import TwoTables
 from .meaning.columns import LENGTHS, misplaced
 from .meaning.joints import require_one_column, require_values
@@ -84,6 +85,10 @@ def recognise_table(
         said = {"order": order, "angle": angle, "length": length, "values": values, "tidy": tidy}
         if found := _of_one_arm(error.parts, right, convention, said):
             return found
+        if rest := _without_letters(error.parts):
+            found = recognise_table(rest, right, convention=convention, **said)
+            note = "the text has the table in letters, too"
+            return replace(found, notes=(*found.notes, note))
         raise
     if isinstance(table, list):  # read as an arm: nothing is left to ask of columns
         told = [replace(one, arm=one.arm.to(convention)) for one in table] if convention else table
@@ -116,6 +121,22 @@ def _of_one_arm(parts, right, convention, said):
     words = BOOKS[other.arm.table.convention]
     note = f"the text has the arm twice; the second table is the same one, in {words}"
     return replace(meant[0], notes=(*meant[0].notes, note))
+
+
+def _without_letters(parts):
+    """A text without its first table, where the second one is the same with numbers for its
+    letters; "" where it is not.
+    """
+    try:
+        letters, numbers = map(take_apart, parts)
+    except ValueError:
+        return ""
+    if isinstance(letters, list) or isinstance(numbers, list) or not letters.lines:
+        return ""
+    lines = parts[0].split("\n")
+    first, last = letters.lines
+    rest = [*lines[: first - 1], *[""] * (last - first + 1), *lines[last:], parts[1]]
+    return "\n".join(rest) if stands_for(letters, numbers) else ""
 
 
 def _equivalent(right, readings):

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..meaning.columns import MOST_TURNS, orders
 
-__all__ = ["holds", "repeats", "same_arm"]
+__all__ = ["holds", "repeats", "same_arm", "stands_for"]
 
 
 def same_arm(one, other):
@@ -28,6 +28,30 @@ def repeats(longer, found):
     """Whether rows are others once more."""
     rows, once = ([[c.value for c in row] for row in table.rows] for table in (longer, found))
     return rows == once * (len(rows) // len(once))
+
+
+def stands_for(letters, numbers):
+    """Whether one table is another with letters for some of its lengths, row by row."""
+    if None in (letters.roles, numbers.roles) or len(letters.rows) != len(numbers.rows):
+        return False
+    own, theirs = (
+        [dict(zip(table.roles, row)) for row in table.rows] for table in (letters, numbers)
+    )
+    named = any(row[role].letters for row in own for role in ("d", "a") if role in row)
+    return named and all(
+        set(one) == set(other) and all(_agree(one[role], other[role], role) for role in one)
+        for one, other in zip(own, theirs)
+    )
+
+
+def _agree(letter, number, role):
+    """Whether a cell of a table in letters says nothing else than the one with numbers."""
+    if role in ("d", "a", "r"):
+        return (bool(letter.letters) and number.is_constant) or letter.value == number.value
+    turned = [
+        np.deg2rad(c.value) if abs(c.value) > MOST_TURNS else c.value for c in (letter, number)
+    ]
+    return letter.letters == number.letters and abs(turned[0] - turned[1]) < 1e-3
 
 
 def _numbers(table, with_twists):

@@ -18,15 +18,45 @@ ELSEWHERE = re.compile(  # conventions are defined in frames.md
     r"[^\n|]{0,40}\.(?:md|rst|txt|pdf|tex|py|m|hp?p?|ya?ml)\b",
     re.IGNORECASE,
 )
+SHIFTED = re.compile(  # T(alpha0, a0, d1, q1)
+    r"\([^()\n]*(?<![\w.])(?:alpha_?0\W+a_?0|a_?0\W+alpha_?0)\b[^()\n]*\bd_?1\b[^()\n]*\)"
+)
 
 
 def with_convention(table, source):
     """The table with the convention that its text says, None where that is to be asked."""
+    if _has_own_index(table):
+        return _by_own_index(table, source)
     if not table.convention:
         return _said(table, source)
     if table.because.startswith(BY_INDEX) and (note := _against_the_heading(table, source)):
         return replace(table, convention=None, because="", notes=(*table.notes, note))
     return table
+
+
+def _has_own_index(table):
+    """Whether the first row has a and alpha, and dashes for theta and d: a0 and alpha0 of a table
+    whose row n holds a_n and alpha_n beside theta_n and d_n.
+    """
+    first = dict(zip(table.roles or (), table.rows[0]))
+    empty = all(role in first and first[role].text == "-" for role in ("theta", "d"))
+    held = all(role in first and first[role].text != "-" for role in ("a", "alpha"))
+    return empty and held and not table.because.startswith(BY_INDEX[0])
+
+
+def _by_own_index(table, source):
+    """The table with its first row for a base where the program, ``T(alpha0, a0, d1, q1)``, or
+    numbers in that row say so: each a and alpha follows the theta and d of its row, as in standard
+    rows, whatever the program's matrix is. Where nothing does, the convention is to be asked.
+    """
+    n = len(table.rows)
+    first = dict(zip(table.roles, table.rows[0]))
+    if SHIFTED.search(source.code) or any(first[role].value for role in ("a", "alpha")):
+        because = "as a and alpha follow theta and d of their row: row 0 has them alone"
+        kinds = ("fixed", *(table.kinds or ("",) * n)[1:])
+        return replace(table, convention="standard", because=because, kinds=kinds)
+    note = "row 0 has a and alpha alone: do they stand in the row of their joint, or in the next?"
+    return replace(table, convention=None, because="", notes=(*table.notes, note))
 
 
 def _against_the_heading(table, source):
