@@ -46,7 +46,11 @@ def arm_with(*zeros):
             "    T = T @ (elbow(q[i], *dh[i][1:]) if i == 2 else link(q[i], *dh[i][1:]))\n",
             (0, 0, -HALF),
         ),
-        ("T = elbow(q[0], *dh[0][1:]) @ link(q[1], *dh[1][1:]) @ link(q[2], *dh[2][1:])\n", None),
+        (
+            "T = elbow(q[0], *dh[0][1:]) @ link(q[1], *dh[1][1:]) @ link(q[2], *dh[2][1:])\n",
+            (-HALF, 0, 0),
+        ),
+        ("T = elbow(p, *first)\nfor row in rest:\n    T = T @ link(q, *row)\n", None),
     ],
 )
 def test_a_second_link_function_gives_its_turn_to_the_rows_it_is_called_for(program, zeros):
@@ -73,7 +77,7 @@ def test_calls_of_two_link_functions_are_rows_of_one_arm():
 def test_a_second_matrix_that_is_no_link_of_denavit_and_hartenberg_is_asked_about():
     odd = ELBOW.replace("-cos(t), sin(t)", "-cos(t), 2*sin(t)")
     program = "if i == 1: A = elbow(q[i], *dh[i][1:])\nelse: A = link(q[i], *dh[i][1:])\n"
-    with pytest.raises(ValueError, match="the matrix of elbow is none of Denavit"):
+    with pytest.raises(ValueError, match="link function elbow, whose matrix is none"):
         recognise_table(LINKS + odd + ROWS + program)
 
 
@@ -122,3 +126,35 @@ def test_beside_a_matrix_that_cannot_be_read_words_leave_the_convention_open():
     odd = CRAIG["Eigen"].replace("m.row(0) << cos(t)", "m.row(0) << camber(t) * cos(t)")
     found = recognise_table("// the standard table, m\n" + DEFINED.format(odd) + CALLS)
     assert found.open == ("convention",) and "could not be read" in str(found)
+
+
+@pytest.mark.parametrize(
+    "functions",
+    [
+        LINKS + "def elbow(t, d, a, b):\n    return link(t - pi/2, d, a, b)\n",
+        LINKS + ELBOW.replace(ASIDE, UP).replace("    return", "    t = t - pi/2\n    return"),
+    ],
+    ids=["a function around the first", "a statement before the matrix"],
+)
+def test_a_turn_before_the_matrix_counts_as_one_within_it(functions):
+    program = "for i in range(3):\n    A = elbow(q[i], *dh[i][1:]) if i == 1 else link(q[i], 0)\n"
+    assert is_the_form(recognise_table(functions + ROWS + program).arm, arm_with(0, -HALF, 0))
+
+
+def test_calls_with_an_index_say_their_row():
+    arrays = "a = [0, 0.42, 0.13]\nd = [0.31, 0, 0]\nalpha = [pi/2, 0, pi/2]\n"
+    calls = [
+        f"T = {name}(q[{k}], d[{k}], a[{k}], alpha[{k}])\n"
+        for k, name in enumerate(("link", "elbow", "link"))
+    ]
+    found = recognise_table("# metres\n" + LINKS + ELBOW + arrays + "".join(calls))
+    assert is_the_form(found.arm, arm_with(0, -HALF, 0)), str(found)
+
+
+def test_a_function_with_two_matrices_is_asked_about():
+    both = LINKS.replace(
+        "    return", f"    if aside:\n        return np.array({ASIDE})\n    return"
+    )
+    program = "for i in range(3):\n    A = link(q[i], *dh[i][1:])\n"
+    with pytest.raises(ValueError, match="link function link, whose matrix"):
+        recognise_table(both + ROWS + program)

@@ -23,7 +23,7 @@ def with_second(table, source):
     made = link_functions(source.code)
     called = {name: found for name, found in made.items() if calls_of(name, source.code)}
     turned = [name for name, found in called.items() if found and found.turn]
-    _require_read(called, bool(turned))
+    _require_read(called, bool(turned), source.link_matrix is not None)
     zeros, notes = list(table.zeros) or [Cell(0.0)] * len(table.rows), []
     for name in turned:
         rows = _rows_of(name, called, table, source)
@@ -42,13 +42,13 @@ def with_second(table, source):
     return replace(table, zeros=tuple(zeros), notes=(*table.notes, *notes))
 
 
-def _require_read(called, turned):
-    """Of two functions, both matrices are read, and are for one convention."""
+def _require_read(called, turned, known):
+    """All matrices are read, where one of them decides, and are for one convention."""
     unread = next((name for name, found in called.items() if found is None), "")
-    if len(called) > 1 and unread:
+    if unread and (len(called) > 1 or known):
         raise ValueError(
-            f"recognise_table: the program calls {len(called)} link functions, and the matrix of"
-            f" {unread[:40]} is none of Denavit and Hartenberg's as far as it can be read; for"
+            f"recognise_table: the program calls a link function {unread[:40]}, whose matrix is"
+            " none of Denavit and Hartenberg's as far as it can be read, or one of several; for"
             " which links is it, and what does it add? Write the rows as one function takes them"
         )
     if turned and len({found.convention for found in called.values() if found}) > 1:

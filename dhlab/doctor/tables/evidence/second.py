@@ -4,7 +4,10 @@ in, and the joints that it is called for have that turn for their zero.
 
 import math
 import re
+from dataclasses import replace
 
+from ..language.expressions import evaluate
+from ..language.shifted import QUARTER
 from .branches import row_of
 from .conventions import has_formula
 from .entries import matrices
@@ -26,10 +29,15 @@ NO_NAMES = ("if", "for", "while", "switch", "catch", "return")
 ONE = r"\bif\s*\(?\s*(\w+)\s*([=!])=\s*(\d+)\b"
 BEHIND = re.compile(r"\s*if\s+(\w+)\s*([=!])=\s*(\d+)\s+else\b")
 CHOICE = re.compile(r"(\w+)\s*([=!])=\s*(\d+)\s*\)?\s*\?([^?;\n]*)$")
+INDEX = re.compile(r"\w([\[(])(\d+)[\])]")
 MULTIPLIED = re.compile(  # sin(t)*cos(b)
     r"(?:cos|sin)[fd]?\s*\(([^()]*)\)\s*\*\s*(?:\w+(?:\.|::))?(?:cos|sin)[fd]?\s*\(([^()]*)\)",
     re.IGNORECASE,
 )
+MOVED = rf"^[ \t]*{{0}}\s*(?:=\s*{{0}}\s*)?([-+])=?\s*({QUARTER})[ \t]*;?[ \t]*$"
+SHIFTED = re.compile(rf"[A-Za-z_]\w*\s*([-+])\s*({QUARTER})")
+ENDED = re.compile(r"\breturn\b|^\s*end\b|\}")
+WRAPPER = 5  # lines of a function that only calls another
 FARTHEST = 240  # characters between a condition and the call that it chooses
 
 
@@ -47,15 +55,49 @@ def link_functions(code):
     """
     heads = [(head, next(filter(None, head.groups()), "")) for head in HEAD.finditer(code)]
     heads = [(head, name) for head, name in heads if name and name not in NO_NAMES]
+    bodies = {
+        name: code[head.start() : heads[k + 1][0].start() if k + 1 < len(heads) else len(code)]
+        for k, (head, name) in enumerate(heads)
+    }
     found = {}
-    for k, (head, name) in enumerate(heads):
-        end = heads[k + 1][0].start() if k + 1 < len(heads) else len(code)
-        body = code[head.start() : end]
-        if not re.search(r"(?i)cos", body):
-            continue
-        if any(_is_of_a_link(" ".join(entries)) for entries in _in_full(body)):
-            found[name] = link_matrix_in(body) or link_matrix_in(body, QUARTERS)
+    for name, body in bodies.items():
+        entries = [*_in_full(body)] if re.search(r"(?i)cos", body) else []
+        if any(_is_of_a_link(" ".join(one)) for one in entries):
+            found[name] = _one_matrix(body)
+    for name, body in bodies.items():
+        if name not in found and (of := _wrapped(body, found)):
+            found[name] = of
     return found
+
+
+def _one_matrix(body):
+    """The LinkMatrix of a function; None of one that cannot be read, and of two that differ."""
+    plain, turned = link_matrix_in(body), link_matrix_in(body, QUARTERS)
+    one = plain or turned
+    if one is None or (plain and turned):
+        return None
+    angle = next((name for name, role in one.roles.items() if role == "theta"), "")
+    moved = re.findall(MOVED.format(re.escape(angle)), body, re.MULTILINE) if angle else []
+    turns = [evaluate("".join(parts)).number for parts in moved]
+    return replace(one, turn=one.turn + sum(turns))
+
+
+def _wrapped(body, found):
+    """The LinkMatrix of a function that calls one of the link functions once, with a quarter turn
+    more: ``return link(theta - pi/2, d, a, alpha)``; None of others.
+    """
+    lines = body.split("\n")[1:WRAPPER] or [body]
+    last = next((k for k, line in enumerate(lines) if ENDED.search(line)), len(lines))
+    short = "\n".join(lines[: last + 1])
+    calls = [(n, args) for n in found for args in re.findall(rf"\b{n}\s*\(([^()\n]*)\)", short)]
+    if len(calls) != 1 or found[calls[0][0]] is None:
+        return None
+    args = [arg.strip() for arg in calls[0][1].split(",")]
+    shifted = [match for arg in args if (match := SHIFTED.fullmatch(arg))]
+    if len(shifted) != 1 or sum(bool(re.fullmatch(r"[A-Za-z_]\w*", arg)) for arg in args) < 3:
+        return None
+    one = found[calls[0][0]]
+    return replace(one, turn=one.turn + evaluate(shifted[0][1] + shifted[0][2]).number)
 
 
 def _is_of_a_link(text):
@@ -103,6 +145,11 @@ def _chosen(call, n, code):
     """The rows of one call; None where nothing says it."""
     before = code[max(0, call.start() - FARTHEST) : call.start()]
     conditions = list(re.finditer(ONE, before))
+    indices = set(INDEX.findall(code[call.end() : _closed(call.end(), code)]))
+    if len(indices) == 1:  # elbow(q[1], d[1], a[1], alpha[1])
+        mark, k = indices.pop()
+        row = int(k) - (mark == "(")
+        return {row} if 0 <= row < n else None
     behind = BEHIND.match(code, _closed(call.end(), code))
     choice = CHOICE.search(before.rsplit("\n", 1)[-1])
     if behind or choice:

@@ -4,7 +4,7 @@ variable with a zero.
 
 import re
 
-__all__ = ["with_shifts"]
+__all__ = ["QUARTER", "with_shifts"]
 
 QUARTER = (
     r"(?:\d\s*\*\s*)?(?:[\w.]*pi\b(?:\s*/\s*2(?:\.0*)?)?"
