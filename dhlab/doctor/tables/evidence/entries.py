@@ -3,6 +3,7 @@ list, entry by entry, row by row, column by column, drawn.
 """
 
 import re
+from itertools import islice
 
 from ..language.brackets import Group, cells_in, groups
 
@@ -21,6 +22,7 @@ LINE = re.compile(
     r"|[\[(]\s*(?:(\d)\s*(?:,\s*:\s*)?|:\s*,\s*(\d)\s*)[\])]\s*=(?!=))\s*",
     re.IGNORECASE,
 )
+MOST_LINES = 64  # that are looked at
 FILLED = re.compile(r"<<([^;]{40,1500});")
 
 
@@ -50,7 +52,7 @@ def _by_lines(code):
     columns: ``m.SetRow(0, new Vector4(c, -s, 0, a))``.
     """
     held: dict = {}
-    for match in LINE.finditer(code):
+    for match in islice(LINE.finditer(code), MOST_LINES):
         cells = _four(code[match.end() : match.end() + 600])
         at = next(one for one in match.groups()[1:] if one)
         if cells:
