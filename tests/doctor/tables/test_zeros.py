@@ -113,3 +113,88 @@ def test_calls_with_numbers_alone_that_are_printed_are_one_pose_or_zeros():
 def test_calls_with_variables_keep_their_zeros():
     found = recognise_table(CALLS % ("q1", "q2 + pi/2", "q3"))
     assert is_the_form(found.arm, arm_with(0, HALF, 0))
+
+
+SLIDES = '''"""An arm of two turning joints and one that slides, in metres; modified rows.
+
+  theta1: -90 to 90 degrees
+  {name}: -0.05 to 0.0 m
+"""
+def forward(theta1, theta2, {name}):
+    """{name}: {told} m, the stroke"""
+    rows = [  # theta, d, a, alpha
+        (theta1, 0.31, 0, 0),
+        (theta2, 0, 0.42, 0),
+        (0, {name}, 0.13, 0),
+        (0, -0.02, 0, 0),
+    ]
+'''
+
+
+@pytest.mark.parametrize("name", ["s3", "d3"])
+def test_a_range_in_the_words_about_a_parameter_is_no_value_of_it(name):
+    found = recognise_table(SLIDES.format(name=name, told="-0.05 to 0"))
+    right = {
+        "convention": "craig",
+        "rows": [(0, 0.31, 0, 0), (0, 0, 0.42, 0), (0, 0, 0.13, 0), (0, -0.02, 0, 0)],
+        "joints": "RRPF",
+        "sign": [1, 1, 1, 1],
+    }
+    assert is_the_form(found.readings[0].arm, right), str(found)
+
+
+FOUR = """# standard, metres: theta, d, a, alpha
+dh = [[q1, 0.31, 0, pi/2], [q2, 0, 0.42, 0], [q3, 0, 0.13, 0], [q4, 0, 0.06, 0]]
+%s
+"""
+WRIST = {
+    "convention": "standard",
+    "rows": [(0, 0.31, 0, HALF), (0, 0, 0.42, 0), (0, 0, 0.13, 0), (0, 0, 0.06, 0)],
+    "joints": "RRRR",
+    "sign": [1, 1, 1, 1],
+}
+
+
+@pytest.mark.parametrize(
+    "point",
+    [
+        "tip_offset = np.array([0.001, 0.02, 0.07, 1.0])\nend = T @ tip_offset",
+        "pen_offset = [0.001, 0.02, 0.07, 1]\nend = np.dot(T, pen_offset)",
+        "gripper_offset = [0.01, 0, 0.07, 0]",
+    ],
+)
+def test_a_place_at_the_end_of_the_arm_is_no_list_of_zeros(point):
+    assert is_the_form(recognise_table(FOUR % point).arm, WRIST)
+
+
+def test_a_list_of_quarter_turns_stays_a_list_of_zeros():
+    found = recognise_table(FOUR % "joint_offset = [0, -pi/2, 0, 0]")
+    turned = {
+        **WRIST,
+        "rows": [(0 if k != 1 else -HALF, *row[1:]) for k, row in enumerate(WRIST["rows"])],
+    }
+    assert is_the_form(found.arm, turned)
+
+
+OUTSIDE = """
+Matrix link(double theta, double d, double a, double alpha) {
+  double t00 = cos(theta), t01 = -sin(theta) * cos(alpha);
+  double t02 = sin(theta) * sin(alpha), t03 = a * cos(theta);
+  double t10 = sin(theta), t11 = cos(theta) * cos(alpha);
+  double t12 = -cos(theta) * sin(alpha), t13 = a * sin(theta);
+  double t20 = 0, t21 = sin(alpha), t22 = cos(alpha), t23 = d;
+  return {t00, t01, t02, t03, t10, t11, t12, t13, t20, t21, t22, t23, 0, 0, 0, 1};
+}
+// metres
+double dh[4][4] = {{0, 0.2, 0, M_PI}, {0, 0.31, 0, M_PI/2}, {0, 0, 0.42, 0}, {0, 0, 0.13, M_PI/2}};
+%s
+for (int i = 0; i < 3; i++)
+  T = T * link(dh[i + 1][0] + q[i], dh[i + 1][1], dh[i + 1][2], dh[i + 1][3]);
+"""
+
+
+def test_a_row_that_is_taken_outside_of_the_loop_over_the_joints_has_none():
+    found = recognise_table(OUTSIDE % "Matrix T = link(dh[0][0], dh[0][1], dh[0][2], dh[0][3]);")
+    rows = [(0, 0.2, 0, np.pi), *arm_with(0, 0, 0)["rows"]]
+    right = {**arm_with(0, 0, 0), "rows": rows, "joints": "FRRR", "sign": [1] * 4}
+    assert len(found.readings) == 1 and is_the_form(found.arm, right), str(found)

@@ -6,10 +6,14 @@ from dataclasses import replace
 from ..cells import cell_of
 from ..dialects.flat import arrays_in
 from ..language.roles import role_of
+from ..meaning.columns import snapped
 
 __all__ = ["with_lists"]
 
 ANGLES = re.compile(r"(?:thetas?|th|q|joint_?\w*|angles?)")
+OF_AN_END = re.compile(
+    r"tool|grip|tcp|base|flange|camera|end_?ef|(?<![a-z])ee|hand|tip", re.IGNORECASE
+)
 SIGN = re.compile(r"sign(?!al)|joint_?dir(?:ection)?s?$")
 
 
@@ -32,6 +36,10 @@ def with_lists(table, source):
             signs = tuple(-1 if value.number < 0 else 1 for value, _ in values)
             table = replace(table, signs=signs)
         cells = tuple(cell_of(value, text) for value, text in values)
+        if role == "offset" and _is_a_point(name, cells, source):
+            note = f"{name} is taken for a place at the end of the arm, and for no zeros"
+            table = replace(table, notes=(*table.notes, note))
+            continue
         if role == "offset" and any(cell.value for cell in cells) and not _held(table, cells, name):
             table = replace(table, zeros=cells, notes=(*table.notes, f"{name} is added to theta"))
     return table
@@ -61,6 +69,18 @@ def _with_angles(table, source):
     name, cells = found.popitem()
     rows = tuple((cell, *row[1:]) for cell, row in zip(cells, table.rows))
     return replace(table, rows=rows, notes=(*table.notes, f"theta is that of the list {name}"))
+
+
+def _is_a_point(name, cells, source):
+    """Whether a list of as many numbers as there are rows is a point that the last matrix is
+    multiplied by: ``T @ tip_offset``, or by its name one without a quarter turn.
+    """
+    word = re.escape(name)
+    times = rf"\b[A-Za-z]\w*\s*[@*]\s*{word}\b|\b(?:dot|matmul)\s*\(\s*\w+\s*,\s*{word}\b"
+    if len(cells) == 4 and cells[3].value == 1 and re.search(times, source.code):
+        return True
+    turns = any(cell.value and (cell.value % 90 == 0 or snapped(cell.value)[1]) for cell in cells)
+    return bool(OF_AN_END.search(name)) and not turns
 
 
 def _are_signs(name, values, source):

@@ -2,12 +2,18 @@
 the program calls it.
 """
 
+import re
 from dataclasses import replace
 
 from ..cells import Cell
+from ..dialects.called.functions import own_calls
 from ..evidence.second import calls_of, link_functions, rows_of_calls
 
 __all__ = ["with_second"]
+
+# dh[0][2], dh(1,3); and in a loop dh[i + 1][0] + q[i]
+OF_ROW = re.compile(r"(\w+)([\[(])(\d+)(?:,|\]\[)\d[\])]")
+LOOPED = re.compile(r"\w[\[(][^\])]*[ijkn]\b[^+]*\+.*[\[(][^\])]*[ijkn]\b|\+.*[\[(][^\])]*[ijkn]\b")
 
 
 def with_second(table, source):
@@ -20,6 +26,7 @@ def with_second(table, source):
     """
     if table.form and not table.form.startswith("calls of"):
         return table  # a toolbox's links
+    table = _with_still(table, source)
     made = link_functions(source.code)
     called = {name: found for name, found in made.items() if calls_of(name, source.code)}
     turned = [name for name, found in called.items() if found and found.turn]
@@ -40,6 +47,26 @@ def with_second(table, source):
     if not notes:
         return table
     return replace(table, zeros=tuple(zeros), notes=(*table.notes, *notes))
+
+
+def _with_still(table, source):
+    """The table without a joint in the row that the program gives to its link function as it is,
+    ``link(dh[0][0], dh[0][1], …)``, beside a loop that adds joints' values to all others.
+    """
+    still, moving = set(), False
+    for call, roles in own_calls(source):
+        texts = [re.sub(r"\s", "", item.text) for item in call.items]
+        named = [OF_ROW.fullmatch(text) for text in texts]
+        if all(named) and len({one.groups() for one in named}) == 1:
+            still.add(int(named[0][3]) - (named[0][2] == "("))
+        moving |= "theta" in roles and bool(LOOPED.search(texts[roles.index("theta")]))
+    angle = (table.roles or ("",)).index("theta") if "theta" in (table.roles or ()) else None
+    known = any(table.kinds) or angle is None or not moving or len(still) != 1
+    if known or not 0 <= (k := still.pop()) < len(table.rows) or table.rows[k][angle].letters:
+        return table
+    kinds = tuple("fixed" if i == k else "" for i in range(len(table.rows)))
+    note = f"row {k + 1} has no joint: the program takes it as it stands, outside of the loop"
+    return replace(table, kinds=kinds, notes=(*table.notes, note))
 
 
 def _require_read(called, turned, known):

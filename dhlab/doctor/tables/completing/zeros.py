@@ -79,7 +79,8 @@ def _named_zero(source, table):
         if role in ("d", "a", "r") and cell.value % 15 and not snapped(cell.value)[1]
     }
     for name, said in ZERO.findall(source.code):
-        if name in used or OF_AN_END.search(name):
+        placed = any(note.startswith(f"{name} is taken for a place") for note in table.notes)
+        if name in used or OF_AN_END.search(name) or placed:
             continue  # a length by its name
         said = said if re.match(r"[^;]*[\[{(]", said) else said.partition(";")[0]
         value = source.value(said.strip(" ,;"))

@@ -13,8 +13,8 @@ ENTRY = re.compile(
     r"\b([A-Za-z_]\w*)\s*[\[(]\s*(?:[a-z:]\w*\s*,\s*)?(\d)\s*(?:,|\]\s*\[)\s*(\d)\s*[\])]\s*=\s*([^=;\n][^;\n]*)"
 )
 IN_LINE = re.compile(r"\b([A-Za-z_]\w*)\s*\[\s*(\d{1,2})\s*\]\s*=(?!=)\s*([^=;\n]+)")
-NAMED = re.compile(  # m.m01 = …, M12 = …
-    r"\b((?:\w+\.)?[mne])_?([0-4])([0-4])\s*[=:](?![=:])\s*([^=;,}\n][^;,}\n]*)", re.IGNORECASE
+NAMED = re.compile(  # m.m01 = …, M12 = …, t23 = …
+    r"\b((?:\w+\.)?[mnetr])_?([0-4])([0-4])\s*[=:](?![=:])\s*([^=;,}\n][^;,}\n]*)", re.IGNORECASE
 )
 # m.SetRow(0, …), T.col(3) << …, T(1,:) = […], m[0] = …
 LINE = re.compile(

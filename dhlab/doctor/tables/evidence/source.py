@@ -12,6 +12,7 @@ from ..language.assigned import (
     from_zero,
     joint_values,
     listed_in,
+    parameters_of,
     without_overwritten,
 )
 from ..language.expressions import NoExpression, evaluate, key
@@ -180,7 +181,7 @@ def source_of(text, values=None):
         counted_from_zero(key(str(name)), code): float(value)
         for name, value in (values or {}).items()
     }
-    stands = joint_values(known)
+    stands = joint_values(known) | parameters_of(code)
     return Source(
         text,
         code,

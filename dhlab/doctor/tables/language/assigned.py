@@ -12,6 +12,7 @@ __all__ = [
     "from_zero",
     "joint_values",
     "listed_in",
+    "parameters_of",
     "without_overwritten",
 ]
 
@@ -35,6 +36,7 @@ JOINT = re.compile(r"(?:theta|th|q|t|joint|phi)\d*|q\[\d+\]")
 ELEMENT = re.compile(r"(?:joint(?:s|angles?|values?|pos\w*|states?)?|jt|ja|jv)\[\d+\]")
 EITHER = re.compile(r"(thetas?|th|t|phi|angles?)\[\d+\]")
 COLUMN = re.compile(r"(?:alphas?|alfas?|[ad]|d?dist\w*|lengths?|twists?)\[\d+\]")
+TAKEN = re.compile(r"\b(?:def|function|func|fn)\s[^()\n]*\(([^()]*)\)")
 OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
@@ -168,6 +170,30 @@ def joint_values(known):
     given = [name.rstrip("0123456789") for name in stands]
     defined = {stem for stem in stems if stems.count(stem) > max(given.count(stem), 1)}
     return listed | {name for name in stands if name.rstrip("0123456789") not in defined}
+
+
+def parameters_of(code):
+    """The names, as d3 beside theta1, that a function takes for the values of joints: ``d3: 0 to
+    0.2`` of a docstring is no value. Not links' lengths, nor what has a default or is assigned.
+
+    Examples
+    --------
+    >>> parameters_of("def fk(theta1, s2, l1=0.3):\\n    return theta1 + s2")
+    {'s2'}
+    """
+    found = set()
+    for inside in TAKEN.findall(code):
+        names = [
+            re.sub(r":.*", "", part).split()[-1:] for part in inside.split(",") if part.strip()
+        ]
+        names = [one[0].strip("*&") for one in names if one]
+        if any(JOINT.fullmatch(name.lower()) and name[-1].isdigit() for name in names):
+            found |= {key(n) for n in names if re.fullmatch(r"(?![ablABL])[A-Za-z]+_?\d", n)}
+    return {
+        name
+        for name in found
+        if not JOINT.fullmatch(name.lower()) and not re.search(rf"\b{name}\s*=(?!=)", code)
+    }
 
 
 def _listed_values(known):
