@@ -198,3 +198,30 @@ def test_a_row_that_is_taken_outside_of_the_loop_over_the_joints_has_none():
     rows = [(0, 0.2, 0, np.pi), *arm_with(0, 0, 0)["rows"]]
     right = {**arm_with(0, 0, 0), "rows": rows, "joints": "FRRR", "sign": [1] * 4}
     assert len(found.readings) == 1 and is_the_form(found.arm, right), str(found)
+
+
+GIVEN = """# metres
+{0}1 = 90
+{0}2 = -90
+{0}3 = 40
+A = dh({0}1, 0.31, 0, 90)
+B = dh({0}2, 0, 0.42, 0)
+C = dh({0}3, 0, 0.13, 90)
+T = A @ B @ C
+"""
+HEAD = CALLS.partition("A = ")[0].replace(
+    "return", "theta, alpha = radians(theta), radians(alpha)\n    return"
+)
+
+
+@pytest.mark.parametrize("name", ["theta", "teta"])
+def test_numbers_that_calls_take_by_the_name_of_an_angle_are_one_pose_or_zeros(name):
+    found = recognise_table(HEAD + GIVEN.format(name))
+    assert found.open == ("zero",)
+    pose, zeros = (reading.arm for reading in found.readings)
+    assert is_the_form(pose, arm_with(0, 0, 0))
+    assert is_the_form(zeros, arm_with(*np.deg2rad([90, -90, 40])))
+
+
+def test_numbers_that_calls_take_by_the_name_of_a_joint_value_are_a_pose():
+    assert is_the_form(recognise_table(HEAD + GIVEN.format("q")).arm, arm_with(0, 0, 0))

@@ -3,6 +3,7 @@ of one pose, of which the zeros are 0.
 """
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from ..cells import BESIDE, cell_or_none
 from ..language.brackets import cells_in
 from ..language.expressions import key
 from ..language.letters import unified
+from ..language.roles import role_of
 
 __all__ = [
     "adds_each",
@@ -19,6 +21,7 @@ __all__ = [
     "poses_in",
     "require_pose",
     "theta_meanings",
+    "with_given_angles",
 ]
 
 LISTED = re.compile(
@@ -140,6 +143,25 @@ def multiplied_out(code):
     product = re.search(r"@|\bdot\b|\bmat_?mul\b|\bmultiply\b|[A-Za-z]\w*\s*\*\s*[A-Z]", code)
     moving = re.search(r"(?<![\w.])(?:q|thetas?|th|joint\w*?|angles?)_?(?:\d|[\[(]\w)", code)
     return bool(product and PRINTED.search(code)) and not moving
+
+
+def with_given_angles(table, source):
+    """The table of calls with the numbers that the program gives to their angles by name, ``theta1
+    = 90``, for one pose or zeros; as it is where a call has another angle.
+    """
+    if not table.roles or "theta" not in table.roles or any(table.kinds):
+        return table
+    k, rows = table.roles.index("theta"), []
+    for row in table.rows:
+        named = re.fullmatch(r"[A-Za-z]\w*?_?\d", row[k].text.strip())
+        of_angle = named and named[0][0].lower() != "q" and role_of(named[0])[0] == "theta"
+        given = cell_or_none(str(source.assigned.get(key(named[0])))) if of_angle else None
+        if given is None or not given.is_constant:
+            return table
+        rows.append((*row[:k], given, *row[k + 1 :]))
+    if not any(row[k].value for row in rows):
+        return table
+    return replace(table, rows=tuple(rows), kinds=("R",) * len(rows), posed=True)
 
 
 def theta_meanings(table, columns):

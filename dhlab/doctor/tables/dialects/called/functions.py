@@ -5,7 +5,7 @@ from collections import Counter
 
 from ...cells import cell_of
 from ...evidence.orders import every_column_in
-from ...evidence.poses import multiplied_out
+from ...evidence.poses import multiplied_out, with_given_angles
 from ...evidence.second import link_functions
 from ...evidence.several import apart, in_parts
 from ...language.brackets import groups, keyword
@@ -88,7 +88,7 @@ def read(source, nominal=None):
         posed=multiplied_out(source.code) and all(c.is_constant for row in rows for c in row),
     )  # fmt: skip
     table = labelled(table, [(f"line {line}", ()) for line in lines], source)
-    return with_factors(table, name, source)
+    return with_factors(with_given_angles(table, source), name, source)
 
 
 def _together(found, orders, source):
