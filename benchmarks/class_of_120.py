@@ -6,6 +6,7 @@ planted: each student answers the first so many of lesson 05's exercises from th
 marks are reckoned here from that, the dates and the decisions, without the grader's own code.
 """
 
+import argparse
 import copy
 import csv
 import json
@@ -164,8 +165,11 @@ def differences(found, decided):
 
 def main():
     """Grade four times and print every mark that is not the one worked out by hand."""
+    parser = argparse.ArgumentParser(description=__doc__.partition(":")[0])
+    parser.add_argument("out", nargs="?", metavar="OUT", help="where the class is kept")
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
-        top = Path(sys.argv[1] if len(sys.argv) > 1 else temporary)
+        top = Path(options.out or temporary)
         written = hand_in(top / "in")
         (top / "course.yaml").write_text(COURSE)
         settings = read_settings(top / "course.yaml")

@@ -8,6 +8,7 @@ finds. The programs are those of ``tests/doctor/wrong_programs.py`` and ``unseen
 rewritten at random for every student.
 """
 
+import argparse
 import ast
 import hashlib
 import json
@@ -407,9 +408,12 @@ def simulate(folder, lessons=("05", "06"), size=60, seed=7, jobs=1, seconds=8):
 
 def main():
     """Print what the report makes of the class."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("out", nargs="?", metavar="OUT", help="where the class is kept")
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         begun = time.perf_counter()
-        results, made, report = simulate(sys.argv[1] if len(sys.argv) > 1 else temporary, jobs=2)
+        results, made, report = simulate(options.out or temporary, jobs=2)
         print(
             f"{len(results)} students, two lessons, in {time.perf_counter() - begun:.0f} s:"
             f" {dict(Counter(graded.status for graded in results))}"
