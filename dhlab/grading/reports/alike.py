@@ -69,18 +69,23 @@ def answers(notebook: Any) -> dict[str, str]:
     >>> answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
     {'05.1': 'x = 1\\x0c\\x0c'}
     """
-    found: dict[str, str] = {}
-    left: dict[str, int] = defaultdict(lambda: MOST)
-    for exercise, code in _written_in(notebook).items():
-        found[exercise] = code[: min(LARGEST, left[exercise[:2]])]
-        left[exercise[:2]] -= len(found[exercise])
-    return found
+    return _cut(_written_in(notebook))
 
 
 def is_cut(notebook: Any) -> bool:
     """Whether there is more code in a notebook than is compared."""
-    found = answers(notebook)
-    return any(len(code) > len(found[key]) for key, code in _written_in(notebook).items())
+    written = _written_in(notebook)
+    return _cut(written) != written
+
+
+def _cut(written):
+    """The code of each exercise, no longer than is compared."""
+    found: dict[str, str] = {}
+    left: dict[str, int] = defaultdict(lambda: MOST)
+    for exercise, code in written.items():
+        found[exercise] = code[: min(LARGEST, left[exercise[:2]])]
+        left[exercise[:2]] -= len(found[exercise])
+    return found
 
 
 def _written_in(notebook):
