@@ -152,14 +152,14 @@ def needed(statements: Sequence[Statement], wanted: Iterable[str]) -> list[State
     while more:
         more = False
         for number, one in enumerate(statements):
+            shared = one.alias in names and one.alias not in modules
             if number not in taken and (
-                one.always or one.writes & names or one.act & names or one.alias in names - modules
+                one.always or one.writes & names or one.act & names or shared
             ):
                 taken.add(number)
                 # who calls a function that changes something matters too, and who changes a part
                 defined = isinstance(one.node, (ast.FunctionDef, ast.ClassDef))
-                also = defined or one.alias in names - modules
-                names |= one.reads | (one.writes if also else frozenset())
+                names |= one.reads | (one.writes if defined or shared else frozenset())
                 more = True
     return [statements[number] for number in sorted(taken)]
 
