@@ -140,9 +140,11 @@ def _no_link(place, parts):
     link = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     if os.open not in os.supports_dir_fd:
         return io.FileIO(os.open(os.path.join(place, *parts), os.O_RDONLY | link))
+    *folders, name = parts
+    steps = [*((folder, link | os.O_DIRECTORY) for folder in folders), (name, link)]
     here = os.open(place, os.O_RDONLY | os.O_DIRECTORY)
-    for part in parts:
-        folder, rest = here, link if part is parts[-1] else link | os.O_DIRECTORY
+    for part, rest in steps:
+        folder = here
         try:
             here = os.open(part, os.O_RDONLY | rest, dir_fd=folder)
         finally:
