@@ -12,6 +12,7 @@ Three levels; the first unless another is named, since a mark needs walls that h
 import contextlib
 import shutil
 import sys
+from collections.abc import Callable
 
 from ..settings import LEVELS
 from .cage import Cage, check_system
@@ -34,15 +35,23 @@ RISKS = {
 }
 
 
-def best_level() -> str:
-    """The strongest level that works here, found by trying; ValueError where there is none."""
+def _start_one(level):
+    with Cage(level):
+        pass
+
+
+def best_level(start: Callable[[str], object] = _start_one) -> str:
+    """The strongest level that works here, found by trying: ``start`` raises ValueError where one
+    does not. ValueError where there is none.
+    """
     check_system()
     for level in LEVELS:
         if (level == "bubblewrap" and not shutil.which("bwrap")) or (
             level == "landlock" and not sys.platform.startswith("linux")
         ):
             continue
-        with contextlib.suppress(ValueError), Cage(level):
+        with contextlib.suppress(ValueError):
+            start(level)
             return level
     raise ValueError(
         "grade: expected a way to run submissions with limits, found none that works on this"

@@ -12,6 +12,7 @@ from typing import Any
 from ...course.exercises import exercises
 from ...course.workspace import handed_out
 from ...formats.files import write_text
+from ..cage.levels import best_level
 from ..cage.sight import OPEN
 from ..intake.notebooks import numbers_of
 from ..intake.submissions import submissions
@@ -21,7 +22,7 @@ from ..judging.work import Handed, Task, work
 from ..reports.feedback import headline
 from ..reports.pages import words
 from ..results.marks import RIGHT
-from ..settings import LEVELS, Settings, read_settings
+from ..settings import Settings, read_settings
 
 __all__ = ["results"]
 
@@ -73,15 +74,11 @@ def _in_a_cage(course):
     """The course with the strongest cage that works, which is kept for the submission: Gradescope
     runs each in a container of its own, where bubblewrap may not work.
     """
-    settings = course.settings
-    for level in [settings.cage] if settings.cage else LEVELS:
-        found = replace(course, settings=replace(settings, cage=level))
-        try:
-            cage_of(found, OPEN)
-            return found
-        except ValueError as error:
-            problem = error
-    raise problem
+
+    def at(level):
+        return replace(course, settings=replace(course.settings, cage=level))
+
+    return at(course.settings.cage or best_level(lambda level: cage_of(at(level), OPEN)))
 
 
 def _student(root):
