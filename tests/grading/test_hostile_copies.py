@@ -15,11 +15,11 @@ from corpus import code
 from dhlab.course.workspace import handed_out
 from dhlab.grading.reports.alike import _tokens, alike, answers, is_cut
 from dhlab.grading.reports.answered import Answer, keep_answers, own_answers
-from dhlab.grading.reports.pages import readable
 from dhlab.grading.reports.publish import _compared
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import GRADED, Graded, Mark
 from dhlab.grading.reviewing.desk import Desk
+from dhlab.grading.shown import readable
 
 PROGRAM = "def dh_closed("  # of ada's, and of who copied it
 

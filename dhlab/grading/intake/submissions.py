@@ -10,6 +10,7 @@ from itertools import count
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
+from ..shown import printable
 from .files import FILE_TIME, LARGEST, TIMESTAMP, Read, files_in
 from .layouts import Names, from_platform, student_of
 from .notebooks import Look, look
@@ -217,20 +218,6 @@ def _shown(name):
     told = printable(name.encode("utf-8", "replace").decode("utf-8"))
     half = LONGEST_NAME // 2
     return told if len(told) <= LONGEST_NAME else f"{told[:half]} … {told[-half:]}"
-
-
-def printable(name: str) -> str:
-    """A name that a student gave, without what moves a terminal's cursor or turns the writing.
-
-    Examples
-    --------
-    >>> printable("a\\x1b[2Jb")
-    'a\\\\x1b[2Jb'
-    """
-    return "".join(
-        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
-        for letter in name
-    )
 
 
 def _sniffed(mine, read):

@@ -15,8 +15,8 @@ from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
 from ..inside.book import MOST
 from ..inside.wire import DECODED, decode, error_name
-from ..reports.pages import readable
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
+from ..shown import readable
 from .shares import share
 
 if TYPE_CHECKING:

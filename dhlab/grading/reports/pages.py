@@ -3,15 +3,15 @@ by whoever opens it.
 """
 
 import re
-import unicodedata
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from ...formats import plainyaml
+from ..shown import readable
 
-__all__ = ["render", "words", "duration", "readable"]
+__all__ = ["render", "words", "duration"]
 
 HERE = Path(__file__).parent
 LONGEST = 2000  # characters of one text; what a stranger's program says can be any length
@@ -57,20 +57,6 @@ def _with_code(text):
     from markupsafe import Markup, escape
 
     return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(escape(text))))
-
-
-def readable(text: str) -> str:
-    """A text without control characters, without letters that nobody sees, and without those that
-    turn the direction of writing: what is read is what is there.
-
-    Examples
-    --------
-    >>> readable("a\\u202eb\\n")
-    'a·b\\n'
-    """
-    return "".join(
-        c if c in "\n\t" or not unicodedata.category(c).startswith("C") else "·" for c in text
-    )
 
 
 def _readable(value):

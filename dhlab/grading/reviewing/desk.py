@@ -9,11 +9,11 @@ from ...course.exercises import exercises
 from ...course.kinds import Explain, Lettered
 from ..intake.roster import Student
 from ..reports.answered import read_answers
-from ..reports.pages import readable
 from ..results.decisions import MOST, NAME, Decided, of_another, read_decisions
 from ..results.decisions import Student as Of
 from ..results.gradebook import Gradebook
 from ..results.marks import ERROR, NOT_ALLOWED, NOT_HANDED_IN, TIMED_OUT, TO_MARK, WRONG, Graded
+from ..shown import readable
 from .edit import decide, hold
 from .pictures import openable
 

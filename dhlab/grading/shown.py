@@ -1,0 +1,33 @@
+"""Texts that strangers chose, as they are shown: nothing in them moves a cursor or turns the writing."""
+
+import unicodedata
+
+__all__ = ["printable", "readable"]
+
+
+def printable(name: str) -> str:
+    """A name that a student gave, without what moves a terminal's cursor or turns the writing.
+
+    Examples
+    --------
+    >>> printable("a\\x1b[2Jb")
+    'a\\\\x1b[2Jb'
+    """
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
+        for letter in name
+    )
+
+
+def readable(text: str) -> str:
+    """A text without control characters, without letters that nobody sees, and without those that
+    turn the direction of writing: what is read is what is there.
+
+    Examples
+    --------
+    >>> readable("a\\u202eb\\n")
+    'a·b\\n'
+    """
+    return "".join(
+        c if c in "\n\t" or not unicodedata.category(c).startswith("C") else "·" for c in text
+    )
