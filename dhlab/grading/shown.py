@@ -1,4 +1,6 @@
-"""Texts that strangers chose, as they are shown: nothing in them moves a cursor or turns the writing."""
+"""Texts that strangers chose, as they are shown: nothing in them moves a cursor or turns the
+writing.
+"""
 
 import unicodedata
 
