@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from .completing.accounted import counts_in, joints_said, require_accounted, speaks_of_sliding
+from .completing.accounted import require_accounted
 from .completing.alike import holds, repeats
-from .completing.conventions import with_convention
 from .completing.lists import with_lists
-from .completing.second import with_second
+from .completing.turns import with_turns
 from .completing.uses import with_uses
+from .completing.words import OF_ANGLES, with_words
 from .dialects import arrays, keyed, numbered
 from .dialects.bracketed import rows
 from .dialects.called import calls, functions
@@ -22,7 +22,7 @@ from .dialects.lined.widths import NotFour
 from .evidence.axes import axes_in
 from .evidence.ending import require_whole
 from .evidence.ends import with_ends
-from .evidence.poses import adds_each, adds_theta, poses_in, require_pose
+from .evidence.poses import require_pose
 from .evidence.several import require_one_value
 from .evidence.source import source_of
 from .language.expressions import key
@@ -32,7 +32,6 @@ from .language.wrapping.notebook import without_notebook
 from .meaning.beside import APART, with_added, with_types
 from .meaning.columns import NAMED, is_a_table
 from .meaning.joint_types import with_made_joints, with_sigma
-from .meaning.scales import measured_in, multiples_said, takes_thousandths
 from .pasted import Pasted
 
 __all__ = ["take_apart"]
@@ -54,7 +53,6 @@ LISTS_READ = (
     universal.read,
     arrays.read,
 )  # these give lists beside the columns a meaning themselves
-OF_ANGLES = re.compile(r"\b(?:cos|sin)[df]?(?:\s*[({]|theta|alpha)")
 OTHERS = re.compile(  # four numbers each, and no links
     r"way_?p|point|traj|path|target|goal|test|vert|obstacle|colou?r|box|face", re.IGNORECASE
 )
@@ -144,8 +142,9 @@ def _read(source, nominal, length):
 
 def _is_likelier(found, read):
     """Whether what stands beside a list of another width is a table: rows with names, or calls."""
-    named = not isinstance(found, Pasted) or found.roles is not None or read is not lines.read
-    return named and (not isinstance(found, Pasted) or len(found.rows) > 1)
+    if not isinstance(found, Pasted):
+        return True
+    return len(found.rows) > 1 and (found.roles is not None or read is not lines.read)
 
 
 def _completed(found, read, source):
@@ -155,11 +154,11 @@ def _completed(found, read, source):
         n = (len(found.rows), len(found.rows) + 1)
         others = (one for one in _tables(later, source) if len(one.rows) in n)
         found = next((one for one in others if not _lacks_values(one)), found)
-    table = _with_words(found, source)
+    table = with_words(found, source)
     if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
         table = with_lists(table, source)
     table = with_sigma(with_types(with_made_joints(table, source), source), source)
-    table = with_ends(with_second(with_added(table, source), source), source)
+    table = with_ends(with_turns(with_added(table, source), source), source)
     require_one_value(table, source)
     require_pose(table, source)
     _require_one_table(table, source)
@@ -255,46 +254,3 @@ def _read_or_none(read, source):
         return read(source)
     except ValueError:
         return None
-
-
-def _with_words(table, source):
-    """What the words of the text and its own functions add to what the dialect says."""
-    if len(table.rows) == 1 and not table.form and OF_ANGLES.search(source.code):
-        raise ValueError(
-            "recognise_table: expected the rows of a table, found a link matrix and one row; is it"
-            " the last row of the matrix? Paste the rows of all links"
-        )
-    if len(table.rows) == 1 and re.search(
-        r"\bfor\b[^\n]*(?:\bin\b|[=;])|\]\s*\*\s*\w", source.code
-    ):
-        raise ValueError(
-            "recognise_table: expected the rows of all links, found one row and a loop; does it"
-            " make the row several times? Write a row for each link"
-        )
-    if not (table.roles or any(cell.value or cell.letters for row in table.rows for cell in row)):
-        raise ValueError(
-            "recognise_table: expected a table, found zeros only, as of an arm that stands at"
-            " q = 0; paste the rows with the lengths and angles"
-        )
-    return _with_sayings(with_convention(table, source), source)
-
-
-def _with_sayings(table, source):
-    """The table with what words of the text say of its units and joints."""
-    multiple = multiples_said(source, table.rows)
-    return replace(
-        table,
-        length=table.length or source.length or measured_in(source.text, table.rows, table.roles),
-        angle=table.angle or source.angle,
-        joints=counts_in(source),
-        worded=tuple(joints_said(source)),
-        poses=poses_in(source),
-        adds=adds_theta(source),
-        each=adds_each(source.code),
-        slides=speaks_of_sliding(source),
-        scaled=takes_thousandths(source.code),
-        multiple=multiple,
-        notes=(*table.notes, f"a comment multiplies lengths: {multiple[:60]!r}")
-        if multiple
-        else table.notes,
-    )

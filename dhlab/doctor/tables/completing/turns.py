@@ -7,16 +7,16 @@ from dataclasses import replace
 
 from ..cells import Cell
 from ..dialects.called.functions import own_calls
-from ..evidence.second import calls_of, link_functions, rows_of_calls
+from ..evidence.link_functions import calls_of, link_functions, rows_of_calls
 
-__all__ = ["with_second"]
+__all__ = ["with_turns"]
 
 # dh[0][2], dh(1,3); and in a loop dh[i + 1][0] + q[i]
 OF_ROW = re.compile(r"(\w+)([\[(])(\d+)(?:,|\]\[)\d[\])]")
 LOOPED = re.compile(r"\w[\[(][^\])]*[ijkn]\b[^+]*\+.*[\[(][^\])]*[ijkn]\b|\+.*[\[(][^\])]*[ijkn]\b")
 
 
-def with_second(table, source):
+def with_turns(table, source):
     """The table with the turns that link functions of the text add to theta.
 
     Raises

@@ -4,9 +4,9 @@ import re
 from collections import Counter
 
 from ...cells import cell_of
+from ...evidence.link_functions import link_functions
 from ...evidence.orders import every_column_in
 from ...evidence.poses import multiplied_out, with_given_angles
-from ...evidence.second import link_functions
 from ...evidence.several import apart, in_parts
 from ...language.brackets import groups, keyword
 from ...language.roles import ROLES, role_of
