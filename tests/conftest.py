@@ -261,7 +261,9 @@ def new_page(browser):
             contexts[key].new_page()
         return contexts[key].new_page()
 
-    return make
+    yield make
+    for context in contexts.values():
+        context.close()  # what is drawn on its pages costs while others are looked at
 
 
 @pytest.fixture(scope="session")
