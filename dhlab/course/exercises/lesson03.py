@@ -173,6 +173,7 @@ EXERCISES = [
         answer=repaired,
         mistakes=badly_repaired,
         compared=COPIED,
+        convention="craig",
         handed_out=lambda standard, converted: converted,
         sparing=True,
         praise="Column a had stayed behind. A half-converted table looks as tidy as a right one.",

@@ -10,6 +10,7 @@ from ...doctor.programs.wrong.products import product
 from ...table import DHTable
 from ..kinds import Choice, Function, Option, Order, Prediction, Table, Value
 from .answers06 import (
+    ARTICLE,
     IN_THE_LOOP,
     OF_LENGTHS,
     STRUCTURES,
@@ -149,6 +150,7 @@ EXERCISES = [
         points=2,
         answer=lambda: Arm(DHTable.standard(UPRIGHT, angle="deg")),
         mistakes=wrong_offsets,
+        in_lesson=(np.array(ARTICLE, dtype=float),),
         praise="Offsets go into the θ column, and every right table passes, this one or another.",
         hints=(
             "Where does θ2 stand when the upper arm points straight up?",

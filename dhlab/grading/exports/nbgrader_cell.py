@@ -9,8 +9,9 @@ from collections.abc import Callable
 from typing import Any
 
 from ...course.exercises import exercises
-from ...course.kinds import Function, Table
-from ...course.verdict import WRONG
+from ...course.kinds import Function
+from ..judging.shares import share
+from ..settings import Settings
 
 __all__ = ["graded_check"]
 
@@ -47,11 +48,10 @@ def graded_check(points: float, partial: float = 0.0) -> Callable[..., Any]:
             warnings.catch_warnings(),
         ):
             warnings.simplefilter("ignore")
-            verdict = exercise.judge(answer, FRESH if isinstance(exercise, Function) else 0)
+            number = FRESH if isinstance(exercise, Function) else 0
+            verdict = exercise.judge(answer, number)
         print(verdict)
-        share = verdict.points / verdict.of if verdict.of else 0
-        if verdict.status == WRONG and verdict.mistake and isinstance(exercise, (Function, Table)):
-            share = partial
-        return float(round(points * share, 4))
+        earned = share(exercise, answer, number, verdict, Settings(partial=partial))
+        return float(round(points * earned, 4))
 
     return check

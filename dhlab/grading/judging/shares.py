@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arm import Arm
 from ...course.kinds import Function, Table
 from ...course.kinds.reading import as_numbers
 from ...course.kinds.tabled.arms import IN_DEGREES
@@ -15,12 +16,16 @@ from ...course.kinds.tabled.copied import Copied
 from ...course.kinds.tabled.entries import differing
 from ...course.verdict import RIGHT, WRONG, Verdict
 from ...doctor.mistakes.registry import only_seen
+from ...doctor.programs.running.calling import Called
+from ...table import DHTable
 
 if TYPE_CHECKING:
     from ...course.kinds.exercise import Exercise
     from ..settings import Settings
 
 __all__ = ["share"]
+
+METRES_READ_AS_MM = np.array([1, 1000, 1000, 1])
 
 
 def share(
@@ -37,9 +42,11 @@ def share(
     if not isinstance(exercise, (Function, Table)) or exercise.handed_out:
         return 0.0
     if isinstance(exercise, Function):
-        work = _computes(exercise, answer, number) and not only_seen(verdict.mistake)
+        # nbgrader calls a program itself: there only its mistake is known
+        computes = not isinstance(answer, Called) or _computes(exercise, answer, number)
+        work = computes and not only_seen(verdict.mistake)
     else:
-        work = not _of_many_numbers(exercise, answer, number, verdict.mistake)
+        work = _is_work(exercise, answer, number, verdict.mistake)
     return settings.partial if work else 0.0
 
 
@@ -59,15 +66,47 @@ def _computes(exercise, called, number):
     )
 
 
-def _of_many_numbers(exercise, answer, number, mistake):
-    """Whether a table to be copied has several numbers that are no more than wrong."""
-    if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
+def _is_work(exercise, answer, number, mistake):
+    """Whether a table is in the convention that is asked, other numbers than those of the task or
+    of an arm of the library, and not one to be copied that has several numbers that are no more
+    than wrong. Where the mistake is what is to be found, no other is work.
+    """
+    if exercise.sparing or mistake == "another-model":
         return False
     right = exercise.right_arm(number)
     arm = exercise.arm_of(answer, right)
-    if isinstance(arm, Verdict):
+    if isinstance(arm, Verdict) or exercise.convention not in ("", arm.table.convention):
         return False
-    return bool(differing(arm.table.rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() > 1)
+    if _is_given(answer, arm.table.rows, [*exercise.given(number).values(), *exercise.in_lesson]):
+        return False
+    if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
+        return True
+    return bool(differing(arm.table.rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() <= 1)
+
+
+def _is_given(answer, rows, given):
+    """Whether each number of a table, ``rows`` in rad and m, is that of the task in its place, or
+    0: so are the rows that the lesson's cell has filled in. A DHTable may say any unit of them.
+    """
+    read = [rows * IN_DEGREES]
+    if isinstance(answer, (DHTable, Arm)):
+        read += [rows, *(numbers * METRES_READ_AS_MM for numbers in (rows, rows * IN_DEGREES))]
+    return any(
+        not (differing(numbers, one) & (numbers != 0)).any()
+        for one in _tables(given)
+        for numbers in read
+        if one.shape == rows.shape
+    )
+
+
+def _tables(given):
+    """What is given as arrays; a table also as it is shown, in degrees."""
+    for one in given:
+        table = getattr(one, "table", one)
+        if isinstance(table, DHTable):
+            yield from (table.rows, table.rows * IN_DEGREES)
+        else:
+            yield as_numbers(one)
 
 
 def _same(one, other):
