@@ -107,7 +107,8 @@ def _own_notes(student, drawn, number, owner, names):
         if owner and not given:
             yield (
                 f"{name}: has the numbers that are the same for all: was it the lesson of the"
-                " course, not the one handed out?"
+                " course, not the one handed out? What is right by the letters of one of the two"
+                " alone is to be marked"
             )
 
 

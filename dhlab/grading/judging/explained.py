@@ -1,11 +1,13 @@
-"""The mark of an explanation: a person gives it. Here is only found out whether there is one."""
+"""The mark of an explanation: a person gives it. Here is only found out whether there is one, and
+what it is called.
+"""
 
 from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..intake.notebooks import LARGEST
 from ..reports.answered import Answer, read_notebook
@@ -14,7 +16,7 @@ from ..results.marks import TO_MARK, Mark
 if TYPE_CHECKING:
     from .work import Handed
 
-__all__ = ["OwnWords", "explained"]
+__all__ = ["OwnWords", "explained", "named"]
 
 
 class OwnWords:
@@ -38,6 +40,11 @@ class OwnWords:
         return self._known[handed.name].get(exercise)
 
 
+def named(answer: Any) -> str:
+    """A short name of an answer that a person marks, another one when it changes."""
+    return "a" + hashlib.sha256(repr(answer).encode()).hexdigest()[:11]
+
+
 def explained(found: Mark, handed: Handed | None, said: OwnWords) -> tuple[Mark, Handed | None]:
     """(Mark, the notebook it comes from): to be marked where there are words, or a picture in a
     Markdown cell above the check; it names what was answered, so that a mark that the teacher gave
@@ -47,6 +54,5 @@ def explained(found: Mark, handed: Handed | None, said: OwnWords) -> tuple[Mark,
         answer = said.of(each, found.exercise)
         if answer and (found.status == TO_MARK or answer.pictures):
             words = [answer.code, *(picture.data for picture in answer.pictures)]
-            name = "a" + hashlib.sha256(repr(words).encode()).hexdigest()[:11]
-            return replace(found, status=TO_MARK, answer=name, headline="", next=""), each
+            return replace(found, status=TO_MARK, answer=named(words), headline="", next=""), each
     return replace(found, headline="", next="") if found.status == TO_MARK else found, handed

@@ -5,6 +5,7 @@ that came out is trusted.
 from __future__ import annotations
 
 from collections import deque
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from ..inside.book import MOST
 from ..inside.wire import DECODED, decode, error_name
 from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
 from ..shown import readable
+from .explained import named
 from .shares import share
 
 if TYPE_CHECKING:
@@ -35,6 +37,10 @@ TEXT = 300
 WORD = 12  # letters; the longest text that a right answer has
 ENTRY = 3  # of a text in a list; else it is an option's id
 MOST_NUMBERS = 1000  # of an answer that is compared; right ones have a few dozen
+NO_ORDER = (
+    "this copy of the lesson has no numbers of your own, so it does not say in which order its"
+    " options stood"
+)
 READ = "Run the notebook from top to bottom and read the last line of the message."
 
 
@@ -103,20 +109,38 @@ def mark(
     for line, handed in reversed(answers.notes.get(exercise.id, ())):
         if line.get("function") == "written" and isinstance(exercise, Function):
             found = _program(exercise, *ask(exercise, line, handed), settings, worth)
+        elif isinstance(exercise, Lettered):
+            found = _in_letters(exercise, line, handed, variant, settings, worth)
         else:
-            found = _judged(exercise, line, _seen(exercise, handed, variant), settings, worth)
+            found = _judged(exercise, line, variant, settings, worth)
         if found.status != NOT_ATTEMPTED:
             return found, handed
     return _without_answer(exercise, answers, worth), None
 
 
-def _seen(exercise, handed, variant):
-    """The variant whose letters a notebook shows: a lesson that was not released to anybody, such
-    as one from the site, shows the order for all.
+def _in_letters(exercise, line, handed, variant, settings, worth):
+    """The Mark of an answer in letters. A notebook without a student's own numbers, such as one
+    from the site, does not say in which order its options stood, the student's own or that for all:
+    what is right in one of them alone is for the teacher to look at.
     """
-    if isinstance(exercise, Lettered) and not any(n >= SHUFFLED for n in handed.numbers):
-        return variant % SHUFFLED
-    return variant
+    own, for_all = (
+        _judged(exercise, line, number, settings, worth) for number in (variant, variant % SHUFFLED)
+    )
+    if any(number >= SHUFFLED for number in handed.numbers):
+        return own
+    if (own.status == RIGHT) == (for_all.status == RIGHT):
+        return for_all
+    right = own if own.status == RIGHT else for_all
+    note = "of this student's own copy" if right is own else "of the lesson for all"
+    return replace(
+        right,
+        status=TO_MARK,
+        points=0,
+        headline=NO_ORDER,
+        note=f"right by the letters {note} alone",
+        chosen=(),  # it would tell which option is right
+        answer=named(line["value"]),
+    )
 
 
 def _judged(exercise, line, variant, settings, worth):
