@@ -2,6 +2,7 @@
 in the room ``OWN`` no other library that may know kinematics.
 """
 
+import contextlib
 import os
 import re
 import site
@@ -9,7 +10,6 @@ import sys
 import sysconfig
 from collections.abc import Iterable
 from functools import cache
-from glob import glob
 from importlib import metadata
 from pathlib import Path
 
@@ -30,6 +30,8 @@ OPEN, OWN = "open", "own"
 PACKAGE = Path(__file__).parents[2]
 # what may be imported in the second, with all that these need
 ALLOWED = ("numpy", "scipy", "sympy", "matplotlib", "pandas", "ipython")
+# large folders of a system in which no Python has its packages
+WITHOUT_PYTHON = {"doc", "fonts", "help", "icons", "include", "locale", "man", "src", "zoneinfo"}
 SYSTEM = (
     "/usr",
     "/lib",
@@ -56,13 +58,38 @@ def packages_of_others() -> tuple[str, ...]:
     there may know kinematics, and whoever names the folder could import it.
     """
     own = set(map(os.path.realpath, packages()))
-    found = {
-        os.path.realpath(folder)
-        for root in readable()
-        for place in ("", "local/", "pkgs/*/", "envs/*/")
-        for folder in glob(os.path.join(root, f"{place}lib*/python*/*-packages"))
-    }
-    return tuple(sorted(found - own))
+    roots = {os.path.realpath(root) for root in readable()}
+    tops = [root for root in roots if not any(str(p) in roots for p in Path(root).parents)]
+    found = {folder for top in tops for folder in _packages_below(top)} - own
+    return tuple(sorted({_among_hundreds(folder, own | roots) for folder in found}))
+
+
+def _among_hundreds(folder, needed):
+    """The folder in which conda has all its packages, or all its environments, where one of these
+    stands in it and nothing that is needed does; else the one itself. A cage covers no thousands.
+    """
+    for parent in map(str, reversed(Path(folder).parents)):
+        if os.path.basename(parent) in ("pkgs", "envs") and not any(
+            one.startswith(parent + os.sep) for one in needed
+        ):
+            return parent
+    return folder
+
+
+def _packages_below(folder):
+    """The folders of packages in a folder, wherever they stand: one Python has them in lib, conda
+    in pkgs and envs too, pipx in venvs, and many a program brings a Python along.
+    """
+    left = [folder]
+    while left:
+        with contextlib.suppress(OSError), os.scandir(left.pop()) as entries:
+            for entry in entries:
+                if entry.name in WITHOUT_PYTHON or not entry.is_dir(follow_symlinks=False):
+                    continue
+                if entry.name.endswith("-packages"):
+                    yield entry.path
+                else:
+                    left.append(entry.path)
 
 
 @cache
