@@ -22,13 +22,14 @@ from dhlab.course.exercises import exercises
 from dhlab.grading.cage.cage import Cage
 from dhlab.grading.exports.gradebooks import canvas_csv, moodle_csv, read_marks
 from dhlab.grading.exports.gradescope import export_gradescope
-from dhlab.grading.exports.gradescope_run import results
+from dhlab.grading.exports.gradescope_run import main, results
 from dhlab.grading.exports.nbgrader import export_nbgrader
 from dhlab.grading.exports.nbgrader_cell import graded_check
 from dhlab.grading.grade import grade
 from dhlab.grading.handing_out.release import release
 from dhlab.grading.handing_out.variants import variants
 from dhlab.grading.intake.roster import Student
+from dhlab.grading.judging import running
 from dhlab.grading.judging.running import close
 from dhlab.grading.results.marks import Graded, Mark
 from dhlab.grading.settings import read_settings
@@ -424,6 +425,46 @@ def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path, monkeypatch)
     assert sorted(rooms) == ["open", "own"]  # none is started only to see that it works
     assert "seen at" not in json.dumps(found)
     assert sum(test["score"] for test in found["tests"]) == 0.5
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
+def test_gradescope_gives_no_marks_without_walls(tmp_path, monkeypatch, capsys):
+    def refuses(self, level=None, *limits):
+        if level != "rlimits":
+            raise ValueError("grade: expected the cage to work")
+
+    monkeypatch.setattr(Cage, "__init__", refuses)
+    root = autograder(tmp_path, RIGHT, key=bytes(32))
+    monkeypatch.setattr(sys, "argv", ["gradescope_run", str(root)])
+    with pytest.raises(SystemExit) as stopped:
+        main()
+    running._cages.clear()  # the one that was only tried
+    assert "write cage: rlimits into course.yaml and export again" in str(stopped.value.code)
+    assert "\n" not in str(stopped.value.code)
+    assert not (root / "results" / "results.json").exists()
+
+
+@pytest.mark.cage
+@pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")
+def test_gradescope_with_limits_alone_holds_no_others_numbers(tmp_path):
+    root = autograder(tmp_path, {}, key=bytes(32))
+    place = root / "source" / "variants.json"
+    assert set(json.loads(place.read_text())) == {"ada@example.org", "bo@example.org"}
+    (root / "source" / "course.yaml").write_text(COURSE + "cage: rlimits\n")
+    [notebook] = (root / "submission").iterdir()
+    read = f"rule = 'b'\nif 'bo@' in open({str(place)!r}).read(): rule = ''"
+    made = nbformat.read(notebook, as_version=4)
+    nbformat.write(fill_in(made, {"05.2": read}), notebook)
+    found = results(root)
+    close()
+    assert "Run in: rlimits." in found["output"]
+    assert json.loads(place.read_text()) == variants_by_address("ada", bytes(32))
+    [rule] = [test for test in found["tests"] if test["number"] == "05.2"]
+    assert "expected one of" not in rule["output"], "the addresses of others were read"
+
+
+def variants_by_address(student, key):
+    return {f"{student}@example.org": variants(key, [student])[student]}
 
 
 def test_gradescope_needs_addresses(tmp_path):

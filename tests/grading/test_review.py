@@ -174,6 +174,28 @@ def test_by_keyboard_through_a_class_of_120(folder, address, browser):
     assert known["s110"].hold == "Look again." and len(known) == 12
 
 
+def test_answers_of_students_who_are_called_like_a_part_of_an_object(tmp_path, browser):
+    names, book = ["__proto__", "constructor", "s0", "toString"], Gradebook(tmp_path)
+    with book.alone():
+        for k, name in enumerate(names):
+            graded = Graded(name, "a", "graded", (Mark("05.4", "error", 0, 2, file="a"),))
+            book.write(graded)
+            cells = [{"source": f"x = {k}"}, {"source": 'check("05.4", x)'}]
+            notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
+            keep_answers(graded, {"a": own_answers(notebook)}, tmp_path)
+    server, address = serve(Desk(tmp_path, [Student(name) for name in names]))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    page, outside = shown(browser, address)
+    for k, name in enumerate(names):
+        page.get_by_text(name, exact=True).wait_for()
+        page.get_by_text(f"x = {k}", exact=True).wait_for()
+        page.keyboard.press("n")
+    page.close()
+    server.shutdown()
+    server.server_close()
+    assert outside == []
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing(address, browser, packages, scheme):
     page, outside = shown(browser, address, color_scheme=scheme)

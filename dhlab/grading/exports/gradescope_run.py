@@ -39,6 +39,11 @@ def results(root: Path) -> dict[str, Any]:
     -------
     dict
         ``results.json``: an output, and a test for each exercise.
+
+    Raises
+    ------
+    ValueError
+        There is no closed room here, and course.yaml does not say to do without.
     """
     source = root / "source"
     settings = (
@@ -53,6 +58,8 @@ def results(root: Path) -> dict[str, Any]:
     notes = tuple(note for one in handed_in for note in one.notes)
     settings = replace(settings, percent_per_day=0.0)
     course = _in_a_cage(Course(lessons, settings, {student: variant}))
+    if course.settings.cage == "rlimits":  # nothing keeps a submission from reading the others
+        write_text(_variants(root), json.dumps({student: variant}), overwrite=True)
     number = secrets.token_hex(16)  # nobody knows it before
     task = Task(
         student,
@@ -71,19 +78,30 @@ def results(root: Path) -> dict[str, Any]:
 
 
 def _in_a_cage(course):
-    """The course with the strongest cage that works, which is kept for the submission: Gradescope
-    runs each in a container of its own, where bubblewrap may not work.
+    """The course with the strongest walls that work, which are kept for the submission: Gradescope
+    runs each in a container of its own, where bubblewrap may not work. Limits alone, in which a
+    submission could look its answers up, must be named in course.yaml.
     """
 
     def at(level):
         return replace(course, settings=replace(course.settings, cage=level))
 
-    return at(course.settings.cage or best_level(lambda level: cage_of(at(level), OPEN)))
+    level = course.settings.cage or best_level(lambda level: cage_of(at(level), OPEN))
+    if level == "rlimits" and not course.settings.cage:
+        raise ValueError(
+            "grade: expected bubblewrap or Landlock, found that neither works in this container;"
+            " write cage: rlimits into course.yaml and export again if you trust whoever hands in"
+        )
+    return at(level)
+
+
+def _variants(root):
+    return root / "source" / "variants.json"
 
 
 def _student(root):
     """(address, variant) of who handed in; of a group, the first whose numbers are known."""
-    known = json.loads((root / "source" / "variants.json").read_text(encoding="utf-8"))
+    known = json.loads(_variants(root).read_text(encoding="utf-8"))
     metadata = json.loads((root / "submission_metadata.json").read_text(encoding="utf-8"))
     emails = [user.get("email", "").casefold() for user in metadata.get("users", [])] or ["unknown"]
     email = next((email for email in emails if email in known), emails[0])
@@ -128,11 +146,12 @@ def _test(mark, said):
 def main():
     """Write the results of the submission under the folder that is given."""
     root = Path(sys.argv[1])
-    write_text(
-        root / "results" / "results.json",
-        json.dumps(results(root), ensure_ascii=False, indent=1) + "\n",
-        overwrite=True,
-    )
+    try:
+        told = results(root)
+    except ValueError as error:  # Gradescope shows it to the teacher, and gives no marks
+        sys.exit(str(error))
+    text = json.dumps(told, ensure_ascii=False, indent=1) + "\n"
+    write_text(root / "results" / "results.json", text, overwrite=True)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,9 @@ const SHOWN = {
   wrong: (mark) => mark.status !== "right",
   decided: (mark) => isDecided(mark),
 };
-let exercises = [], students = [], answers = {}, list = [], at = 0;
+// of each student, asked for once; a Map, since an id may be "constructor"
+const answers = new Map();
+let exercises = [], students = [], list = [], at = 0;
 
 const isDecided = (mark) => mark.given !== null || mark.comment !== "";
 const here = () => list[at];
@@ -72,11 +74,11 @@ async function show() {
   $("points").placeholder = mark.points;
   $("comment").value = mark.comment;
   $("hold").value = student.hold;
-  answers[student.id] ??= ask("answers/" + encodeURIComponent(student.id));
+  if (!answers.has(student.id)) answers.set(student.id, ask("answers/" + encodeURIComponent(student.id)));
   $("answer").textContent = "";
   $("pictures").replaceChildren();
   try {
-    const own = await answers[student.id];
+    const own = await answers.get(student.id);
     if (item !== here()) return;
     const [text, pictures] = own[exercise] || ["", []];
     $("answer").textContent = text || "(nothing was written here)";
@@ -86,7 +88,7 @@ async function show() {
       picture.src = ["picture", student.id, exercise, k].map(encodeURIComponent).join("/");
     });
   } catch (error) {
-    delete answers[student.id];
+    answers.delete(student.id);
     say(error.message);
   }
 }
