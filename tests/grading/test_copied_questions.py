@@ -8,6 +8,7 @@ import pytest
 from dhlab import Arm, DHTable, load
 from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function, Prediction, PreTest
+from dhlab.doctor.programs.running.calling import Called
 from dhlab.grading.exports.nbgrader_cell import graded_check
 from dhlab.grading.judging.shares import share
 from dhlab.grading.settings import Settings
@@ -98,6 +99,7 @@ def test_nor_is_it_with_a_turn_more_or_with_what_the_lesson_fills_in(key):
     [
         ("06.6", UPRIGHT),
         ("06.6", load("article-6r")),
+        ("06.6", load("article-6r").to("craig")),
         ("09.3", MAKERS),
         ("09.3", Arm(DHTable.craig(MAKERS, angle="deg"), sign=[-1, *[1] * 5]).to("standard")),
         ("09.3", [*MAKERS[:5], [180, 0.041, 0, 45]]),
@@ -119,6 +121,34 @@ def test_a_half_converted_table_is_asked_in_craigs_convention():
     rows = np.array(given["converted"])
     rows[:, 2] = [0, *np.array(given["standard"])[:-1, 2]]
     assert earned(exercise, rows) == earned(exercise, DHTable.craig(rows, angle="deg")) == 1
+
+
+def called(exercise, program):
+    """What a program gave when it was called as in the grader."""
+    answers = [np.array(program(*case)) for case in exercise.cases(7)]
+    return Called(tuple(answers), answers[0])
+
+
+def test_a_program_that_the_lesson_shows_is_no_work():
+    """rot_z, which stands in a cell of 05, and the blog's program of 05.7."""
+
+    def about_z(angle):
+        c, s = np.cos(angle), np.sin(angle)
+        return [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+
+    def other_way(angle):
+        c, s = np.cos(angle), np.sin(angle)
+        return [[1, 0, 0, 0], [0, c, s, 0], [0, -s, c, 0], [0, 0, 0, 1]]
+
+    def of_the_blog(theta, d, a, alpha):
+        ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+        rows = [ct, -st * ca, st * sa, a * ct], [st, ct * ca, ct * sa, a * st]
+        return [*rows, [0, sa, ca, d], [0, 0, 0, 1]]
+
+    about_x, of_moves = exercises()["05.1"], exercises()["05.4"]
+    assert earned(about_x, called(about_x, about_z), 7) == 0
+    assert earned(of_moves, called(of_moves, of_the_blog), 7) == 0
+    assert earned(about_x, called(about_x, other_way), 7) == 0.5
 
 
 def test_work_keeps_its_share():

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...doctor.programs.cases import SPECIAL, general_row
 from ...doctor.programs.wrong.links import standard
-from ...transform import rot_x
+from ...transform import rot_x, rot_z
 from ..kinds import Choice, Function, Option, Order, Prediction, Said, Value
 from .answers05 import (
     OTHER_ORDERS,
@@ -48,6 +48,7 @@ EXERCISES = [
         answer=rot_x,
         names=("alpha",),
         family="rot_x",
+        in_lesson=(rot_z,),
         praise="x stays; y goes towards z.",
         words={
             "rotation-transposed": Said(
@@ -103,6 +104,7 @@ EXERCISES = [
         answer=standard,
         names=("theta", "d", "a", "alpha"),
         family="dh_transform",
+        in_lesson=(from_a_blog,),
         praise="It is Rz, Tz, Tx and Rx, multiplied from left to right.",
         words=OF_THE_MATRIX,
         hints=(

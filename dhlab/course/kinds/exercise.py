@@ -54,7 +54,9 @@ class Exercise:
     that a question of the post-test asks again. ``sparing``: what is to be found is the exercise,
     so :func:`dhlab.course.check` tells the kind of mistake first, the place at the second wrong
     answer and everything at the third. ``undecided`` is said of "?". ``practice``: it stands in its
-    lesson's section *More practice*, which a lesson is done without.
+    lesson's section *More practice*, which a lesson is done without. ``in_lesson`` are wrong
+    answers that the lesson itself shows, programs or tables in degrees and metres: no work of a
+    learner's.
     """
 
     id: str
@@ -66,6 +68,7 @@ class Exercise:
     mirrors: str = ""
     sparing: bool = False
     practice: bool = False
+    in_lesson: tuple = ()
     undecided: str = "Good to say so. Read the paragraph above once more, then try."
     entry: ClassVar[str] = "number"  # what an entry of the answer is called
     greek: ClassVar[bool] = False  # whether theta2 is told as θ2: no program is spoken of

@@ -52,7 +52,7 @@ def share(
 
 def _computes(exercise, called, number):
     """Whether a program gives what is asked for, and something of its own: not the same whatever
-    goes in, and none of its arguments.
+    goes in, none of its arguments, and not what a program of the lesson gives.
     """
     given = called.answers
     if called.fault or any(as_numbers(one).shape != exercise.shape for one in given):
@@ -60,9 +60,10 @@ def _computes(exercise, called, number):
     if all(_same(one, given[0]) for one in given):
         return False
     cases = exercise.cases(number)
+    shown = [[program(*case) for case in cases] for program in exercise.in_lesson]
     return not any(
-        all(_same(one, case[k]) for one, case in zip(given, cases))
-        for k in range(len(exercise.names))
+        all(_same(one, other) for one, other in zip(given, others))
+        for others in [*zip(*cases), *shown]
     )
 
 
@@ -77,7 +78,8 @@ def _is_work(exercise, answer, number, mistake):
     arm = exercise.arm_of(answer, right)
     if isinstance(arm, Verdict) or exercise.convention not in ("", arm.table.convention):
         return False
-    if _is_given(answer, arm.table.rows, [*exercise.given(number).values(), *exercise.in_lesson]):
+    rows = arm.to(right.table.convention).table.rows
+    if _is_given(answer, rows, [*exercise.given(number).values(), *exercise.in_lesson]):
         return False
     if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
         return True

@@ -1,7 +1,7 @@
 """``Table``: a DH table to be written, judged by the arm it describes."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar
@@ -43,8 +43,7 @@ class Table(Exercise):
     metres) beyond those of the doctor's :func:`wrong_tables`; ``handed_out(**given)`` is the table
     of a "smallest fix", in degrees and metres, which is no attempt as long as it is unchanged.
     ``tolerance`` (rad, m) is how far the end may be off at any of the poses. ``convention`` is the
-    one that is asked for, where the task asks for one ("" where any will do). ``in_lesson`` are
-    tables, degrees and metres, that the lesson shows beside what is given: no work of a learner's.
+    one that is asked for, where the task asks for one ("" where any will do).
     """
 
     greek: ClassVar[bool] = True
@@ -54,7 +53,6 @@ class Table(Exercise):
     handed_out: Callable | None = None
     tolerance: float = SAME
     convention: str = ""
-    in_lesson: Sequence[NDArray[np.float64]] = ()
 
     @kept_apart
     def given(self, variant: int) -> Mapping[str, Any]:
