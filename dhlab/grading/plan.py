@@ -10,7 +10,7 @@ from .handing_out.variants import variants
 from .intake.files import FILE_TIME
 from .intake.owners import look_whose
 from .intake.roster import Student
-from .intake.submissions import PASSED_OVER, Submission, submissions
+from .intake.submissions import PASSED_OVER, Submission, submissions, voters
 from .judging.questions import Course, handed_out_checks
 from .own_items import own_checks
 from .settings import Settings
@@ -19,8 +19,8 @@ __all__ = ["plan", "Plan"]
 
 
 # without a course.yaml a lesson counts when this share of the most common lesson's students handed
-# it in
-HANDED_IN = 0.2
+# it in; where no roster knows who is one, half of them
+HANDED_IN, OF_STRANGERS = 0.2, 0.5
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def plan(
         raise ValueError(
             f"{place}: expected submissions, found no notebook; is it the right folder?"
         )
-    lessons, rare = _lessons(found, settings)
+    lessons, rare = _lessons(found, settings, {student.student for student in roster})
     if exercise and exercise.split(".")[0] not in lessons:
         raise ValueError(
             "grade: expected an exercise of the lessons"
@@ -82,7 +82,7 @@ def plan(
             " course.yaml"
         )
     numbers = variants(key, found)
-    notes += rare + look_whose(found, roster, key, numbers) + _all_late(found, settings)
+    notes += rare + look_whose(found, roster, key, numbers) + _all_late(voters(found), settings)
     course = Course(lessons, settings, numbers, exercise)
     if not course.exercises:
         raise ValueError(
@@ -138,28 +138,35 @@ def _all_late(found, settings):
     return []
 
 
-def _lessons(found, settings):
-    """The lessons to grade: those of course.yaml, or those that were handed in."""
+def _lessons(found, settings, roster):
+    """The lessons to grade: those of course.yaml, or those that the class handed in."""
     if settings.lessons:
         return tuple(sorted(settings.lessons)), []
-    seen = Counter(
-        lesson
-        for mine in found.values()
-        for lesson in frozenset().union(*(notebook.look.lessons for notebook in mine.notebooks))
-    )
-    known = {lesson: count for lesson, count in seen.items() if lesson in handed_out_checks()}
+    deciding = voters(found)
+    seen, known = _handed_in(found), _handed_in(deciding)
+    share = HANDED_IN if deciding.keys() & roster else OF_STRANGERS
     common = tuple(
         sorted(
             lesson
             for lesson, count in known.items()
             # what one student alone hands in counts for nobody else
-            if count >= max(HANDED_IN * max(known.values()), min(2, max(known.values())))
+            if count >= max(share * max(known.values()), min(2, max(known.values())))
         )
     )
     rare = [
         f"lesson {lesson} was handed in by {count} and does not count; name it in course.yaml if it"
         " should"
-        for lesson, count in sorted(known.items())
+        for lesson, count in sorted(seen.items())
         if lesson not in common
     ]
     return common, rare
+
+
+def _handed_in(found):
+    """How many handed in each lesson of the course."""
+    seen = Counter(
+        lesson
+        for mine in found.values()
+        for lesson in frozenset().union(*(notebook.look.lessons for notebook in mine.notebooks))
+    )
+    return {lesson: count for lesson, count in seen.items() if lesson in handed_out_checks()}

@@ -3,8 +3,9 @@ writing.
 """
 
 import unicodedata
+from collections.abc import Iterable
 
-__all__ = ["printable", "readable"]
+__all__ = ["printable", "readable", "some"]
 
 
 def printable(name: str) -> str:
@@ -33,3 +34,17 @@ def readable(text: str) -> str:
     return "".join(
         c if c in "\n\t" or not unicodedata.category(c).startswith("C") else "·" for c in text
     )
+
+
+def some(names: Iterable[str], most: int = 3) -> str:
+    """Names in a sentence, the first of them where they are many.
+
+    Examples
+    --------
+    >>> some(["a", "b", "a", "c", "d", "e"])
+    'a, b, c and 2 more'
+    """
+    told = list(dict.fromkeys(names))
+    more = [f"{len(told) - most} more"] if len(told) > most else []
+    *first, last = [*told[:most], *more]
+    return f"{', '.join(first)} and {last}" if first else last

@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-__all__ = ["Entry", "Read", "files_in", "FILE_TIME", "TIMESTAMP"]
+__all__ = ["BROKEN", "Entry", "FILE_TIME", "Read", "TIMESTAMP", "files_in", "only_zip"]
 
 Read = Callable[[], bytes]
 
@@ -36,7 +36,8 @@ FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 
 class Entry(NamedTuple):
     """A file: where it stands, its bytes when ``read`` is called, when it came, how that is known,
-    what is wrong with it, and how many bytes it has.
+    what is wrong with it, how many bytes it has; and the folders of several people around it, which
+    are no part of where it stands.
     """
 
     parts: tuple[str, ...]
@@ -45,6 +46,7 @@ class Entry(NamedTuple):
     source: str
     fault: str
     size: int = 0
+    outer: tuple[str, ...] = ()
 
 
 class _Room:
@@ -82,6 +84,15 @@ def files_in(
             f"{place}: expected a folder or a zip of submissions, found"
             f" {'a file that is neither' if place.exists() else 'no such folder'}; check the name"
         )
+
+
+def only_zip(place: Path) -> Path | None:
+    """The zip that is all there is in a folder; None."""
+    if not place.is_dir():
+        return None
+    inside = [path for path in place.iterdir() if not _boring(path.name)]
+    alone = len(inside) == 1 and inside[0].is_file() and not inside[0].is_symlink()
+    return inside[0] if alone and zipfile.is_zipfile(inside[0]) else None
 
 
 def _in_folder(place, zone, room):

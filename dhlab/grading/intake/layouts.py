@@ -10,12 +10,16 @@ from typing import NamedTuple
 
 from .roster import Student
 
-__all__ = ["student_of", "from_platform", "Names", "Owner"]
+__all__ = ["Names", "Owner", "from_platform", "named_in", "student_of"]
 
-MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
+# what a platform wrote: first who, then what the student called it
 CANVAS = re.compile(
-    r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<user>\d+)_(?P<number>\d+)_(?P<file>.+)", re.IGNORECASE
+    r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<number>\d+)_\d+_(?P<file>.+)", re.IGNORECASE
 )
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
+BRIGHTSPACE = re.compile(r"\d+-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M")
+BLACKBOARD = re.compile(r"(?P<name>.+?_.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)")
+GRADESCOPE = re.compile(r"submission_\d+$")
 COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
 LONGEST = 100  # bytes of a name that was read off a file
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
@@ -24,7 +28,8 @@ ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 class Owner(NamedTuple):
     """Whose a file seems to be: the student, whether the roster knows the student, and where a
     learning platform's name told, the name, its number and the place. ``sure`` is False where an id
-    only stands somewhere in a longer name, which anybody may have given to a file.
+    only stands somewhere in a longer name, which anybody may have given to a file. ``within``: of
+    whom a stranger's folder or zip speaks further inside, where all names are its owner's.
     """
 
     student: str
@@ -33,6 +38,7 @@ class Owner(NamedTuple):
     number: str = ""
     place: tuple[str, ...] = ()
     sure: bool = True
+    within: str = ""
 
 
 class Names:
@@ -46,7 +52,7 @@ class Names:
         self._names: dict[str, set[str]] = {}
         self._letters: dict[str, set[str]] = {}  # Canvas writes "Lovelace, Ada" as lovelaceada
         self._mails: dict[str, set[str]] = {}
-        self._whose: dict[str, tuple[str | None, bool]] = {}
+        self._whose: dict[tuple[str, str], tuple[str | None, bool]] = {}
         for student in roster:
             name = _plain(_words(student.name))
             _add(self._names, name, student)
@@ -93,11 +99,14 @@ class Names:
         }
         return longest.pop() if len(longest) == 1 else None
 
-    def whose(self, part: str) -> tuple[str | None, bool]:
-        """(student or None, whether that is sure) of one file or folder; each is looked at once."""
-        if part not in self._whose:
-            self._whose[part] = _known(part, self)
-        return self._whose[part]
+    def whose(self, part: str, prefix: str = "") -> tuple[str | None, bool]:
+        """(student or None, whether that is sure) of one file or folder, where all beside it begin
+        with ``prefix``; each is looked at once.
+        """
+        key = part, prefix
+        if key not in self._whose:
+            self._whose[key] = _known(part, self, prefix)
+        return self._whose[key]
 
 
 def _only(found):
@@ -109,86 +118,117 @@ def _add(known, called, student):
         known.setdefault(called, set()).add(student.student)
 
 
-def student_of(parts: Sequence[str], names: Names, folder: str) -> Owner:
+def student_of(
+    parts: Sequence[str], names: Names, folder: str, outer: tuple[str, ...] = (), prefix: str = ""
+) -> Owner:
     """The Owner of a file.
 
     Parameters
     ----------
     parts : sequence of str
-        The path within what is graded, outermost first.
+        The path within what holds several people's files, outermost first: the first part is
+        somebody's, and what stands in it is that person's writing.
     names : Names
     folder : str
         What the graded folder is called, for a folder that is one student's.
+    outer : tuple of str
+        The folders of several people that it stands in.
+    prefix : str
+        What all names beside the first part begin with.
 
     Returns
     -------
     Owner
     """
-    strange = False  # within what a platform calls by a name that nobody has, names are its owner's
-    for place, part in enumerate(parts):
-        known, sure = names.whose(part)
-        if known:
-            numbered = _numbered(part, parts[:place])
-            # an id is one person's, whatever numbers stand beside it
-            by_id = _plain(known) in map(_plain, numbered[:2])
-            name, number, where = numbered if numbered and not by_id else ("", "", ())
-            return Owner(known, True, name, number, where, sure and not strange)
-        strange = strange or from_platform(part)
-    called = _called(parts[0], names, is_file=len(parts) == 1)
+    part = parts[0]
+    known, sure = names.whose(part, prefix)
+    name, number, where = _numbered(part, outer) or ("", "", ())
+    if known:
+        # an id is one person's, whatever numbers stand beside it
+        if _plain(known) in (_plain(name), number):
+            name, number, where = "", "", ()
+        return Owner(known, True, name, number, where, sure)
+    called = _called(part, names, is_file=len(parts) == 1)
     called = unicodedata.normalize("NFC", called or folder)
     safe = _safe(called)
     if safe != called or _plain(safe) in names.ids:
         # other signs stood there, which a file's name cannot have: somebody else may be called so
         safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
-    return Owner(safe, False, *_numbered(parts[0], ()))
+    return Owner(safe, False, name, number, where, within=named_in(parts[1:], names))
+
+
+def named_in(parts: Sequence[str], names: Names) -> str:
+    """The first student of the roster whom a path names; empty where it names none."""
+    return next((known for part in parts if (known := names.whose(part)[0])), "")
 
 
 def from_platform(part: str) -> bool:
-    """Whether a name is one that Moodle or Canvas writes.
+    """Whether a name is one that a learning platform gives to what one person hands in.
 
     Examples
     --------
     >>> from_platform("Ada Lovelace_771_assignsubmission_file_"), from_platform("ada")
     (True, False)
     """
-    return bool(MOODLE.match(part) or CANVAS.match(part))
+    return bool(_written(part) or GRADESCOPE.match(part))
+
+
+def _written(part):
+    """The match of the platform that wrote a name; None. Canvas's is asked first: a student's own
+    name of a file there may look like another platform's.
+    """
+    patterns = (CANVAS, MOODLE, BRIGHTSPACE, BLACKBOARD)
+    return next((match for pattern in patterns if (match := pattern.match(part))), None)
 
 
 def _numbered(part, place):
     """(name, number, place) as a learning platform wrote them; nothing where it did not."""
-    if moodle := MOODLE.match(part):
-        return _safe(moodle["name"]), moodle["number"], place
-    if canvas := CANVAS.match(part):
-        return _safe(canvas["name"]), canvas["user"], place
-    return ()
+    written = _written(part)
+    number = written.groupdict().get("number") if written else None
+    return (_safe(written["name"]), number, place) if number else ()
 
 
-def _known(part, names):
+def _known(part, names, prefix):
     """(student or None, whether that is sure). Of a name that a platform wrote only what the
     platform put there counts; the rest is the student's own.
     """
-    stem = ENDINGS.sub("", part)
-    canvas = CANVAS.match(part)
-    written = MOODLE.match(part) or canvas
+    written = _written(part)
     if written:
-        # a number is the platform's; a name is its owner's choice, and may be another's id
-        if written is canvas and (found := names.ids.get(_plain(written["user"]))):
-            return found, True
-        called = written["name"]
-        if found := names.by_name(called):
-            return found, True
-        return names.find(called), False
-    for called in (stem, _called(part, names, True)):
+        return _known_to_platform(written, names, prefix)
+    stem = ENDINGS.sub("", part)
+    for called in (stem, _called(part, names, True), stem.removeprefix(prefix)):
         if called and (found := names.find(called)):
             return found, True
     return names.within(stem), False
 
 
+def _known_to_platform(written, names, prefix):
+    called = written["name"]
+    if written.re is BLACKBOARD:  # the assignment, an underscore, and the person's id
+        own = called.removeprefix(prefix)
+        if own != called and (found := names.find(own)):
+            return found, True
+        return _at_the_end(called, "_", names.find), False
+    # a number is the platform's; a name is its owner's choice, and may be another's id
+    if written.re is CANVAS and (found := names.ids.get(_plain(written["number"]))):
+        return found, True
+    if found := names.by_name(called):
+        return found, True
+    return names.find(called) or _at_the_end(called, "-", names.by_name), False
+
+
+def _at_the_end(called, sign, find):
+    """The one who is found by what stands after a sign, as much of it as finds somebody."""
+    words = called.split(sign)
+    ends = (sign.join(words[k:]) for k in range(1, len(words)))
+    return next((found for end in ends if (found := find(end))), None)
+
+
 def _called(part, names, is_file):
     """What is left of a name when everything that says lesson, platform and copy is taken away."""
-    platform = MOODLE.match(part) or CANVAS.match(part)
-    if platform:
-        return platform["name"]
+    written = _written(part)
+    if written:
+        return written["name"]
     if not is_file:
         return part
     stem = COPY.sub("", ENDINGS.sub("", part))

@@ -6,12 +6,14 @@ import difflib
 from collections.abc import Mapping, Sequence
 
 from ..handing_out.variants import variant
+from ..shown import some
 from .roster import Student
-from .submissions import Submission
+from .submissions import Submission, voters
 
 __all__ = ["look_whose"]
 
 NEAR = 0.6  # how like a name of the roster a stranger's must be to be proposed
+NEARLY_ALL = 0.9  # of people whom no roster knows, who have numbers that are nobody's
 
 
 def look_whose(
@@ -41,7 +43,8 @@ def look_whose(
     Raises
     ------
     ValueError
-        The numbers of most notebooks are nobody's under this key.
+        The numbers of most students are nobody's under this key; where no roster knows any of
+        them, of nearly all.
     """
     names = {student.student: student.name for student in roster}
     owner = {variant(key, student): student for student in names or numbers} if key else {}
@@ -53,8 +56,9 @@ def look_whose(
         ]
         for student, mine in found.items()
     }
-    _check_key([[given for _, given in own] for own in drawn.values() if own], owner, key)
-    notes = []
+    ours = [[given for _, given in drawn[student]] for student in voters(found) if drawn[student]]
+    on_it = bool(names) and any(mine.on_roster and mine.notebooks for mine in found.values())
+    notes = _check_key(ours, owner, key, on_it)
     for student, mine in found.items():
         others = {
             owner[number] for _, given in drawn[student] for number in given if number in owner
@@ -66,31 +70,36 @@ def look_whose(
         )
         mine.numbers_of = min(others) if len(others) == 1 else None
         if not mine.on_roster:
-            mine.notes.append(_stranger(student, others, names))
+            mine.notes.append(_stranger(student, mine, others, names))
             notes.append(f"{student}: {mine.notes[-1]}")
             numbers[student] = (
                 numbers[mine.numbers_of] if mine.numbers_of in numbers else numbers[student]
             )
-    common = sum(not given for own in drawn.values() for _, given in own)
-    if key and 2 * common > sum(map(len, drawn.values())):
+    common = sum(not any(own) for own in ours)
+    if key and 2 * common > len(ours):
         notes.append(
-            f"{common} notebooks have the numbers that are the same for all: were the lessons"
-            " handed out without a key? Then leave out --key"
+            f"{common} students' notebooks have the numbers that are the same for all: were the"
+            " lessons handed out without a key? Then leave out --key"
         )
     return notes
 
 
-def _check_key(drawn, owner, key):
+def _check_key(drawn, owner, key, on_roster):
+    """A doubt where most have numbers that are nobody's; ValueError where those are the class."""
     # by student: one with many copies is still one
     foreign = sum(all(given and not given & owner.keys() for given in own) for own in drawn)
-    if 2 * foreign > len(drawn):
-        what = "numbers of their own; give the key they were released with (--key)"
-        if key:
-            what = (
-                "other numbers than this key gives to this roster; give the key and the roster they"
-                " were released with (--key, --roster)"
-            )
-        raise ValueError(f"grade: {foreign} of {len(drawn)} students' notebooks have {what}")
+    if 2 * foreign <= len(drawn):
+        return []
+    what = "numbers of their own; give the key they were released with (--key)"
+    if key:
+        what = (
+            "other numbers than this key gives to this roster; give the key and the roster they"
+            " were released with (--key, --roster)"
+        )
+    told = f"{foreign} of {len(drawn)} students' notebooks have {what}"
+    if on_roster or foreign >= NEARLY_ALL * len(drawn):
+        raise ValueError(f"grade: {told}")
+    return [told]
 
 
 def _own_notes(student, drawn, number, owner, names):
@@ -112,8 +121,15 @@ def _own_notes(student, drawn, number, owner, names):
             )
 
 
-def _stranger(student, others, names):
+def _stranger(student, mine, others, names):
     """What is known of a submission that matches nobody of the roster."""
+    held = ""
+    if mine.names:
+        held = (
+            ", and held apart with its files in the names of"
+            f" {some(_called(other, names) for other in mine.names)}: what stands in one person's"
+            " folder or zip is that person's; if it holds the work of several, move that out of it"
+        )
     if others:
         proposal = (
             "these are the numbers of"
@@ -138,7 +154,8 @@ def _stranger(student, others, names):
             else "nobody on it has a name like this"
         )
     return (
-        f"not on the roster; {proposal}: give the file its owner's id as its name and grade again"
+        f"not on the roster{held}; {proposal}: give the file its owner's id as its name and grade"
+        " again"
     )
 
 

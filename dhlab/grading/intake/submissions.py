@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, tzinfo
 from functools import cached_property
@@ -10,13 +10,14 @@ from itertools import count
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
-from ..shown import printable
-from .files import FILE_TIME, LARGEST, TIMESTAMP, Read, files_in
+from ..shown import printable, some
+from .files import FILE_TIME, LARGEST, TIMESTAMP, Read
 from .layouts import Names, from_platform, student_of
 from .notebooks import Look, look
 from .roster import Student
+from .wrapping import entries_in, prefixes
 
-__all__ = ["Notebook", "Submission", "submissions", "PASSED_OVER"]
+__all__ = ["PASSED_OVER", "Notebook", "Submission", "submissions", "voters"]
 
 PASSED_OVER = "passed over"
 MOST_NOTEBOOKS = 12  # of a student
@@ -51,7 +52,7 @@ class Submission:
     numbers they draw, if another's.
 
     ``loose``: nothing but files of no folder; ``refused``: something was there that is no notebook
-    or cannot be read.
+    or cannot be read; ``names``: the students of whom a stranger's folder or zip speaks inside.
     """
 
     student: str
@@ -62,6 +63,7 @@ class Submission:
     refused: bool = False
     numbers_of: str | None = None
     looked_into: int = 0
+    names: dict[str, None] = field(default_factory=dict)
 
 
 def submissions(
@@ -97,12 +99,12 @@ def submissions(
     names = Names(roster, lessons)
     found = {student.student: Submission(student.student) for student in roster}
 
-    def whose(parts):
-        owner = student_of(parts, names, place.stem)
-        return owner.student if owner.known else "/".join(parts)
-
-    entries = _stamped(_unwrapped(files_in(place, zone, whose), names), zone)
-    owners = [student_of(entry.parts, names, place.stem) for entry in entries]
+    entries = _stamped(entries_in(place, zone, names), zone, names)
+    begin = prefixes(entries)
+    owners = [
+        student_of(entry.parts, names, place.stem, entry.outer, begin.get(entry.outer, ""))
+        for entry in entries
+    ]
     namesakes = _namesakes(owners)
     claimed = {owner.student for owner in owners if owner.known and owner.sure}
     doubts: dict[str, list[str]] = {}
@@ -116,13 +118,24 @@ def submissions(
             doubts.setdefault(owner.student, []).append(student)
         mine = found.setdefault(student, Submission(student, on_roster=known or not roster))
         mine.loose &= len(entry.parts) == 1
+        mine.names |= {owner.within: None} if owner.within else {}
         _take(mine, entry)
     for mine in found.values():
         _settle(mine)
+    _tell_doubts(found, doubts, namesakes)
+    return {
+        student: mine
+        for student, mine in found.items()
+        if mine.notebooks or mine.notes or student in {s.student for s in roster}
+    }
+
+
+def _tell_doubts(found, doubts, namesakes):
+    """Note at each student what is held apart that may be theirs."""
     for student, others in doubts.items():
         found[student].notes.append(
-            f"{' and '.join(dict.fromkeys(others))}: has this id in its name and is held apart; if"
-            " it is this student's, give it the id alone as its name"
+            f"{some(others)}: has this id in its name and is held apart; if it is this student's,"
+            " give it the id alone as its name"
         )
     for student in {owner.student for owner in namesakes if owner.known}:
         others = sorted(
@@ -132,11 +145,25 @@ def submissions(
             f"several people of this name handed in ({', '.join(others)}): give the right file the"
             " student's id as its name"
         )
-    return {
-        student: mine
-        for student, mine in found.items()
-        if mine.notebooks or mine.notes or student in {s.student for s in roster}
-    }
+    named_by: dict[str, list[str]] = {}
+    for other, mine in found.items():
+        for student in mine.names:
+            named_by.setdefault(student, []).append(other)
+    for student, others in named_by.items():
+        if not found[student].notebooks:
+            found[student].notes.append(
+                f"{some(others)}: has files in this student's name and is held apart, since it is"
+                " another's; if they are this student's, move them out of it"
+            )
+
+
+def voters(found: Mapping[str, Submission]) -> dict[str, Submission]:
+    """Who says what the class is: the students of the roster who handed in notebooks; all, where
+    none of it did or there is none.
+    """
+    handed_in = {student: mine for student, mine in found.items() if mine.notebooks}
+    known = {student: mine for student, mine in handed_in.items() if mine.on_roster}
+    return known or handed_in
 
 
 def _namesakes(owners):
@@ -151,35 +178,41 @@ def _namesakes(owners):
     return {owner for owner in owners if owner.number and owner.student in several}
 
 
-def _stamped(entries, zone):
+def _stamped(entries, zone, names):
     """The files with the time that nbgrader noted beside them, in student/assignment/, for
-    everybody; such a file elsewhere, in a zip, or that few have, may be a student's own.
+    everybody; such a file elsewhere, in a zip, or that few of the class have, may be a student's
+    own.
     """
-    entries = list(entries)
     in_folders = [
         entry
         for entry in entries
         if len(entry.parts) > 1
         and entry.source == FILE_TIME
-        and not any(part.lower().endswith(".zip") for part in entry.parts)
+        and not any(part.lower().endswith(".zip") for part in (*entry.outer, *entry.parts))
         and not entry.fault
         and not from_platform(entry.parts[0])
     ]
     written = [
         entry for entry in in_folders if len(entry.parts) == 3 and entry.parts[-1] == TIMESTAMP
     ]
-    having, students = ({entry.parts[0] for entry in some} for some in (written, in_folders))
-    if 2 * len(having) < len(students):
+    folders = {entry.parts[0] for entry in in_folders}
+    ours = {part for part in folders if names.whose(part)[0]} or folders
+    having = {entry.parts[0] for entry in written} & ours
+    if 2 * len(having) < len(ours):
         return entries
-    noted = {entry.parts[:-1]: when for entry in written if (when := _noted(entry.read(), zone))}
+    noted = {
+        (*entry.outer, *entry.parts[:-1]): when
+        for entry in written
+        if (when := _noted(entry.read(), zone))
+    }
     return [
         (
-            entry._replace(when=noted[entry.parts[:-1]], source=TIMESTAMP)
-            if entry.parts[:-1] in noted
+            entry._replace(when=noted[folder], source=TIMESTAMP)
+            if (folder := (*entry.outer, *entry.parts[:-1])) in noted
             else entry
         )
         for entry in entries
-        if not (entry.parts[-1] == TIMESTAMP and entry.parts[:-1] in noted)
+        if not (entry.parts[-1] == TIMESTAMP and (*entry.outer, *entry.parts[:-1]) in noted)
     ]
 
 
@@ -198,7 +231,7 @@ def _noted(raw, zone):
 
 def _take(mine, entry):
     """Add a file to a student's submission, or say why not."""
-    name, read, fault = "/".join(entry.parts), entry.read, entry.fault
+    name, read, fault = "/".join((*entry.outer, *entry.parts)), entry.read, entry.fault
     ending = os.path.splitext(name)[1].lower()
     name = _shown(name)
     if fault:
@@ -258,21 +291,3 @@ def _settle(mine):
     if len(mine.notes) > MOST_NOTES:
         more = len(mine.notes) - MOST_NOTES
         mine.notes[MOST_NOTES:] = [f"and {more} more files that were {PASSED_OVER}"]
-
-
-def _unwrapped(entries, names):
-    """Without the one folder that everything stands in, where it is nobody's and holds folders or
-    files of several.
-    """
-    entries = list(entries)
-    while (
-        entries
-        and all(len(entry.parts) > 2 for entry in entries)
-        and len({entry.parts[0] for entry in entries}) == 1
-        and len({entry.parts[1] for entry in entries}) > 1
-    ):
-        outer = entries[0].parts[0]
-        if outer.lower().endswith(".zip") or student_of((outer,), names, "").known:
-            break
-        entries = [entry._replace(parts=entry.parts[1:]) for entry in entries]
-    return entries

@@ -1,0 +1,164 @@
+"""A class's files as learning platforms and teachers lay them: each is its owner's."""
+
+import os
+import unicodedata
+from datetime import UTC, datetime
+
+import pytest
+from test_others_files import notebook, put, taken, zipped
+
+from dhlab.grading.intake.roster import Student
+from dhlab.grading.intake.submissions import submissions
+
+LESSONS = ("05-link-matrix", "06-forward-kinematics")
+CLASS = (
+    Student("ada_l", "Ada Lovelace", "ada@example.org"),
+    Student("bo", "Bo Müller", "bo@example.org"),
+    Student("cy", "Cy Twombly"),
+    Student("li", "李 小龙"),
+)
+NFD = unicodedata.normalize("NFD", "Bo Müller")
+METADATA = """---
+submission_1:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: 'ada_l'
+    :email: ada@example.org
+  :created_at: 2026-11-01 08:00:00.000000000 +00:00
+  :results:
+    output: |
+      :sid: 'cy'
+submission_2:
+  :submitters:
+  - :name: "Bo M\\xFCller"
+    :sid:
+    :email: bo@example.org
+  :created_at: 2026-11-01 08:00:00.000000000 +00:00
+"""
+LAYOUTS = {
+    "Brightspace": {
+        "397063-2557369 - Ada Lovelace - Nov 1, 2026 926 PM/05 link matrix (1).ipynb": "ada_l",
+        "397063-2557369 - Ada Lovelace - Nov 2, 2026 1026 AM/again.ipynb": "ada_l",
+        f"397063-2557369 - {NFD} - Nov 1, 2026 9:26 PM - 05.ipynb": "bo",
+        "index.html": "",
+    },
+    "Canvas": {
+        "mullerbo_LATE_12_34_05-link-matrix-1.ipynb": "bo",
+        "李小龙_13_35_Untitled (2).ipynb": "li",
+        "lovelaceada_14_36_ada.zip": "ada_l",
+    },
+    "Moodle with groups": {
+        "Group A-Ada Lovelace_77_assignsubmission_file_/05.ipynb": "ada_l",
+        "Group B-Müller Bo_78_assignsubmission_file_/work/05.ipynb": "bo",
+    },
+    "GitHub Classroom": {
+        "hw-5-submissions/hw-5-ada_l/src/05.ipynb": "ada_l",
+        "hw-5-submissions/hw-5-bo/src/05.ipynb": "bo",
+        "hw-5-submissions/hw-5-cy/05.ipynb": "cy",
+    },
+    "Google Classroom": {
+        "Ada Lovelace - 05-link-matrix.ipynb": "ada_l",
+        "Copy of 05-link-matrix - Bo Müller.ipynb": "bo",
+        "cy (1).ipynb.txt": "cy",
+    },
+    "a zip each, in a folder": {
+        "zips/ada_l.zip": "ada_l",
+        "zips/bo.zip": "bo",
+        "zips/cy.zip": "cy",
+    },
+    "a folder for each lesson": {
+        "lesson05/ada_l.ipynb": "ada_l",
+        "lesson05/bo.ipynb": "bo",
+        "06-forward-kinematics/ada_l/06.ipynb": "ada_l",
+    },
+    "latecomers": {"ada_l/05.ipynb": "ada_l", "bo/05.ipynb": "bo", "late/cy/05.ipynb": "cy"},
+    "the same name again, addresses, ids in brackets": {
+        "ada_l/ada_l/05.ipynb": "ada_l",
+        "bo@example.org/05.ipynb": "bo",
+        "Twombly, C. (cy)/05.ipynb": "cy",
+    },
+    "Blackboard": {
+        "Homework 5_ada_l_attempt_2026-11-01-10-00-00_05.ipynb": "ada_l",
+        "Homework 5_ada_l_attempt_2026-11-02-10-00-00_05 (1).ipynb": "ada_l",
+        "Homework 5_bo_attempt_2026-11-01-10-00-00_my_work.ipynb": "bo",
+        "Homework 5_bo_attempt_2026-11-01-10-00-00.txt": "",
+    },
+    "nbgrader": {
+        "submitted/ada_l/ps5/05.ipynb": "ada_l",
+        "submitted/bo/ps5/05.ipynb": "bo",
+        "gradebook.db": "",
+    },
+    "one of the class, and one of another": {
+        "assignment1/ada_l/05.ipynb": "ada_l",
+        "assignment1/guest/05.ipynb": "",
+    },
+    "sections": {
+        "section A/ada_l/05.ipynb": "ada_l",
+        "section A/bo/05.ipynb": "bo",
+        "section B/cy/05.ipynb": "cy",
+    },
+    "folders of no known word": {
+        "Kapitel 5/ada_l/05.ipynb": "ada_l",
+        "Kapitel 5/bo/05.ipynb": "bo",
+        "Kapitel 6/ada_l/05.ipynb": "ada_l",
+        "Kapitel 6/cy/05.ipynb": "cy",
+    },
+    "a download for each lesson": {
+        "submissions.zip/ada_l_1_2_05.ipynb": "ada_l",
+        "submissions.zip/bo_3_4_05.ipynb": "bo",
+        "submissions (1).zip/ada_l_1_5_06.ipynb": "ada_l",
+        "submissions (1).zip/bo_3_6_06.ipynb": "bo",
+    },
+    "Gradescope": {
+        "assignment_5_export/submission_1/05.ipynb": "ada_l",
+        "assignment_5_export/submission_2/my/05.ipynb": "bo",
+        "assignment_5_export/submission_metadata.yml": METADATA,
+    },
+}
+
+
+def lay(top, layout):
+    """Write a layout: a file in a zip is written into that zip."""
+    zips = {}
+    for name, owner in layout.items():
+        outer, ending, inner = name.partition(".zip/")
+        data = owner.encode() if owner == METADATA else notebook()
+        if ending:
+            zips.setdefault(f"{outer}.zip", {})[inner] = data
+        elif name.endswith(".zip"):
+            zips[name] = {"work/05.ipynb": data}
+        else:
+            put(top / name, data if owner else b"<html>")
+    for name, files in zips.items():
+        put(top / name, zipped(files))
+
+
+@pytest.mark.parametrize("called", LAYOUTS)
+def test_each_file_is_its_owners(tmp_path, called):
+    lay(tmp_path, LAYOUTS[called])
+    expected = {}
+    for name, owner in LAYOUTS[called].items():
+        if owner in {student.student for student in CLASS}:
+            expected.setdefault(owner, []).append(name.rpartition("/")[2].removesuffix(".zip"))
+    found = {
+        student.student: [one.name for one in mine.notebooks]
+        for student in CLASS
+        if (mine := submissions(tmp_path, CLASS, LESSONS)[student.student]).notebooks
+    }
+    assert {student: len(names) for student, names in found.items()} == {
+        student: len(names) for student, names in expected.items()
+    }
+    for student, names in found.items():
+        assert all(any(part in name for name in names) for part in expected[student])
+
+
+def test_the_platforms_whole_download_in_the_folder(tmp_path):
+    """Its times are the platform's, and its files are those of many."""
+    many = {f"{s.student}/{k}.txt": b"" for s in CLASS for k in range(200)}
+    everyone = {f"{student.student}/05.ipynb": notebook() for student in CLASS}
+    put(tmp_path / "submissions.zip", zipped(many | everyone), day=20)
+    found = submissions(tmp_path, CLASS)
+    assert taken(tmp_path, CLASS).keys() == {student.student for student in CLASS}
+    (mine,) = found["ada_l"].notebooks
+    assert mine.when == datetime(2026, 11, 2, tzinfo=UTC) and mine.source == "zip"
+    os.remove(tmp_path / "submissions.zip")
