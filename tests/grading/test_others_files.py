@@ -163,6 +163,14 @@ def test_a_nick_that_ends_with_anothers_id(tmp_path):
     assert taken(tmp_path) == {"ada_l": ["hw-5-ada_l/05.ipynb"], "bo": ["hw-5-bo/05.ipynb"]}
 
 
+@pytest.mark.parametrize("nick", ["x-ada_l", "ada_l-x"])
+def test_nor_while_the_other_hands_in_nothing(tmp_path, nick):
+    for name in ("bo", "cy", nick):
+        put(tmp_path / f"hw-6-{name}" / "05.ipynb")
+    assert taken(tmp_path).keys() == {"bo", "cy"}
+    assert f"hw-6-{nick}" in submissions(tmp_path, CLASS)["ada_l"].notes[0]
+
+
 def test_strangers_folders_do_not_switch_off_the_platforms_times(tmp_path):
     for student in ("ada_l", "bo", "cy"):
         put(tmp_path / student / "ps5" / "05.ipynb", day=20)
@@ -189,6 +197,39 @@ def test_a_display_name_like_a_teachers_folder(tmp_path):
     put(tmp_path / "Ada Lovelace_770_assignsubmission_file_" / "05.ipynb")
     put(tmp_path / "lesson05_771_assignsubmission_file_" / "ada_l.ipynb", day=20)
     assert len(taken(tmp_path)["ada_l"]) == 1
+
+
+def test_a_name_like_a_teachers_folder_beside_the_others_own(tmp_path):
+    own(tmp_path, "ada_l", "bo")
+    put(tmp_path / "late" / "ada_l.ipynb", day=20)
+    put(tmp_path / "late" / "cy.ipynb", day=20)
+    found = submissions(tmp_path, CLASS)
+    assert taken(tmp_path)["ada_l"] == ["ada_l/05.ipynb"]
+    assert taken(tmp_path)["cy"] == ["late/cy.ipynb"]
+    assert "late, perhaps ada_l" in found["ada_l"].notes[0]
+
+
+def test_gradescopes_list_is_not_a_students_to_write(tmp_path):
+    listed = """submission_1:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: ada_l
+  :created_at: 2026-11-01
+submission_4:
+  :submitters:
+  - :name: "Mallory
+    :sid: bo"
+    :email: m@example.org
+  :results:
+    output: |-
+submission_4:
+"""
+    put(tmp_path / "submission_metadata.yml", listed.encode())
+    put(tmp_path / "submission_1" / "05.ipynb")
+    mine = tmp_path / "submission_4"
+    put(mine / "submission_metadata.yml", listed.encode(), day=20)
+    put(mine / "submission_1" / "05.ipynb", day=20)
+    assert taken(tmp_path) == {"ada_l": ["ada_l/submission_1/05.ipynb"]}
 
 
 def test_strangers_do_not_vote_on_the_key(tmp_path):

@@ -1,6 +1,5 @@
 """A class's files as learning platforms and teachers lay them: each is its owner's."""
 
-import os
 import unicodedata
 from datetime import UTC, datetime
 
@@ -109,6 +108,34 @@ LAYOUTS = {
         "submissions (1).zip/ada_l_1_5_06.ipynb": "ada_l",
         "submissions (1).zip/bo_3_6_06.ipynb": "bo",
     },
+    "Teams": {
+        "Submitted files/Ada Lovelace/Assignment 5/Version 1/05.ipynb": "ada_l",
+        "Submitted files/Ada Lovelace/Assignment 5/Version 2/05.ipynb": "ada_l",
+        "Submitted files/Bo Müller/Assignment 5/Version 1/05.ipynb": "bo",
+    },
+    "ILIAS": {
+        "Abgaben/Lovelace_Ada_ada_l_12345/05.ipynb": "ada_l",
+        "Abgaben/Mueller_Bo_bo_12346/05.ipynb": "bo",
+    },
+    "Sakai": {
+        "Homework 5/Lovelace, Ada(ada_l)/Submission attachment(s)/05.ipynb": "ada_l",
+        "Homework 5/Müller, Bo(bo)/Submission attachment(s)/05.ipynb": "bo",
+        "Homework 5/grades.csv": "",
+    },
+    "a notebook of the teacher's beside a download": {
+        "download of monday/ada_l/05.ipynb": "ada_l",
+        "download of monday/bo/05.ipynb": "bo",
+        "solution.ipynb": "",
+    },
+    "a later download, with one": {
+        "download of monday/ada_l/05.ipynb": "ada_l",
+        "download of monday/bo/05.ipynb": "bo",
+        "download of friday/cy/05.ipynb": "",  # one is too few to tell
+    },
+    "a zip of Moodle's zips": {
+        "CS1-Lesson 5-3321.zip/Ada Lovelace_771_assignsubmission_file_.zip": "ada_l",
+        "CS1-Lesson 5-3321.zip/Bo Müller_772_assignsubmission_file_.zip": "bo",
+    },
     "Gradescope": {
         "assignment_5_export/submission_1/05.ipynb": "ada_l",
         "assignment_5_export/submission_2/my/05.ipynb": "bo",
@@ -123,6 +150,8 @@ def lay(top, layout):
     for name, owner in layout.items():
         outer, ending, inner = name.partition(".zip/")
         data = owner.encode() if owner == METADATA else notebook()
+        if inner.endswith(".zip"):
+            data = zipped({"05.ipynb": data})
         if ending:
             zips.setdefault(f"{outer}.zip", {})[inner] = data
         elif name.endswith(".zip"):
@@ -152,6 +181,25 @@ def test_each_file_is_its_owners(tmp_path, called):
         assert all(any(part in name for name in names) for part in expected[student])
 
 
+def test_a_group_on_gradescope_is_each_of_it(tmp_path):
+    both = METADATA.replace(
+        "  :created_at", "  - :name: Cy Twombly\n    :sid: cy\n  :created_at", 1
+    )
+    put(tmp_path / "submission_1" / "05.ipynb")
+    put(tmp_path / "submission_metadata.yml", both.encode())
+    assert taken(tmp_path, CLASS).keys() == {"ada_l", "cy"}
+
+
+def test_ids_that_are_small_numbers_beside_folders_of_lessons(tmp_path):
+    roster = [Student(str(number)) for number in range(1, 9)]
+    for name in ("lesson 5/5.ipynb", "lesson 5/6.ipynb", "lesson 6/5.ipynb"):
+        put(tmp_path / name)
+    assert taken(tmp_path, roster) == {
+        "5": ["lesson 5/5.ipynb", "lesson 6/5.ipynb"],
+        "6": ["lesson 5/6.ipynb"],
+    }
+
+
 def test_the_platforms_whole_download_in_the_folder(tmp_path):
     """Its times are the platform's, and its files are those of many."""
     many = {f"{s.student}/{k}.txt": b"" for s in CLASS for k in range(200)}
@@ -161,4 +209,3 @@ def test_the_platforms_whole_download_in_the_folder(tmp_path):
     assert taken(tmp_path, CLASS).keys() == {student.student for student in CLASS}
     (mine,) = found["ada_l"].notebooks
     assert mine.when == datetime(2026, 11, 2, tzinfo=UTC) and mine.source == "zip"
-    os.remove(tmp_path / "submissions.zip")

@@ -82,15 +82,11 @@ class Names:
     def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
         plain = _plain(text)
-        spaced = plain.replace("_", " ")
         found = {
             student
             for key, student in self.ids.items()
             if key in plain  # patterns are slow, and a class has many ids
-            and (
-                re.search(rf"(?<![\w]){re.escape(key)}(?![\w])", spaced)
-                or re.search(rf"(?:^|[_ .-]){re.escape(key)}(?:[_ .-]|$)", plain)
-            )
+            and re.search(rf"(?<![^\W_]){re.escape(key)}(?![^\W_])", plain)
         }
         longest = {
             student
@@ -134,7 +130,8 @@ def student_of(
     outer : tuple of str
         The folders of several people that it stands in.
     prefix : str
-        What all names beside the first part begin with.
+        What all names beside the first part begin with, before somebody's id: who has an id only
+        in the rest is not that person.
 
     Returns
     -------
@@ -143,7 +140,8 @@ def student_of(
     part = parts[0]
     known, sure = names.whose(part, prefix)
     name, number, where = _numbered(part, outer) or ("", "", ())
-    if known:
+    given = bool(prefix) and (len(parts) > 1 or from_platform(part))  # not by its owner
+    if known and (sure or not given):
         # an id is one person's, whatever numbers stand beside it
         if _plain(known) in (_plain(name), number):
             name, number, where = "", "", ()
@@ -154,7 +152,7 @@ def student_of(
     if safe != called or _plain(safe) in names.ids:
         # other signs stood there, which a file's name cannot have: somebody else may be called so
         safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
-    return Owner(safe, False, name, number, where, within=named_in(parts[1:], names))
+    return Owner(safe, False, name, number, where, within=named_in(parts, names))
 
 
 def named_in(parts: Sequence[str], names: Names) -> str:

@@ -100,21 +100,24 @@ def submissions(
     found = {student.student: Submission(student.student) for student in roster}
 
     entries = _stamped(entries_in(place, zone, names), zone, names)
-    begin = prefixes(entries)
+    begin = prefixes(entries, names)
     owners = [
         student_of(entry.parts, names, place.stem, entry.outer, begin.get(entry.outer, ""))
         for entry in entries
     ]
     namesakes = _namesakes(owners)
-    claimed = {owner.student for owner in owners if owner.known and owner.sure}
+    sure = {(entry.outer, o.student) for entry, o in zip(entries, owners) if o.known and o.sure}
+    claimed = {student for _, student in sure}
     doubts: dict[str, list[str]] = {}
     for entry, owner in zip(entries, owners):
         student, known = owner.student, owner.known
+        beside = any((entry.outer[:k], student) in sure for k in range(len(entry.outer)))
         if owner in namesakes:
             student, known = f"{owner.called} {owner.number}", False
-        elif not owner.sure and student in claimed:
+        elif beside or (not owner.sure and student in claimed):
             # somebody else's file may be called so: it takes nothing away from who is sure
-            student, known = f"{printable(entry.parts[0])[:80]}, perhaps {student}", False
+            within = (*entry.outer, entry.parts[0])[0]
+            student, known = f"{printable(within)[:80]}, perhaps {student}", False
             doubts.setdefault(owner.student, []).append(student)
         mine = found.setdefault(student, Submission(student, on_roster=known or not roster))
         mine.loose &= len(entry.parts) == 1
@@ -135,7 +138,7 @@ def _tell_doubts(found, doubts, namesakes):
     for student, others in doubts.items():
         found[student].notes.append(
             f"{some(others)}: has this id in its name and is held apart; if it is this student's,"
-            " give it the id alone as its name"
+            " move it to what is surely theirs, or give it the id alone as its name"
         )
     for student in {owner.student for owner in namesakes if owner.known}:
         others = sorted(

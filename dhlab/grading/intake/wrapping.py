@@ -105,12 +105,13 @@ def _at_one_level(below, names):
     """Which of the things that stand side by side hold several people's work; ``below``: for each
     the paths in it.
     """
-    nobodys = [
+    inside = [part for part, paths in below.items() if any(paths) and not from_platform(part)]
+    called = {
         part
-        for part, paths in below.items()
-        if any(paths) and not names.whose(part)[0] and not from_platform(part)
-    ]
-    called = {part for part in nobodys if not _is_zip(part) and _is_teachers(part, names)}
+        for part in inside
+        if not _is_zip(part) and _is_teachers(part, names) and not names.whose(part)[1]
+    }
+    nobodys = [part for part in inside if not names.whose(part)[0]]
     beside = [
         part
         for part, paths in below.items()
@@ -150,15 +151,20 @@ def _is_only_around(part, paths, names):
     )
 
 
-def prefixes(entries: Iterable[Entry]) -> dict[tuple[str, ...], str]:
-    """What the names that stand side by side begin with, where it is the same for all, as that of
-    an assignment: by the folders around them.
+def prefixes(entries: Iterable[Entry], names: Names) -> dict[tuple[str, ...], str]:
+    """What the names that stand side by side begin with, as that of an assignment, where somebody
+    of the class is called by what is left: by the folders around them.
     """
     beside: dict[tuple[str, ...], set[str]] = {}
     for entry in entries:
         if len(entry.parts) > 1 or entry.parts[0].lower().endswith(".ipynb"):
             beside.setdefault(entry.outer, set()).add(entry.parts[0])
-    return {outer: _shared(parts) for outer, parts in beside.items() if len(parts) > 1}
+    shared = {outer: _shared(parts) for outer, parts in beside.items() if len(parts) > 1}
+    return {
+        outer: begin
+        for outer, begin in shared.items()
+        if any(names.whose(part, begin)[1] > names.whose(part)[1] for part in beside[outer])
+    }
 
 
 def _shared(parts):
