@@ -144,6 +144,24 @@ def test_a_platforms_names_within_a_folder_make_nobody_several_people(tmp_path):
     assert taken(tmp_path) == {"ada_l": [hers]}
 
 
+def test_a_display_name_that_ends_with_anothers_makes_nobody_several_people(tmp_path):
+    hers = "Ada Lovelace_771_assignsubmission_file_/05.ipynb"
+    put(tmp_path / hers)
+    put(tmp_path / "x-Ada Lovelace_880_assignsubmission_file_" / "05.ipynb", day=20)
+    assert taken(tmp_path) == {"ada_l": [hers]}
+
+
+def test_the_half_of_a_double_name_is_nobodys(tmp_path):
+    put(tmp_path / "Anna-Bo Müller_79_assignsubmission_file_" / "05.ipynb")
+    assert taken(tmp_path) == {}
+
+
+def test_two_of_one_name_in_groups_are_two(tmp_path):
+    for group, number in (("A", 77), ("B", 78)):
+        put(tmp_path / f"Group {group}-Ada Lovelace_{number}_assignsubmission_file_" / "05.ipynb")
+    assert taken(tmp_path) == {}
+
+
 def test_a_file_called_as_moodle_would_on_canvas(tmp_path):
     put(tmp_path / "lovelaceada_771_900_05.ipynb")
     put(tmp_path / "adalove_880_901_lace_5_assignsubmission_file_.ipynb", day=20)

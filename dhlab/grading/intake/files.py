@@ -88,10 +88,11 @@ def files_in(
 
 def only_zip(place: Path) -> Path | None:
     """The zip that is all there is in a folder; None."""
-    if not place.is_dir():
+    try:
+        inside = [path for path in place.iterdir() if not _boring(path.name)]
+        alone = len(inside) == 1 and inside[0].is_file() and not inside[0].is_symlink()
+    except OSError:
         return None
-    inside = [path for path in place.iterdir() if not _boring(path.name)]
-    alone = len(inside) == 1 and inside[0].is_file() and not inside[0].is_symlink()
     return inside[0] if alone and zipfile.is_zipfile(inside[0]) else None
 
 

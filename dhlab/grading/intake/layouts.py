@@ -19,6 +19,7 @@ CANVAS = re.compile(
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
 BRIGHTSPACE = re.compile(r"\d+-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M")
 BLACKBOARD = re.compile(r"(?P<name>.+?_.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)")
+GROUP = re.compile(r".*?(\d|\b\w)-(?P<name>.+)")  # Moodle's before a name; not Anna-Lena's Anna
 GRADESCOPE = re.compile(r"submission_\d+$")
 COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
 LONGEST = 100  # bytes of a name that was read off a file
@@ -206,20 +207,16 @@ def _known_to_platform(written, names, prefix):
         own = called.removeprefix(prefix)
         if own != called and (found := names.find(own)):
             return found, True
-        return _at_the_end(called, "_", names.find), False
+        # as much of it as is somebody's: an id may have underscores
+        ends = (called.split("_", k)[-1] for k in range(1, called.count("_") + 1))
+        return next((found for end in ends if (found := names.find(end))), None), False
     # a number is the platform's; a name is its owner's choice, and may be another's id
     if written.re is CANVAS and (found := names.ids.get(_plain(written["number"]))):
         return found, True
     if found := names.by_name(called):
         return found, True
-    return names.find(called) or _at_the_end(called, "-", names.by_name), False
-
-
-def _at_the_end(called, sign, find):
-    """The one who is found by what stands after a sign, as much of it as finds somebody."""
-    words = called.split(sign)
-    ends = (sign.join(words[k:]) for k in range(1, len(words)))
-    return next((found for end in ends if (found := find(end))), None)
+    group = GROUP.fullmatch(called)
+    return names.find(called) or (group and names.by_name(group["name"])), False
 
 
 def _called(part, names, is_file):

@@ -123,12 +123,12 @@ def _own_notes(student, drawn, number, owner, names):
 
 def _stranger(student, mine, others, names):
     """What is known of a submission that matches nobody of the roster."""
-    held = ""
-    if mine.names:
-        held = (
-            ", and held apart with its files in the names of"
+    if mine.names and not others:
+        return (
+            "not on the roster, and held apart with its files in the names of"
             f" {some(_called(other, names) for other in mine.names)}: what stands in one person's"
             " folder or zip is that person's; if it holds the work of several, move that out of it"
+            " and grade again"
         )
     if others:
         proposal = (
@@ -154,8 +154,7 @@ def _stranger(student, mine, others, names):
             else "nobody on it has a name like this"
         )
     return (
-        f"not on the roster{held}; {proposal}: give the file its owner's id as its name and grade"
-        " again"
+        f"not on the roster; {proposal}: give the file its owner's id as its name and grade again"
     )
 
 

@@ -173,9 +173,10 @@ def _namesakes(owners):
     """The owners of a name that a platform has given to several of its own numbers at one place:
     they are several people.
     """
+    sure = {owner.student for owner in owners if owner.number and owner.sure}
     numbers: dict[tuple[str, tuple[str, ...]], set[str]] = {}
     for owner in owners:
-        if owner.number:
+        if owner.number and (owner.sure or owner.student not in sure):
             numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
     several = {student for (student, _), found in numbers.items() if len(found) > 1}
     return {owner for owner in owners if owner.number and owner.student in several}
