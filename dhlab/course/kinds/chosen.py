@@ -207,4 +207,6 @@ def _words(answer):
     if isinstance(answer, str):
         answer = answer.replace(",", "").replace(" ", "")
     entries = answer if np.iterable(answer) else [answer]
-    return [str(entry).strip().lower() for entry in entries]
+    # what a member of an Enum of texts says of itself is its name
+    texts = (entry if isinstance(entry, str) else str(entry) for entry in entries)
+    return [text.strip().lower() for text in texts]

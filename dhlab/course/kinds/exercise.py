@@ -2,7 +2,7 @@
 
 import re
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, KeysView, Mapping, ValuesView
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any, ClassVar, TypeAlias
@@ -16,6 +16,7 @@ __all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "listed", "no_dr
 
 GREEK = {"theta": "θ", "alpha": "α"}
 LETTERS = re.compile(r"(?<![\w.])(theta|alpha)(?![a-z])")
+ONCE = Iterator, KeysView, ValuesView  # what can only be walked through
 MOST = 1000  # entries that are taken of an answer that may have no end
 UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
 # variants from here on, which only a released lesson has, show options in an order of their own
@@ -241,15 +242,15 @@ def no_draw(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def listed(answer: Any) -> Any:
-    """An answer that can be walked through once only (zip, map, a generator) as a list; any other
-    as it is.
+    """An answer that can only be walked through (zip, map, a generator, the values of a dict) as a
+    list; any other as it is.
 
     Examples
     --------
     >>> listed(map(abs, [-1, 2]))
     [1, 2]
     """
-    return list(islice(answer, MOST)) if isinstance(answer, Iterator) else answer
+    return list(islice(answer, MOST)) if isinstance(answer, ONCE) else answer
 
 
 def untouched(answer: Any) -> bool:

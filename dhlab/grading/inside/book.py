@@ -2,7 +2,7 @@
 another room. It judges nothing.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, KeysView, Mapping, ValuesView
 from contextlib import contextmanager
 from itertools import islice
 from typing import Any
@@ -13,7 +13,8 @@ from .wire import encode
 
 __all__ = ["Book"]
 
-ENTRIES = 1000  # that are taken of an answer that can be walked through once, as the check does
+ONCE = Iterator, KeysView, ValuesView  # what can only be walked through, as for the check
+ENTRIES = 1000  # that are taken of such an answer
 MOST = 50  # notes of one exercise: who calls check in a loop is heard the first times
 
 
@@ -50,7 +51,7 @@ class Book:
         self.noted[key] = self.noted.get(key, 0) + 1
         self._where.add((key, self.cell))
         with self._on_time(key):
-            if isinstance(answer, Iterator):
+            if isinstance(answer, ONCE):
                 answer = list(islice(answer, ENTRIES))
             line = (
                 {"function": "stub" if is_stub(answer) else "written"}
