@@ -7,8 +7,11 @@ import __future__
 import ast
 import builtins
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
+from types import FunctionType
 from typing import Any
+
+import numpy as np
 
 from .reading.cells import BODY_RUNS, parsed
 
@@ -22,18 +25,40 @@ ACTING = (ast.Call, ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom)
 
 
 class Absent:
-    """Stands for a library that is not here, and for everything that is asked of it."""
+    """Stands for a library that is not here, and for everything that is asked of it. Around a
+    function or a class it gives back that, as ``njit`` does; around numbers or things that are gone
+    through it goes through them, as ``prange`` and ``tqdm`` do.
+    """
+
+    def __init__(self, name="", given=()):
+        self._name, self._given = name, given
 
     def __getattr__(self, name):
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
-        return self
+        return Absent(name)
 
     def __call__(self, *args, **kwargs):
-        return self
+        match args:
+            case [FunctionType() as own] if self._name == "vectorize":
+                return np.vectorize(own)
+            case [(FunctionType() | type()) as own]:
+                return own
+        return Absent(self._name, args)
 
     def __iter__(self):
+        match self._given:
+            case [int(), *_]:
+                return iter(range(*self._given))
+            case [Iterable() as first, *_]:
+                return iter(first)
         return iter(())
+
+    def __getitem__(self, key):
+        return self
+
+    def __setitem__(self, key, value):
+        """A setting of it: nobody asks."""
 
     def __enter__(self):
         return self
@@ -146,4 +171,4 @@ def _import_what_is_there(statement, space):
                     space,
                 )
         except ImportError:
-            space[own] = Absent()
+            space[own] = Absent(alias.name)
