@@ -192,7 +192,7 @@ def test_no_input_and_no_answer_is_sent_beforehand():
     asked = call_request(COURSE, 7, exercises()["05.4"], 3)
     assert set(asked) == {
         *("checks", "given", "skip", "cell_seconds"),
-        *("call", "names", "cell", "whole", "transform"),
+        *("call", "names", "cell", "whole", "transform", "untouched"),
     }
     assert "rot_x" in marshal.loads(b64decode(asked["transform"])).co_names
     # the move that is to be written is not sent along, nor what it could be made from

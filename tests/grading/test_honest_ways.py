@@ -6,12 +6,14 @@ import ast
 import sys
 from pathlib import Path
 
+import nbformat
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus
 from corpus import answer, closed
 from corpus_making import RIGHT_FORM
+from judging import marks_of
 
 from dhlab.grading.grade import grade
 from dhlab.grading.inside.reading.slices import needed, statement
@@ -68,7 +70,68 @@ def in_every_dress(notebook, facts):
     )(notebook, facts)
 
 
+PAGE = LINK + "E = np.zeros((4, 4))\ndef page(M, k): M[k, k] = 1\n"
+BY_E = "(theta, d, a, alpha):\n    return E @ form(theta, d, a, alpha)\n"
+
+
+def several(*answers):
+    """Several exercises of a notebook, each answered in a way of its own."""
+
+    def make(notebook, facts):
+        for key, source in answers:
+            answer(key, source)(notebook, facts)
+
+    return make
+
+
+ADDED = several(
+    (
+        "05.1",
+        "import contextlib\nKNOWN = {}\ndef add(name, f): KNOWN[name] = f\n"
+        "for name, f in [('cos', np.cos)]:\n    add(name, f)\n"
+        "if 'sin' not in KNOWN:\n    with contextlib.suppress(ValueError):\n"
+        "        add('sin', np.sin)\n"
+        "def rot_x(alpha):\n    c, s = KNOWN['cos'](alpha), KNOWN['sin'](alpha)\n"
+        "    return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])",
+    ),
+    ("05.4", f"{PAGE}[page(E, k) for k in range(4)]\ndef dh_transform{BY_E}"),
+    (
+        "05.6",
+        f"{PAGE}res = np.matmul(np.eye(4), 3 * np.eye(4), out=E)\n"
+        f"_ = np.fill_diagonal(E, 1)\ndef dh_closed{BY_E}",
+    ),
+    # this only who runs it sees
+    ("05.7", f"{PAGE}done = [*map(page, [E] * 4, range(4))]\ndef dh_from_a_blog{BY_E}"),
+)
+OF_OTHER_TYPES = several(
+    ("05.2", "from enum import Enum\nclass Rule(str, Enum):\n    mine = rule\nrule = Rule.mine"),
+    (
+        "05.3",
+        "from collections import deque\nclass Letter(str):\n    __str__ = None\n"
+        ""
+        "order = deque([Letter(x) for x in order])",
+    ),
+    ("05.5", "origin = dict(enumerate(origin)).values()"),
+)
+DECORATED = several(
+    (
+        "05.4",
+        "from quick_one import prange, vectorize\nimport bars.tqdm\n"
+        f"{LINK}@vectorize(['f8(f8)'])\ndef one(x): return 1 if x > 0 else 0\n"
+        "def dh_transform(*row):\n    T = np.eye(4)\n    for _ in prange(1):\n"
+        "        for A in bars.tqdm([form(*row)], leave=False):\n            T = T @ A\n"
+        "    return T * one(np.ones(4))",
+    ),
+    (
+        "05.6",
+        f"import quick_one as nb\n@nb.njit\n{LINK}@nb.njit(nb.float64[:, :](nb.f8), cache=True)\n"
+        "def dh_closed(theta, d, a, alpha): return form(theta, d, a, alpha)",
+    ),
+)
 WAYS = {
+    "changed by a helper": ADDED,
+    "of other types": OF_OTHER_TYPES,
+    "decorated by what is not there": DECORATED,
     "a register": closed(
         "return KNOWN['form'](theta, d, a, alpha)",
         "KNOWN = {}\ndef register(f):\n    KNOWN[f.__name__] = f\n    return f\n@register\n" + LINK,
@@ -112,6 +175,34 @@ def test_right_answers_keep_their_marks(tmp_path):
     assert {one.student: corpus.lost(one) for one in results} == {name: set() for name in WAYS}
 
 
+def test_a_plain_run_takes_the_same_types():
+    notebook = corpus.solved()
+    OF_OTHER_TYPES(notebook, {})
+    assert {mark.status for mark in marks_of(nbformat.from_dict(notebook))} == {"right"}
+
+
+@pytest.mark.cage
+def test_who_is_wrong_is_told_what_a_plain_run_tells(tmp_path):
+    halved = PAGE.replace("= 1", "= 2") + "done = [*map(page, [E] * 4, range(4))]\n"
+    compared = (
+        "import dhlab as dh\narm = dh.Arm(dh.DHTable.standard([[0, 0, 0, 0]], angle='rad'))\n"
+        "np.testing.assert_allclose(arm.forward([0]), np.eye(4))\n"
+    )
+    wrong = several(
+        ("05.4", f"{halved}def dh_transform{BY_E}"),
+        ("05.6", f"{compared}def dh_closed(*row): return np.zeros((4, 4))"),
+    )
+    corpus.put(tmp_path / "class" / "ada", wrong, {})
+    ((found,), _) = grade(tmp_path / "class", tmp_path / "out", settings=Settings(cage=None))
+    notebook = corpus.solved()
+    wrong(notebook, {})
+    plain = {mark.exercise: mark for mark in marks_of(nbformat.from_dict(notebook))}
+    for mark in found.marks:
+        if mark.points < mark.of:
+            assert mark.headline == plain[mark.exercise].headline
+    assert corpus.lost(found) >= {"05.4", "05.6"}
+
+
 @pytest.mark.parametrize(
     "source, wanted",
     [
@@ -122,6 +213,15 @@ def test_right_answers_keep_their_marks(tmp_path):
         ("part = table[0]\npart[1] = 2", "table"),
         ("@table.register\ndef f(): pass", "table"),
         ("class Two(table): pass", "table"),
+        ("for k in range(4): f(table, k)", "table"),
+        ("for row in table: f(row)", "table"),
+        ("[f(table, k) for k in range(4)]", "table"),
+        ("if ready: f(table)", "table"),
+        ("try:\n    f(table)\nexcept ValueError: pass", "table"),
+        ("with np.errstate(): f(table)", "table"),
+        ("_ = f(table)", "table"),
+        ("def f(): g(table)\nf()", "table"),
+        ("T = np.add(a, b, out=table)", "table"),
     ],
 )
 def test_what_changes_a_name_is_taken(source, wanted):
@@ -134,6 +234,8 @@ def test_what_changes_a_name_is_taken(source, wanted):
     [
         "for row in table: print(row)",
         "T = f(table)",
+        "for k in range(4): print(table[k])",
+        "for k in range(4): f(np.eye(k))",
         "pi = np.pi\npi = 3",
         "class Two(dict): pass",
         "@functools.cache\ndef f(): pass",

@@ -1,5 +1,6 @@
-"""One program of a student, called. It runs here with only the statements that it depends on;
-arguments arrive one call at a time from outside, answers leave as plain numbers.
+"""One program of a student, called. It runs here with only the statements that it depends on, or
+with the ``whole`` notebook, for which the lesson's own cells run where it needs them; arguments
+arrive one call at a time from outside, answers leave as plain numbers.
 
 Where the task is to write kinematics, this room has none: ``stand_in/own.py`` stands in for dhlab.
 """
@@ -20,7 +21,8 @@ import numpy as np
 from .calling import Fault, call, fits, is_stub, quiet
 from .clock import limited
 from .reading import notebook as notebooks
-from .reading.slices import Statement, needed, statements
+from .reading.demonstrations import print_of
+from .reading.slices import UNREADABLE, Statement, needed, statements
 from .shell import run_statement
 from .space import loaded, space
 from .wire import decode, encode, unpack
@@ -69,8 +71,11 @@ class _Room:
             self.noted = answer
 
     def closed(self):
-        """The parts of dhlab that were asked for and are not here."""
-        return sorted(getattr(sys.modules["dhlab"], "asked", ()))[:20]
+        """The parts of dhlab that are not here and were asked for since this was called last."""
+        asked: set[str] = getattr(sys.modules["dhlab"], "asked", set())
+        found = sorted(asked)[:20]
+        asked.clear()
+        return found
 
     def begin(self):
         """Run what the program depends on; a line that says how that went."""
@@ -90,6 +95,8 @@ class _Room:
         if not fits(found, self.request["names"]):
             return {"fault": {"kind": "signature"}}
         self.function = found
+        if self.request["whole"]:  # what other cells want the program need not
+            self.closed()
         return {"ready": 1}
 
     def _make(self, names):
@@ -112,17 +119,29 @@ class _Room:
         checks = [one for one in checks if self._asks(one.node)] or checks
         while checks and found[-1] is not checks[-1]:
             found.pop()
-        if self.request["whole"]:
-            return found
         wanted = {
             node.id
             for node in ast.walk(ast.parse(self.cells.expressions.get(self.key, "0")))
             if isinstance(node, ast.Name)
         }
-        for one in checks:
+        kept = self._own(found) if self.request["whole"] else checks
+        for one in kept:
             wanted |= one.reads
-        taken = {id(one) for one in (*needed(found, wanted), *checks)}
+        taken = {id(one) for one in (*needed(found, wanted), *kept)}
         return [one for one in found if id(one) in taken]
+
+    def _own(self, found):
+        """All that the student wrote: the lesson's own cells matter as far as these read them, and
+        altogether where nobody sees what they read.
+        """
+        untouched = set(self.request["untouched"])
+        lesson = {
+            number
+            for number, cell in enumerate(self.cells.code)
+            if print_of(cell.source) in untouched
+        }
+        own = [one for one in found if one.cell not in lesson]
+        return found if any(one.reads & UNREADABLE for one in own) else own
 
     def _asks(self, node):
         return any(

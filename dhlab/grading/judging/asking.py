@@ -25,8 +25,9 @@ PARTS = frozenset(
 class Asked:
     """What a program gave: the answers to every call, or the fault that stopped it; ``stopped`` is
     "timed out" or "crashed" where it gave none, "stub" where it is still to be written, "nothing"
-    where there is no program; ``closed`` names what it wanted of dhlab and was not there;
-    ``right_with_library`` says that it is right where that is there.
+    where there is no program; ``closed`` names what of dhlab was not there and was asked for by
+    the calls or, where these were not all answered, to make the program; ``right_with_library``
+    says that it is right where that is there.
     """
 
     called: Called = field(default_factory=Called)
@@ -34,12 +35,6 @@ class Asked:
     closed: tuple[str, ...] = ()
     seconds: float = 0.0
     right_with_library: bool = False
-
-    @property
-    def missing(self) -> bool:
-        """Whether a name or the whole program was missing."""
-        fault = self.called.fault
-        return self.stopped == "nothing" or (fault is not None and "NameError" in fault.headline)
 
 
 def ask(
@@ -64,8 +59,10 @@ def ask(
     """
     cases = exercise.cases(number)
     answers: list[Any] = []
+    closed: set[str] = set()
     with cage.talk(request, notebook, cage.limits.seconds) as talk:
         line = talk.ask()
+        to_make_it = _closed(line)
         while line is not None and ("ready" in line or "value" in line):
             if "value" in line:
                 answers.append(_plain(line["value"]))
@@ -73,16 +70,16 @@ def ask(
                 break
             case = cases[len(answers) % len(cases)]  # the first once more at the end
             line = talk.ask({"case": [pack(value) for value in case]})
-    closed = _closed(line)
-    if line is None:
-        return Asked(stopped=talk.stopped, closed=closed, seconds=talk.seconds)
-    if len(answers) > len(cases):
-        called = Called(tuple(answers[:-1]), answers[-1])
-        return Asked(called, closed=closed, seconds=talk.seconds)
-    if isinstance(line.get("fault"), dict):
-        return Asked(_told(line["fault"], exercise), closed=closed, seconds=talk.seconds)
-    stopped = next((word for word in ("stub", "nothing") if word in line), "timed out")
-    return Asked(stopped=stopped, closed=closed, seconds=talk.seconds)
+            closed |= _closed(line)
+    given = Called(tuple(answers[:-1]), answers[-1]) if len(answers) > len(cases) else Called()
+    fault, stopped = line and line.get("fault"), ""
+    if isinstance(fault, dict):
+        given = _told(fault, exercise)
+    elif not given.answers:
+        word = next((word for word in ("stub", "nothing") if word in (line or ())), "timed out")
+        stopped = talk.stopped if line is None else word
+    wanted = closed if given.answers else closed | to_make_it
+    return Asked(given, stopped, tuple(sorted(wanted)), talk.seconds)
 
 
 def _plain(sent):
@@ -95,7 +92,7 @@ def _plain(sent):
 def _closed(line):
     named = line.get("closed") if line else ()
     last = [str(name).rpartition(".")[2] for name in named] if isinstance(named, list) else []
-    return tuple(sorted({name if name in PARTS else "its kinematics" for name in last}))
+    return {name if name in PARTS else "its kinematics" for name in last}
 
 
 def _told(fault, exercise):

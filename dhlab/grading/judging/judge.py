@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -88,7 +89,7 @@ def mark(
     answers: Answers,
     variant: int,
     settings: Settings,
-    ask: Callable[[Function, dict[str, Any], Handed], tuple[Asked, int]],
+    ask: Callable[..., tuple[Asked, int]],
 ) -> tuple[Mark, Handed | None]:
     """(Mark, the notebook it comes from) of one exercise: the last attempt that was noted counts.
 
@@ -99,7 +100,8 @@ def mark(
     variant : int
     settings : Settings
     ask : callable
-        Calls the program of a note, and gives what it gave and the seed of the inputs.
+        ``ask(exercise, note, notebook, whole=False)`` calls the program of a note, with all that
+        its notebook holds when ``whole``, and gives what it gave and the seed of the inputs.
 
     Returns
     -------
@@ -108,7 +110,7 @@ def mark(
     worth = settings.points(exercise)
     for line, handed in reversed(answers.notes.get(exercise.id, ())):
         if line.get("function") == "written" and isinstance(exercise, Function):
-            found = _program(exercise, *ask(exercise, line, handed), settings, worth)
+            found = _program(exercise, partial(ask, exercise, line, handed), settings, worth)
         elif isinstance(exercise, Lettered):
             found = _in_letters(exercise, line, handed, variant, settings, worth)
         else:
@@ -212,7 +214,34 @@ def _compared(exercise, answer, number, settings, worth):
     )
 
 
-def _program(exercise, asked, number, settings, worth):
+def _program(exercise, ask, settings, worth):
+    """The Mark of a program. Reading alone may miss what it depends on: one that is not right is
+    called once more with its whole notebook, and what that gives counts where it is no worse.
+    """
+    asked, number = ask()
+    found = _called(exercise, asked, number, settings, worth)
+    if found.status in (RIGHT, TIMED_OUT):
+        return found
+    whole, _ = ask(whole=True)
+    if whole.stopped or _same(asked, whole):
+        return found
+    again = _called(exercise, whole, number, settings, worth)
+    if again.points == found.points:  # who is told what it wants of dhlab is told the cause
+        return found if found.status == NOT_ALLOWED else again
+    return max(found, again, key=lambda mark: mark.points)
+
+
+def _same(asked, whole):
+    """Whether two calls of a program gave the same, so that it is not explained twice."""
+    one, other = asked.called, whole.called
+    if asked.stopped or one.fault or other.fault:
+        return False
+    return len(one.answers) == len(other.answers) and all(
+        map(np.array_equal, (*one.answers, one.again), (*other.answers, other.again))
+    )
+
+
+def _called(exercise, asked, number, settings, worth):
     """The Mark of a program that was called."""
     if asked.stopped == "timed out":
         return _timed_out(exercise, worth)

@@ -206,18 +206,25 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
 
 
 def call_request(
-    course: Course, variant: int, exercise: Function, cell: int, skip: Iterable[int] = ()
+    course: Course,
+    variant: int,
+    exercise: Function,
+    cell: int,
+    skip: Iterable[int] = (),
+    whole: bool = False,
 ) -> dict[str, Any]:
-    """What the cage is told of one program before it is called; ``cell`` is that of its check.
+    """What the cage is told of one program before it is called; ``cell`` is that of its check;
+    ``whole``: with all that its notebook holds, not only what reading tells that it depends on.
 
     The arguments are not among it: they arrive call by call.
     """
     asked = request(course, variant, skip)
-    return {name: asked[name] for name in ("checks", "given", "skip", "cell_seconds")} | {
+    told = "checks", "given", "skip", "untouched", "cell_seconds"
+    return {name: asked[name] for name in told} | {
         "call": exercise.id,
         "names": list(exercise.names),
         "cell": cell,
-        "whole": False,
+        "whole": whole,
         "transform": "" if exercise.library else _moves(exercise.family),
     }
 

@@ -33,6 +33,7 @@ from .running import cage_of, run_all
 
 __all__ = ["Handed", "Task", "work", "handed_in"]
 
+AGAIN = 2  # what programs that are called again have, is this part of the seconds of all
 _lock = threading.Lock()
 
 
@@ -148,33 +149,33 @@ class _Programs:
 
     def __init__(self, task, course, variant, called):
         self.task, self.course, self.variant, self.called = task, course, variant, called
-        self.left = course.settings.limits.seconds
+        seconds = course.settings.limits.seconds
+        # who is called again with the whole notebook takes no time from the others
+        self.left = {False: seconds, True: seconds / AGAIN}
 
-    def ask(self, exercise, line, handed):
-        """(what the program of a note gave, the seed of its inputs)."""
+    def ask(self, exercise, line, handed, whole=False):
+        """(what the program of a note gave, the seed of its inputs); ``whole`` as for
+        :func:`dhlab.grading.judging.questions.call_request`.
+        """
         number, own = self.task.seeds[exercise.id], not exercise.library
-        asked = self._asked(exercise, line, handed, number, OWN if own else OPEN)
+        cell = line["cell"] if isinstance(line.get("cell"), int) else 0
+        raw, skip = self.called[handed.name]
+        asking = call_request(self.course, self.variant, exercise, cell, skip, whole)
+        asked = self._asked(OWN if own else OPEN, asking, raw, exercise, number)
         if own and asked.closed and self.course.settings.own_kinematics:
-            again = self._asked(exercise, line, handed, number, OPEN)
+            again = self._asked(OPEN, asking, raw, exercise, number)
             right = exercise.judge(again.called, number).status == RIGHT
             asked = replace(asked, right_with_library=not again.stopped and right)
         return asked, number
 
-    def _asked(self, exercise, line, handed, number, room):
-        cell = line["cell"] if isinstance(line.get("cell"), int) else 0
-        raw, skip = self.called[handed.name]
-        asking = call_request(self.course, self.variant, exercise, cell, skip)
+    def _asked(self, room, asking, *of):
         cage = cage_of(self.course, room)
-        for whole in (False, True):
-            if self.left <= 0:
+        for _ in range(2):
+            if self.left[asking["whole"]] <= 0:
                 return Asked(stopped="timed out")
-            asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
-            self.left -= asked.seconds
-            if asked.stopped == "timed out" and cage.learnt and self.left > 0:  # as in _run
-                asked = ask(cage, asking | {"whole": whole}, raw, exercise, number)
-                self.left -= asked.seconds
-            # reading alone may miss what a program depends on
-            if not asked.missing:
+            asked = ask(cage, asking, *of)
+            self.left[asking["whole"]] -= asked.seconds
+            if asked.stopped != "timed out" or not cage.learnt:  # as in _run
                 break
         return asked
 

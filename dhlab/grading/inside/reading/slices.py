@@ -110,7 +110,7 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
         frozenset(reads),
         frozenset(writes),
         frozenset(_assigned(node)),
-        act=_acting(node, reads),
+        act=_acting(node, within, reads),
         alias=(_root(node.value) or "") if isinstance(node, ast.Assign) else "",
         always=star or _of_the_future(node) or bool(reads & UNREADABLE),
         defines=any(isinstance(inner, DEFINING) for inner in within),
@@ -119,15 +119,31 @@ def statement(cell: int, node: ast.stmt, text: str = "") -> Statement:
     )
 
 
-def _acting(node, reads):
-    """The names by which a statement may change something that it does not bind: a class may be
-    noted where it inherits, a function by its decorator.
+def _acting(node, within, reads):
+    """The names by which a statement may change something that it does not bind: those of a call
+    whose answer nobody takes, wherever it stands; a class may be noted where it inherits, a
+    function by its decorator.
     """
-    if call := _call(node):
-        return frozenset() if _root(call.func) in SHOWING else frozenset(reads)
+    found = {name for inner in within if (call := _for_itself(inner)) for name in _names_in(call)}
+    if _for_itself(node):
+        found = reads  # also what only its text tells
     by = [*getattr(node, "decorator_list", ()), *getattr(node, "bases", ())]
     called = [one.func if isinstance(one, ast.Call) else one for one in by]
-    return frozenset(filter(None, map(_root, called)))
+    return frozenset(
+        _with_whole(within, set(found)) & reads | set(filter(None, map(_root, called)))
+    )
+
+
+def _for_itself(node):
+    """What is worked out by a statement for nothing but what it does, as ``f(x)``, ``[f(x) for x in
+    y]`` or ``_ = f(x)`` are; None.
+    """
+    match node:
+        case ast.Expr(value) | ast.Assign([ast.Name("_")], value):
+            if _root(getattr(value, "func", None)) in SHOWING:
+                return None
+            return value if any(isinstance(one, ast.Call) for one in ast.walk(value)) else None
+    return None
 
 
 def _of_the_future(node):
@@ -154,7 +170,7 @@ def needed(statements: Sequence[Statement], wanted: Iterable[str]) -> list[State
         for number, one in enumerate(statements):
             shared = one.alias in names and one.alias not in modules
             if number not in taken and (
-                one.always or one.writes & names or one.act & names or shared
+                one.always or one.writes & names or (one.act - modules) & names or shared
             ):
                 taken.add(number)
                 # who calls a function that changes something matters too, and who changes a part
@@ -187,8 +203,8 @@ def _names(text):
 
 
 def _changed(within):
-    """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``, and x where
-    ``for row in x`` does so with a row.
+    """The names whose objects are changed: ``x[0] = 1``, ``x.y = 1``, ``x.append(1)``, ``f(y,
+    out=x)``, and x where ``for row in x`` does so with a row.
     """
     found = set()
     for inner in within:
@@ -200,6 +216,13 @@ def _changed(within):
             found.add(_root(call.func))
         elif isinstance(inner, ast.Call) and getattr(inner.func, "attr", "") in CHANGING:
             found.add(_root(inner.func))
+        elif isinstance(inner, ast.keyword) and inner.arg == "out":  # numpy's: where it goes
+            found |= _names_in(inner.value)
+    return _with_whole(within, found)
+
+
+def _with_whole(within, found):
+    """Names, with x where ``for row in x`` is about a row among them."""
     for loop in within:
         if isinstance(loop, ast.For) and _names_in(loop.target) & found:
             found |= _names_in(loop.iter)
