@@ -24,7 +24,8 @@ from dhlab.grading.inside.wire import encode
 from dhlab.grading.intake.roster import Student
 from dhlab.grading.intake.submissions import submissions
 from dhlab.grading.judging.asking import Asked, _told
-from dhlab.grading.judging.judge import _judged, _program
+from dhlab.grading.judging.judge import _judged
+from dhlab.grading.judging.programs import _called
 from dhlab.grading.plan import plan
 from dhlab.grading.reports.alike import alike
 from dhlab.grading.settings import Settings
@@ -248,7 +249,7 @@ def half_the_points_for_nothing(top):
             given += [["x"] * len(cases), [{}] * len(cases)]
             tries += [Called(tuple(one), one[0]) for one in given]
             for k, called in enumerate(tries):
-                found = _program(exercise, Asked(called), 5, settings, exercise.points)
+                found = _called(exercise, Asked(called), 5, settings, exercise.points)
                 assert found.points == 0, (exercise.id, k, found.headline)
         else:
             rows = np.array(exercise.handed_out(**exercise.given(7)), dtype=float)

@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus
-from corpus import answer, closed
+from corpus import answer, closed, first
 from corpus_making import RIGHT_FORM
 from judging import marks_of
 
@@ -201,6 +201,30 @@ def test_who_is_wrong_is_told_what_a_plain_run_tells(tmp_path):
         if mark.points < mark.of:
             assert mark.headline == plain[mark.exercise].headline
     assert corpus.lost(found) >= {"05.4", "05.6"}
+
+
+@pytest.mark.cage
+def test_who_uses_a_package_that_is_not_there_is_told(tmp_path):
+    missing = several(
+        (
+            "05.4",
+            "import roboticstoolbox as rtb\ndef dh_transform(theta, d, a, alpha):\n"
+            "    return rtb.RevoluteDH(d=d, a=a, alpha=alpha).A(theta).A",
+        ),
+        ("05.6", "def dh_closed(*row):\n    import roboticstoolbox\n    return 0"),
+        ("05.7", "def dh_from_a_blog(*row):\n    for _ in bar([0]):\n        return np.eye(3)"),
+    )
+
+    def make(notebook, facts):
+        first("from bars import bar")(notebook, facts)
+        missing(notebook, facts)
+
+    corpus.put(tmp_path / "class" / "ada", make, {})
+    ((found,), _) = grade(tmp_path / "class", tmp_path / "out", settings=Settings(cage=None))
+    said = {mark.exercise: mark for mark in found.marks if mark.points < mark.of}
+    assert "is not there where it is graded (roboticstoolbox)" in said["05.4"].headline
+    assert "is not there where it is graded" in said["05.6"].next
+    assert said["05.7"].headline == "the answer has the shape 3×3, expected 4×4"
 
 
 @pytest.mark.parametrize(

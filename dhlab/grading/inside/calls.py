@@ -23,7 +23,7 @@ from .clock import limited
 from .reading import notebook as notebooks
 from .reading.demonstrations import print_of
 from .reading.slices import UNREADABLE, Statement, needed, statements
-from .shell import run_statement
+from .shell import Absent, run_statement
 from .space import loaded, space
 from .wire import decode, encode, unpack
 
@@ -38,7 +38,7 @@ def answer(request: dict[str, Any], raw: bytes, channel: int, warm: Collection[s
     line = room.begin() | {"loaded": loaded(warm)}
     with os.fdopen(channel, "rb", buffering=0, closefd=False) as asked, quiet():
         while line is not None:
-            data = json.dumps(line | {"closed": room.closed()}).encode() + b"\n"
+            data = json.dumps(line | room.missed()).encode() + b"\n"
             while data:
                 data = data[os.write(channel, data) :]
             if "ready" not in line and "value" not in line:
@@ -70,11 +70,14 @@ class _Room:
         if key == self.key:
             self.noted = answer
 
-    def closed(self):
-        """The parts of dhlab that are not here and were asked for since this was called last."""
-        asked: set[str] = getattr(sys.modules["dhlab"], "asked", set())
-        found = sorted(asked)[:20]
-        asked.clear()
+    def missed(self):
+        """What is not here and was asked for since this was called last: parts of dhlab and
+        packages.
+        """
+        closed: set[str] = getattr(sys.modules["dhlab"], "asked", set())
+        found = {"closed": sorted(closed)[:20], "absent": sorted(Absent.used)[:20]}
+        closed.clear()
+        Absent.used.clear()
         return found
 
     def begin(self):
@@ -96,7 +99,7 @@ class _Room:
             return {"fault": {"kind": "signature"}}
         self.function = found
         if self.request["whole"]:  # what other cells want the program need not
-            self.closed()
+            self.missed()
         return {"ready": 1}
 
     def _make(self, names):

@@ -9,13 +9,13 @@ import builtins
 import sys
 from collections.abc import Collection, Iterable
 from types import FunctionType
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from .reading.cells import BODY_RUNS, parsed
 
-__all__ = ["run_cell", "run_statement"]
+__all__ = ["Absent", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 LINE_RUNS = ("time", "prun")
@@ -27,24 +27,29 @@ ACTING = (ast.Call, ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom)
 class Absent:
     """Stands for a library that is not here, and for everything that is asked of it. Around a
     function or a class it gives back that, as ``njit`` does; around numbers or things that are gone
-    through it goes through them, as ``prange`` and ``tqdm`` do.
+    through it goes through them, as ``prange`` and ``tqdm`` do. The packages of which something
+    was asked are noted in ``used``.
     """
 
-    def __init__(self, name="", given=()):
-        self._name, self._given = name, given
+    used: ClassVar[set[str]] = set()
+
+    def __init__(self, package="", name="", given=()):
+        self._package, self._name, self._given = package, name, given
 
     def __getattr__(self, name):
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
-        return Absent(name)
+        Absent.used.add(self._package)
+        return Absent(self._package, name)
 
     def __call__(self, *args, **kwargs):
+        Absent.used.add(self._package)
         match args:
             case [FunctionType() as own] if self._name == "vectorize":
                 return np.vectorize(own)
             case [(FunctionType() | type()) as own]:
                 return own
-        return Absent(self._name, args)
+        return Absent(self._package, self._name, args)
 
     def __iter__(self):
         match self._given:
@@ -171,4 +176,5 @@ def _import_what_is_there(statement, space):
                     space,
                 )
         except ImportError:
-            space[own] = Absent(alias.name)
+            package = getattr(statement, "module", None) or alias.name
+            space[own] = Absent(package.partition(".")[0], alias.name)

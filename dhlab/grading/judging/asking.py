@@ -13,6 +13,11 @@ from ..inside.wire import DECODED, decode, error_name, pack
 
 __all__ = ["Asked", "ask"]
 
+# what programs are written with, and the room for them may not have
+PACKAGES = frozenset(
+    """casadi control ikpy jax klampt mujoco pandas pinocchio pybullet pytransform3d roboticstoolbox
+    scipy spatialmath sympy tensorflow torch transforms3d visual_kinematics""".split()
+)
 PARTS = frozenset(
     """Arm DHTable assign_frames calibrate_offsets diagnose diagnose_function equivalent explore
     fit_circles forward frames from_xyz_rpy generate inverse jacobian link_matrices load read_poses
@@ -27,7 +32,8 @@ class Asked:
     "timed out" or "crashed" where it gave none, "stub" where it is still to be written, "nothing"
     where there is no program; ``closed`` names what of dhlab was not there and was asked for by
     the calls or, where these were not all answered, to make the program; ``right_with_library``
-    says that it is right where that is there.
+    says that it is right where that is there; ``absent`` names the packages that the calls used
+    and that are not there.
     """
 
     called: Called = field(default_factory=Called)
@@ -35,6 +41,7 @@ class Asked:
     closed: tuple[str, ...] = ()
     seconds: float = 0.0
     right_with_library: bool = False
+    absent: tuple[str, ...] = ()
 
 
 def ask(
@@ -60,6 +67,7 @@ def ask(
     cases = exercise.cases(number)
     answers: list[Any] = []
     closed: set[str] = set()
+    absent: set[str] = set()
     with cage.talk(request, notebook, cage.limits.seconds) as talk:
         line = talk.ask()
         to_make_it = _closed(line)
@@ -71,6 +79,7 @@ def ask(
             case = cases[len(answers) % len(cases)]  # the first once more at the end
             line = talk.ask({"case": [pack(value) for value in case]})
             closed |= _closed(line)
+            absent |= {name for name in _named(line, "absent") if name in PACKAGES}
     given = Called(tuple(answers[:-1]), answers[-1]) if len(answers) > len(cases) else Called()
     fault, stopped = line and line.get("fault"), ""
     if isinstance(fault, dict):
@@ -79,7 +88,8 @@ def ask(
         word = next((word for word in ("stub", "nothing") if word in (line or ())), "timed out")
         stopped = talk.stopped if line is None else word
     wanted = closed if given.answers else closed | to_make_it
-    return Asked(given, stopped, tuple(sorted(wanted)), talk.seconds)
+    seconds = talk.seconds
+    return Asked(given, stopped, tuple(sorted(wanted)), seconds, absent=tuple(sorted(absent)))
 
 
 def _plain(sent):
@@ -90,9 +100,13 @@ def _plain(sent):
 
 
 def _closed(line):
-    named = line.get("closed") if line else ()
-    last = [str(name).rpartition(".")[2] for name in named] if isinstance(named, list) else []
+    last = {name.rpartition(".")[2] for name in _named(line, "closed")}
     return {name if name in PARTS else "its kinematics" for name in last}
+
+
+def _named(line, what):
+    named = line.get(what) if line else ()
+    return map(str, named) if isinstance(named, list) else ()
 
 
 def _told(fault, exercise):
@@ -116,8 +130,11 @@ def _told(fault, exercise):
 def _stopped(fault):
     line = fault.get("line")
     known = type(line) is int and 0 < line < 10_000
+    error = error_name(fault.get("error"))
     return CallFault(
-        f"the function stops with {error_name(fault.get('error'))}",
+        f"the function stops with {error}",
         f"line {line} of the function" if known else "",
-        "Call it yourself and read the last line of the message.",
+        "A package that it imports is not there where it is graded: write it with numpy alone."
+        if error == "ModuleNotFoundError"
+        else "Call it yourself and read the last line of the message.",
     )

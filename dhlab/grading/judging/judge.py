@@ -9,18 +9,17 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from ...course.kinds import Function
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
-from ...course.verdict import NOT_ATTEMPTED, RECORDED, RIGHT, WRONG
+from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
 from ..inside.book import MOST
 from ..inside.wire import DECODED, decode, error_name
-from ..results.marks import ERROR, NOT_ALLOWED, TIMED_OUT, TO_MARK, Mark
+from ..results.marks import ERROR, TO_MARK, Mark
 from ..shown import readable
+from .compared import TEXT, compared, timed_out
 from .explained import named
-from .shares import share
+from .programs import READ, program
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -34,7 +33,6 @@ if TYPE_CHECKING:
 
 __all__ = ["mark", "Answers"]
 
-TEXT = 300
 WORD = 12  # letters; the longest text that a right answer has
 ENTRY = 3  # of a text in a list; else it is an option's id
 MOST_NUMBERS = 1000  # of an answer that is compared; right ones have a few dozen
@@ -42,7 +40,6 @@ NO_ORDER = (
     "this copy of the lesson has no numbers of your own, so it does not say in which order its"
     " options stood"
 )
-READ = "Run the notebook from top to bottom and read the last line of the message."
 
 
 class Answers:
@@ -110,7 +107,7 @@ def mark(
     worth = settings.points(exercise)
     for line, handed in reversed(answers.notes.get(exercise.id, ())):
         if line.get("function") == "written" and isinstance(exercise, Function):
-            found = _program(exercise, partial(ask, exercise, line, handed), settings, worth)
+            found = program(exercise, partial(ask, exercise, line, handed), settings, worth)
         elif isinstance(exercise, Lettered):
             found = _in_letters(exercise, line, handed, variant, settings, worth)
         else:
@@ -148,7 +145,7 @@ def _in_letters(exercise, line, handed, variant, settings, worth):
 def _judged(exercise, line, variant, settings, worth):
     """The Mark of a value."""
     if "stopped" in line:
-        return _timed_out(exercise, worth)
+        return timed_out(exercise, worth)
     if line.get("function") == "stub":
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     try:
@@ -161,7 +158,7 @@ def _judged(exercise, line, variant, settings, worth):
             "the answer cannot be read: give plain numbers, text, a list, a table or a function"
         )
         return Mark(exercise.id, WRONG, 0, worth, headline=headline)
-    return _compared(exercise, answer, variant, settings, worth)
+    return compared(exercise, answer, variant, settings, worth)
 
 
 def _size(answer):
@@ -190,110 +187,6 @@ def _short(answer, known, most=WORD):
     return answer
 
 
-def _compared(exercise, answer, number, settings, worth):
-    """The Mark of an answer, compared with what is right for a number."""
-    try:
-        with np.errstate(all="ignore"):  # numbers that overflow are nothing to warn the teacher of
-            verdict = exercise.judge(answer, number)
-    except Exception as error:  # a fault of ours: shown to the teacher, never a silent 0
-        headline = "this answer could not be compared; your teacher will look at it"
-        note = f"the judge stopped with {type(error).__name__}: {error}"[:TEXT]
-        return Mark(exercise.id, ERROR, 0, worth, headline=headline, note=note)
-    earned = share(exercise, answer, number, verdict, settings)
-    return Mark(
-        exercise.id,
-        TO_MARK if verdict.status == RECORDED else verdict.status,
-        round(earned * worth, 4),
-        worth,
-        verdict.mistake,
-        verdict.headline,
-        verdict.place,
-        verdict.why,
-        verdict.next,
-        chosen=verdict.chosen,
-    )
-
-
-def _program(exercise, ask, settings, worth):
-    """The Mark of a program. Reading alone may miss what it depends on: one that is not right is
-    called once more with its whole notebook, and what that gives counts where it is no worse.
-    """
-    asked, number = ask()
-    found = _called(exercise, asked, number, settings, worth)
-    if found.status in (RIGHT, TIMED_OUT):
-        return found
-    whole, _ = ask(whole=True)
-    if whole.stopped or _same(asked, whole):
-        return found
-    again = _called(exercise, whole, number, settings, worth)
-    if again.points == found.points:  # who is told what it wants of dhlab is told the cause
-        return found if found.status == NOT_ALLOWED else again
-    return max(found, again, key=lambda mark: mark.points)
-
-
-def _same(asked, whole):
-    """Whether two calls of a program gave the same, so that it is not explained twice."""
-    one, other = asked.called, whole.called
-    if asked.stopped or one.fault or other.fault:
-        return False
-    return len(one.answers) == len(other.answers) and all(
-        map(np.array_equal, (*one.answers, one.again), (*other.answers, other.again))
-    )
-
-
-def _called(exercise, asked, number, settings, worth):
-    """The Mark of a program that was called."""
-    if asked.stopped == "timed out":
-        return _timed_out(exercise, worth)
-    if asked.stopped == "stub":
-        return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
-    if asked.stopped == "crashed":
-        headline = "the program ended itself while it was called"
-        return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=READ)
-    if asked.stopped and not asked.closed:
-        headline = "run with only the cells that it depends on, there is no program"
-        next_ = "Define it at the top level of a cell, above its check."
-        return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=next_)
-    found = (
-        Mark(exercise.id, ERROR, 0, worth)
-        if asked.stopped
-        else _compared(exercise, asked.called, number, settings, worth)
-    )
-    if asked.closed and found.status != RIGHT:
-        return _own(found, asked, settings)
-    return found
-
-
-def _own(found, asked, settings):
-    """The Mark of a program that wants what it was to write, and is not right without it; the
-    teacher may have set a share for it, which it earns when it is right with it.
-    """
-    earned = settings.own_kinematics * found.of if asked.right_with_library else 0
-    return Mark(
-        found.exercise,
-        NOT_ALLOWED,
-        round(earned, 4),
-        found.of,
-        headline=(
-            f"this program uses dhlab's own programs ({', '.join(asked.closed)}); here the task is"
-            " to write that yourself, and it is graded without them"
-        ),
-        next="Write it with numpy alone; the library's answer is there to compare with.",
-    )
-
-
-def _timed_out(exercise, worth, note=""):
-    return Mark(
-        exercise.id,
-        TIMED_OUT,
-        0,
-        worth,
-        headline="this took too long and was stopped",
-        next="Look for a loop that never ends.",
-        note=note,
-    )
-
-
 def _without_answer(exercise, answers, worth):
     """The mark of an exercise for which no attempt was noted."""
     kind, message = answers.troubles.get(
@@ -301,7 +194,7 @@ def _without_answer(exercise, answers, worth):
         (answers.cut, "the notebook ended before this exercise was reached" if answers.cut else ""),
     )
     if kind == "timed out":
-        return _timed_out(exercise, worth)
+        return timed_out(exercise, worth)
     if kind is None:
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     if exercise.id not in answers.troubles:

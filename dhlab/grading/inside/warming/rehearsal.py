@@ -51,7 +51,7 @@ def rehearse() -> None:
             said = room.begin()
             for _ in range(TIMES if "ready" in said else 0):
                 said = room.call(json.loads(json.dumps({"case": CASE})))
-                json.dumps(said | {"closed": room.closed()})
+                json.dumps(said | room.missed())
     finally:
         sys.modules["__main__"] = main
         course.book = None  # type: ignore[attr-defined]  # the one that stands in
