@@ -859,8 +859,8 @@ def write(folder, cases, facts):
         put(folder / f"{student(number)}{HONEST}", as_solved, facts)
     os.mkfifo(folder / student(0) / "pipe.ipynb")
     os.symlink(facts["key"], folder / student(1) / "link.ipynb")
-    (folder / "late").mkdir()
-    os.symlink(facts["neighbour"], folder / "late" / "05-link-matrix.ipynb")
+    (folder / "tardy").mkdir()
+    os.symlink(facts["neighbour"], folder / "tardy" / "05-link-matrix.ipynb")
 
 
 def student(number):

@@ -187,7 +187,7 @@ def test_special_files_are_refused(graded):
     _, results, _, _ = graded
     assert any("pipe" in note and "refused" in note for note in results[corpus.student(0)].notes)
     assert any("link" in note and "refused" in note for note in results[corpus.student(1)].notes)
-    assert results["late"].status == "unreadable" and results["late"].points == 0
+    assert results["tardy"].status == "unreadable" and results["tardy"].points == 0
 
 
 def test_nothing_leaks_and_nothing_is_rendered(graded):
