@@ -28,6 +28,7 @@ __all__ = [
     "draw_pasted",
     "explain_match",
     "fitted_offsets",
+    "mended_length",
     "offsets_of",
     "story",
     "turned_by_theta",
@@ -37,6 +38,7 @@ __all__ = [
 
 # noise, m and rad: of a tape, of a camera, of good optics, of an orientation
 TAPE, COARSE, FINE, TURN = 4e-3, 5e-4, 3e-4, 2e-3
+LENGTHS = (0, 1), (2, 2), (5, 1)  # row and column, from 0, of d1, a3 and d6
 GAUSS_NEWTON = 5  # steps; the last changes nothing beyond 1e-9 rad
 PUMA: list[list[float]] = [
     [0, 0.67183, 0, 90],
@@ -126,11 +128,36 @@ def two_sources(rows: NDArray, q: NDArray) -> NDArray:
 
 
 def draw_length(rng: np.random.Generator) -> dict[str, Any]:
+    """An arm of the article's build with lengths of its own, whole centimetres, one of them
+    written down wrong; its points as a tape gives them.
+    """
+    place = LENGTHS[rng.integers(3)]
+    wrong_by = rng.choice([-1, 1]) * rng.integers(3, 7) / 100
     rows = np.array(ARTICLE, dtype=float)
-    i, k = [(0, 1), (2, 2), (5, 1)][rng.integers(3)]
-    rows[i, k] = round(rows[i, k] + rng.choice([-1, 1]) * rng.integers(3, 7) / 100, 2)
-    q = _general(rng, 12, article())
-    return {"rows": rows, "q": q, "points": _points(rng, article(), q, TAPE)}
+    rows[[0, 1, 2, 3, 5], [1, 2, 2, 1, 1]] += rng.integers(-2, 3, 5) / 100
+    right = Arm(DHTable.standard(rows.round(2), angle="deg"))
+    rows[place] += wrong_by
+    rows = rows.round(2)
+    while True:
+        q = _general(rng, 12, right)
+        points = _points(rng, right, q, TAPE)
+        # one tape in thousands hides which length it is
+        if np.allclose(mended_length(rows, q, points).table.rows, right.table.rows):
+            return {"rows": rows, "q": q, "points": points}
+
+
+def mended_length(rows: NDArray, q: NDArray, points: NDArray) -> Arm:
+    """The arm with the one wrong length put right: of the three under suspicion the one along whose
+    arrow the points lie off by the same at every pose.
+    """
+    arm = Arm(DHTable.standard(rows, angle="deg"))
+    frames, off = arm.frames(q), points - arm.forward(q)[:, :3, 3]
+    arrows = [frames[:, i, :3, 2] if k == 1 else frames[:, i + 1, :3, 0] for i, k in LENGTHS]
+    along = [(off * arrow).sum(axis=1) for arrow in arrows]
+    guilty = int(np.argmin(np.std(along, axis=1)))
+    mended = np.array(rows, dtype=float)
+    mended[LENGTHS[guilty]] += along[guilty].mean()
+    return Arm(DHTable.standard(mended.round(2), angle="deg"))
 
 
 def story(rng: np.random.Generator) -> dict[str, Any]:

@@ -83,7 +83,8 @@ def accused(g):
         along.append(left @ arrow)
         if np.linalg.norm(np.cross(left, arrow)) > NOISE:
             return False
-    return np.ptp(along) < 2 * NOISE < abs(missing) and abs(np.mean(along) - missing) < NOISE / 3
+    enough = np.ptp(along) < 2 * NOISE < abs(missing) + 1e-9
+    return enough and abs(np.mean(along) - missing) < NOISE / 3
 
 
 def impostor():
