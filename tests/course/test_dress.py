@@ -2,6 +2,8 @@
 steps that fit the answer.
 """
 
+from enum import Enum
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,23 @@ def test_rows_that_can_be_walked_through_once_are_read(key):
     wrong[1][3] += 20
     verdict = ALL[key].judge(iter(wrong), 1)
     assert verdict.status == "wrong" and "empty" not in verdict.headline
+
+
+@pytest.mark.parametrize("key", ["04.4", "04.7", "04.14"])
+def test_so_are_frames_and_what_only_a_dict_holds(key):
+    wrong = [[[0, 0, 1], [0.3, 0, 0], [0, 1, 0]] for _ in ALL[key].given(1)["axes"]] * 2
+    said = str(ALL[key].judge(wrong, 1))
+    for walked in (iter(wrong), dict(enumerate(wrong)).values()):
+        assert str(ALL[key].judge(walked, 1)) == said and "found 0" not in said
+
+
+@pytest.mark.parametrize("key", [key for key, e in ALL.items() if isinstance(e, Order)])
+def test_letters_of_an_enum_are_read(key):
+    ids = list(ALL[key].items)[: ALL[key].size] * ALL[key].size
+    kind = Enum("kind", {f"item{k}": one for k, one in enumerate(ALL[key].items)}, type=str)
+    for letters in (ids[: ALL[key].size], ids[:1]):
+        named = [kind(one) for one in letters]
+        assert str(ALL[key].judge(named, 1)) == str(ALL[key].judge(letters, 1))
 
 
 @pytest.mark.parametrize("key", TABLES)

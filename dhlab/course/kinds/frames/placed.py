@@ -13,6 +13,7 @@ from ....geometry.equivalence import equivalent
 from ....placing.board import Placement
 from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .. import Exercise, Said, untouched
+from ..exercise import listed
 from ..kept import kept_apart
 from ..reading import as_numbers
 from ..wrong.drawn import drawn_frames
@@ -130,7 +131,7 @@ class Frames(Exercise):
         return self.draw(self.rng(variant))
 
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
-        given = self.given(variant)
+        answer, given = listed(answer), self.given(variant)
         handed_out = "frames" in given and _same(answer, given["frames"])
         return super().judge(None if handed_out else answer, variant)
 
