@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..canonical import JointAxes
-from .walk import Cases, Link, Walk, links_of, walk
+from .walk import Cases, Link, Walk, link_of, links_of, walk
 
 __all__ = ["matched", "wrapped"]
 
@@ -39,30 +39,18 @@ def matched(
         for (s, f), (cost, senses, flips) in best.items():
             for s_next in (1.0, -1.0):
                 for f_next in (1.0, -1.0):
-                    link = _link(B, way_b, cases, k, (s, s_next), (f, f_next))
+                    link = link_of(B, way_b, cases, k, (s, s_next), (f, f_next))
                     total = cost + _cost(in_a[k], link, A.letters[k], reach)
                     total += CHANGED * (s_next < 0)
                     if (s_next, f_next) not in following or total < following[s_next, f_next][0]:
                         following[s_next, f_next] = total, senses + [s_next], flips + [f_next]
         best = following
     for (s, f), (cost, senses, flips) in list(best.items()):
-        last = _link(B, way_b, cases, n - 1, (s, s), (f, 1.0))
+        last = link_of(B, way_b, cases, n - 1, (s, s), (f, 1.0))
         best[s, f] = cost + _cost(in_a[-1], last, A.letters[-1], reach), senses, flips
     _, senses, flips = min(best.values(), key=lambda found: found[0])
     chosen = np.array(senses)
     return in_a, links_of(B, way_b, cases, chosen, np.array(flips)), chosen, way_a, way_b
-
-
-def _link(B, way, cases, k, senses, flips):
-    """Link k alone, for one choice of what it depends on."""
-    n = len(B.letters)
-    s, f = np.ones(n), np.ones(n - 1)
-    s[k], s[min(k + 1, n - 1)] = senses[0], senses[1] if k + 1 < n else senses[0]
-    if k > 0:
-        f[k - 1] = flips[0]
-    if k < n - 1:
-        f[k] = flips[1]
-    return links_of(B, way, cases, s, f)[k]
 
 
 def _base_cost(A, B, sense):

@@ -19,7 +19,7 @@ from ..canonical import JointAxes
 from ..lines import across, angle_about, common_normal, nearest_on, tilt, unit
 from ..procedure.normals import NEARLY
 
-__all__ = ["Link", "Walk", "Cases", "cases_of", "walk", "links_of"]
+__all__ = ["Link", "Walk", "Cases", "cases_of", "walk", "link_of", "links_of"]
 
 ACROSS = 0.2  # cosine of the angle between axes; below it they stand across
 COAXIAL = 1e-3  # × reach; parallel axes nearer than this do not say which way x points
@@ -154,19 +154,30 @@ def links_of(
 ) -> list[Link]:
     """The numbers of every joint, with z_k times ``senses`` (n,) and x_1 … x_{n-1} times ``flips``
     (n - 1,), each +1 or -1."""
-    n = len(A.letters)
-    z = A.z * senses[:, None]
-    x = way.x * np.r_[1.0, flips, 1.0][:, None]
-    found = []
-    for k in range(n):
-        d = float((way.out[k] - way.into[k]) @ z[k])
-        theta = float(angle_about(z[k], across(x[k], z[k]), across(x[k + 1], z[k])))
-        if k == n - 1:
-            found.append(Link(theta, d, 0.0, 0.0, 0.0, False))
-            continue
-        a = float((way.into[k + 1] - way.out[k]) @ x[k + 1])
-        y = np.cross(z[k], x[k + 1])
-        alpha = float(np.arctan2(-z[k + 1] @ y, z[k + 1] @ z[k]))
-        beta = float(np.arcsin(np.clip(z[k + 1] @ x[k + 1], -1, 1))) if cases.parallel[k] else 0.0
-        found.append(Link(theta, d, a, alpha, beta, cases.parallel[k]))
-    return found
+    signs = [1.0, *flips, 1.0]
+    return [
+        link_of(A, way, cases, k, senses[k : k + 2], signs[k : k + 2])
+        for k in range(len(A.letters))
+    ]
+
+
+def link_of(
+    A: JointAxes,
+    way: Walk,
+    cases: Cases,
+    k: int,
+    senses: Sequence[float] | NDArray[np.float64],
+    flips: Sequence[float],
+) -> Link:
+    """The numbers of joint k, with z_k and z_{k+1} times ``senses``, the x on either side of it
+    times ``flips``; the last has no next axis."""
+    z, x_before, x = senses[0] * A.z[k], flips[0] * way.x[k], flips[1] * way.x[k + 1]
+    d = float((way.out[k] - way.into[k]) @ z)
+    theta = float(angle_about(z, across(x_before, z), across(x, z)))
+    if k == len(A.letters) - 1:
+        return Link(theta, d, 0.0, 0.0, 0.0, False)
+    z_next = senses[1] * A.z[k + 1]
+    a = float((way.into[k + 1] - way.out[k]) @ x)
+    alpha = float(np.arctan2(-z_next @ np.cross(z, x), z_next @ z))
+    beta = float(np.arcsin(np.clip(z_next @ x, -1, 1))) if cases.parallel[k] else 0.0
+    return Link(theta, d, a, alpha, beta, cases.parallel[k])
