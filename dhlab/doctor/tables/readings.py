@@ -17,7 +17,7 @@ from .meaning.joints import joints_of, rows_of_d
 from .meaning.scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
 from .meaning.still import on_one_axis, unwritten
 
-__all__ = ["QUESTIONS", "Reading", "readings"]
+__all__ = ["BOOKS", "QUESTIONS", "Reading", "arm_of_rows", "readings"]
 
 QUESTIONS = {
     "order": "In which order do the columns stand",
@@ -175,7 +175,7 @@ def _reading(table, columns, order, choice, tidy):
         *(["each d belonging to the row above"] if index == "above" else []),
     ]
     return Reading(
-        _arm(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
+        arm_of_rows(convention, rows, joints, signs, _limits(table, joints, unit, metre)),
         "; ".join(words),
         tuple(dict.fromkeys([*assumed, *twice])),
         tuple(zip(QUESTIONS, (order.roles, convention, unit, metre, still, zero, index, ""))),
@@ -228,7 +228,8 @@ def _limits(table, joints, unit, metre):
     return scaled if any(scaled) else None
 
 
-def _arm(convention, rows, joints, signs, limits):
+def arm_of_rows(convention, rows, joints, signs, limits=None):
+    """The Arm of rows; those without a joint, letter "", are its base, its tool, or a link's."""
     moving = [i for i, letter in enumerate(joints) if letter]
     if not moving:
         raise ValueError(

@@ -9,9 +9,12 @@ import numpy as np
 
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
+from .answers import require_answers
 from .completing.alike import stands_for
+from .computed.reading import computed
+from .computed.settled import settled
 from .dialects.lined.lines import TwoTables
-from .meaning.columns import LENGTHS, misplaced
+from .meaning.columns import misplaced
 from .meaning.joints import require_one_column, require_values
 from .meaning.scales import UNIT_WORDS
 from .readings import BOOKS, QUESTIONS, Reading, readings
@@ -78,7 +81,30 @@ def recognise_table(
     >>> found.arm.table.theta.round(4)
     array([ 0.    , -1.5708])
     """
-    _check_answers(order, convention, angle, length)
+    require_answers(order, convention, angle, length)
+    said = {"order": order, "convention": convention, "angle": angle, "length": length,
+            "values": values, "nominal": nominal, "tidy": tidy}  # fmt: skip
+    program = computed(given, length) if isinstance(given, str) and nominal is None else None
+    try:
+        written = _as_written(given, right, **said)
+    except ValueError:
+        if program is None:
+            raise
+        readings, notes = settled([], program, convention)
+        return _answer(readings, notes, right)
+    told = order or convention or angle or written.matches
+    if program is None or (told and len(written.readings) == 1):
+        return written
+    readings, notes = settled(written.readings, program)
+    if all(one in written.readings for one in readings):
+        notes = written.notes
+        if len(readings) == len(written.readings):
+            return written
+    return _answer(readings, notes, right)
+
+
+def _as_written(given, right, *, order, convention, angle, length, values, nominal, tidy):
+    """What is Recognised in a table as it stands, without what its program does."""
     try:
         table = take_apart(given, values, nominal, length)
     except TwoTables as error:
@@ -157,26 +183,6 @@ def _equivalent(right, readings):
     n = len(readings[0].arm)
     differs = f"it has {len(right)} joints, the text {n}" if n != len(right) else "an entry differs"
     return [], (f"no reading is the right arm: {differs}",)
-
-
-def _check_answers(order, convention, angle, length):
-    for name, value, known in (
-        ("convention", convention, ("standard", "craig")),
-        ("angle", angle, ("deg", "rad")),
-        ("length", length, LENGTHS),
-    ):
-        if value is not None and value not in known:
-            raise ValueError(
-                f"recognise_table: {name}: expected {' or '.join(known)}, found {value!r}; leave it"
-                " out when you do not know"
-            )
-    if order is not None and (
-        not isinstance(order, str) or sorted(order.split()) != ["a", "alpha", "d", "theta"]
-    ):
-        raise ValueError(
-            "recognise_table: order: expected the names theta, d, a, alpha in some order, found"
-            f' {order!r}; as in "a alpha d theta"'
-        )
 
 
 def _different(readings):

@@ -1,0 +1,1 @@
+"""Programs of strangers, computed without being executed: what their products are made of."""

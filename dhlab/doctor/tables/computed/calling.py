@@ -1,0 +1,98 @@
+"""What a program defines, called from outside with arguments that are not known."""
+
+import ast
+
+from .budget import FAILURES, Raised
+from .expressions import evaluate
+from .toolbox import keep_robot
+from .values import Class, Function, Instance, Module, Native, Unknown
+
+__all__ = ["call_all"]
+
+AT_ONCE = 8_000  # steps of one function
+MOST_CALLED = 30
+LATER = ("plot", "draw", "show", "anim", "inv", "ik", "jac", "test", "traj", "main", "run")
+
+
+def call_all(run, thorough):
+    """Call what the program defines, with unknown arguments; what others of it call first, only
+    where nobody called it yet, unless ``thorough``.
+    """
+    defined = [value for value in run.scope.names.values() if isinstance(value, Function | Class)]
+    made = {id(one.cls) for one in run.instances}
+    asked: list = []
+    for value in defined:
+        if isinstance(value, Function):
+            asked.append((value, None))
+        elif id(value) not in made:
+            _guarded(run, lambda cls=value: _instance(run, cls))
+    for one in run.instances[:6]:
+        methods = [part for part in one.cls.attributes.values() if isinstance(part, Function)]
+        asked += [(part, one) for part in methods if part.name[:2] != "__" and not part.kind]
+    named = _named([function for function, _ in asked])
+    asked.sort(key=lambda pair: (pair[0].name in named, _is_later(pair[0].name)))
+    run.called.clear()
+    for function, owner in asked[:MOST_CALLED]:
+        if function.name in named and id(function.node) in run.called and not thorough:
+            continue
+        _guarded(run, lambda f=function, o=owner: _asked(run, f, o))
+
+
+def _named(functions):
+    """The names that functions speak of."""
+    found = set()
+    for function in functions:
+        for node in ast.walk(function.node):
+            found.add(getattr(node, "id", getattr(node, "attr", "")))
+    return found
+
+
+def _is_later(name):
+    return any(word in name.lower() for word in LATER)
+
+
+def _asked(run, function, owner):
+    found = run.call(function, *_arguments(run, function, owner))
+    keep_robot(run, found)
+    run.keep_list(found)
+
+
+def _guarded(run, act):
+    mark = run.marked()
+    try:
+        with run.budget.at_most(AT_ONCE):
+            act()
+    except (Raised, *FAILURES):
+        run.back_to(mark)
+
+
+def _instance(run, cls):
+    start = cls.find("__init__")
+    if isinstance(start, Function):
+        args, kwargs = _arguments(run, start, Instance(cls))
+        run.call(cls, args[1:], kwargs)
+    else:
+        run.call(cls, [], {})
+
+
+def _arguments(run, function, owner):
+    """(positional, by name): what is called as the program's own names is these, the rest is not
+    known.
+    """
+    signature = function.node.args
+    names = [one.arg for one in (*signature.posonlyargs, *signature.args)]
+    usual = names[len(names) - len(signature.defaults) :]
+    args = []
+    for k, name in enumerate(names):
+        if k == 0 and (owner is not None or name == "self") and function.kind != "staticmethod":
+            args.append(run.me if owner is None else owner)
+            continue
+        known = run.scope.names.get(name)
+        held = known is not None and not isinstance(known, Function | Class | Module | Native)
+        if run.is_joint(name):
+            args.append(Unknown(name, run.samples))
+        elif name in usual:
+            args.append(evaluate(run, signature.defaults[usual.index(name)], function.scope))
+        else:
+            args.append(known if held else Unknown(name, run.samples))
+    return args, {}

@@ -1,0 +1,189 @@
+"""The chain of links that a program multiplies: the program is run, and run again with other
+numbers for what is not known.
+"""
+
+import ast
+from dataclasses import dataclass
+
+import numpy as np
+
+from .budget import Budget, Stopped
+from .calling import call_all
+from .links import Links, links_of
+from .program import statements_of
+from .running import Run
+from .values import Samples
+
+__all__ = ["chain_of"]
+
+RUNS = 4
+LENGTHS = 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+FEWEST = 2  # joints of an arm
+
+
+def chain_of(text):
+    """(Links, posed) of the chain that a program computes; ``posed`` are the joints' values that
+    it holds itself, by name. None where it computes none, or more than one.
+
+    Examples
+    --------
+    >>> links, _ = chain_of('''
+    ... import numpy as np
+    ... def turn(q, a):
+    ...     c, s = np.cos(q), np.sin(q)
+    ...     return np.array([[c, -s, 0, a * c], [s, c, 0, a * s], [0, 0, 1, 0], [0, 0, 0, 1]])
+    ... def fk(q1, q2):
+    ...     return turn(q1, 0.4) @ turn(q2 + np.pi / 2, 0.3)
+    ... ''')
+    >>> [row[2] for row in links.rows], round(links.rows[1][0], 4)
+    ([0.4, 0.3], 1.5708)
+    """
+    statements = statements_of(text)
+    if not statements:
+        return None
+    budget = Budget()
+    for posing, thorough in ((False, False), (False, True), (True, True)):
+        try:
+            found = _tried(Way(statements, budget, posing, thorough))
+        except Stopped:
+            return None
+        if found or found is False:
+            return found or None
+    return None
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a program is run: whether joints' values that it holds are taken for not known, and
+    whether functions are called from outside that others call.
+    """
+
+    statements: list
+    budget: Budget
+    posing: bool
+    thorough: bool
+
+    def run(self, seed, length, given=()):
+        """A Run with the numbers of a seed, and lists of a length where nothing says it."""
+        run = Run(self.budget, Samples(seed, dict(given), length), self.posing)
+        run.program(self.statements)
+        call_all(run, self.thorough)
+        return run
+
+
+def _tried(way):
+    """The chain; None without one, False where there are several."""
+    first = way.run(1, LENGTHS[0])
+    found = _chain(way, first, LENGTHS[0])
+    if not first.samples.asked:
+        return found
+    for length in _lengths(way.statements) if found is None else LENGTHS[1:2]:
+        shorter = _chain(way, way.run(1, length), length)
+        if found is None and shorter is not None:
+            return shorter
+        if found is not None:  # as many joints as anybody likes
+            same = shorter and found and len(shorter[0].rows) == len(found[0].rows)
+            return found if same else False
+    return None
+
+
+def _lengths(statements):
+    """How long lists of joints' values may be: as long as other lists are, or a number is."""
+    sizes = set()
+    for statement in statements:
+        for node in ast.walk(statement):
+            if isinstance(node, ast.List | ast.Tuple):
+                sizes.add(len(node.elts))
+            elif isinstance(node, ast.Constant) and isinstance(node.value, int):
+                sizes.add(node.value)
+    return [length for length in LENGTHS[1:] if length in sizes]
+
+
+def _chain(way, first, length):
+    """(Links, posed) from a run and others like it; None without a chain, False with several."""
+    told = {name: value for name, value in first.told.items() if not first.is_joint(name)}
+    if not (first.factors.products or first.robots or first.listed()):
+        return None
+    seeds = range(1 if told else 2, RUNS + 2)
+    runs = [] if told else [first]
+    runs += [way.run(seed, length, told) for seed in seeds]
+    found = _from_products(runs) or [_of_robot(one) for one in runs[0].robots if len(one) > 1]
+    different = _different(found or _from_lists(runs))
+    if len(different) > 1:
+        return False
+    return (different[0], dict(runs[0].posed)) if different else None
+
+
+def _from_products(runs):
+    """The Links of what the runs multiply."""
+    if len({len(run.factors.products) for run in runs}) > 1:
+        return []
+    places = list(_longest(runs[0]))
+    return _as_links(runs, [[run.factors.products[k] for run in runs] for k in places])
+
+
+def _from_lists(runs):
+    """The Links of matrices that are listed, or numbered, and not multiplied."""
+    lists = [run.listed() for run in runs]
+    return _as_links(runs, list(zip(*lists))) if len({len(one) for one in lists}) == 1 else []
+
+
+def _as_links(runs, chains):
+    found = []
+    drawn = [run.samples.drawn for run in runs]
+    for samples in chains:
+        makers = [runs[0].factors.makers.get(one.tobytes()) for one in samples[0]]
+        links = links_of(samples, drawn, makers)
+        if links is not None and links.joints >= FEWEST:
+            found.append(links)
+    return found
+
+
+def _longest(run):
+    """The places of the products that are no part of another, and have no unknown part."""
+    keys = [tuple(one.tobytes() for one in product) for product in run.factors.products]
+    broken = [tuple(one.tobytes() for one in product) for product in run.factors.broken]
+    kept: dict = {}
+    for k, product in enumerate(keys):
+        kept.setdefault(product, k)
+    for product, k in kept.items():
+        others = [other for other in kept if len(other) > len(product)]
+        if not any(_within(product, other) for other in (*others, *broken)):
+            yield k
+
+
+def _within(part, whole):
+    n = len(part)
+    return any(whole[at : at + n] == part for at in range(len(whole) - n + 1))
+
+
+def _of_robot(links):
+    """The Links of a toolbox's robot."""
+    return Links(
+        links[0].convention if len({one.convention for one in links}) == 1 else "",
+        tuple(one.row for one in links),
+        tuple(one.letter for one in links),
+        tuple(one.sign for one in links),
+        tuple(f"q{k}" for k in range(len(links))),
+        of_toolbox=True,
+    )
+
+
+def _different(found):
+    """The chains without those that are another once more, or a part of it."""
+    kept: list = []
+    for one in sorted(found, key=lambda links: -len(links.rows)):
+        if not one.convention:
+            continue
+        rows = [tuple(row) for row in one.rows]
+        if not any(_is_part(rows, other) for other in kept if other.convention == one.convention):
+            kept.append(one)
+    return kept
+
+
+def _is_part(rows, other):
+    n = len(rows)
+    return any(
+        np.allclose(rows, other.rows[at : at + n], rtol=0, atol=1e-9)
+        for at in range(len(other.rows) - n + 1)
+    )

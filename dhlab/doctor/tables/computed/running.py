@@ -1,0 +1,280 @@
+"""One run of a program with numbers for what is not known."""
+
+import re
+from operator import itemgetter
+
+import numpy as np
+
+from .budget import FAILURES, Budget, Raised, Unsupported
+from .expressions import evaluate
+from .factors import Factors, is_pose
+from .methods import attribute, from_library
+from .operators import whole
+from .scopes import Scope
+from .statements import body
+from .toolbox import BESIDE, Link
+from .values import (
+    Class,
+    Function,
+    Instance,
+    Method,
+    Native,
+    Samples,
+    Unknown,
+    number_of,
+    plain,
+)  # fmt: skip
+
+__all__ = ["JOINT", "Run"]
+
+JOINT = re.compile(
+    r"_?(?:q|thetas?|th|joint|angles?|ang|tita|phi|j|config|t(?=_?\d)|motor|servo|pose|rads?|gdl)"
+    r"(?:_?\w*)?$",
+    re.IGNORECASE,
+)
+NO_JOINT = re.compile(
+    r"off|zero|lim|min|max|num|dof|type|name|count|len|bias|home|init|n_|_n\b|idx|index|twist"
+    r"|q(?:uat|uit)|json|jac|sign|dir|range|matri|trans|param|dh|table",
+    re.IGNORECASE,
+)
+DEEPEST_CALL = 24
+MOST_AT_ONCE = 12_000
+
+
+class Run:
+    """The state of one run: names, what is multiplied, what is left of the budget."""
+
+    def __init__(self, budget: Budget, samples: Samples, posing=False):
+        self.budget, self.samples, self.posing = budget, samples, posing
+        self.factors, self.scope = Factors(), Scope()
+        self.robots, self.posed, self.told = [], {}, {}
+        self.lists: list = []
+        self.instances: list = []
+        self.tickets = self.calls = 0
+        self.called: set = set()
+        self.me = Instance(None, path="self")
+        self.scope.names["self"] = self.me
+
+    def program(self, statements):
+        """Carry out the statements of a program, each with its share of the budget."""
+        for node in statements:
+            mark = self.marked()
+            try:
+                with self.budget.at_most(MOST_AT_ONCE):
+                    body(self, [node], self.scope)
+            except (Raised, Unsupported):
+                self.back_to(mark)
+
+    def ticket(self):
+        """A number that no other thing has, the same in every run."""
+        self.tickets += 1
+        return self.tickets
+
+    def unknown(self, what):
+        """Something new that is not known."""
+        return Unknown(f"?{what}{self.ticket()}", self.samples)
+
+    def marked(self):
+        """How much was multiplied until now."""
+        return len(self.factors.products), len(self.robots)
+
+    def back_to(self, mark):
+        """Forget what was multiplied since."""
+        del self.factors.products[mark[0] :]
+        del self.robots[mark[1] :]
+
+    def keep_list(self, value):
+        """Keep a list of matrices, the links' perhaps."""
+        if isinstance(value, list | tuple) and len(value) > 1 and all(map(_is_known_pose, value)):
+            self.lists.append(value)
+
+    def listed(self):
+        """The factors of matrices that are listed, or numbered, in their order."""
+        numbered: dict = {}
+        for name, value in self.scope.names.items():
+            self.keep_list(value)
+            end = re.search(r"\d+$", name)
+            if end and _is_known_pose(value):
+                numbered.setdefault(name[: end.start()], []).append((end[0], value))
+        rows = [[value for _, value in sorted(one, key=itemgetter(0))] for one in numbered.values()]
+        lists = [*self.lists, *(one for one in rows if len(one) > 1)]
+        return [tuple(part for one in row for part in self.factors.of(one)) for row in lists]
+
+    def is_joint(self, name):
+        """Whether a name is one of joints' values."""
+        return bool(JOINT.match(name)) and not NO_JOINT.search(name)
+
+    def held(self, name, value):
+        """What a name holds."""
+        return value
+
+    def attribute(self, value, name):
+        """What stands behind a dot."""
+        return attribute(self, value, name)
+
+    def imported(self, module, name):
+        """What a program imports, as far as it is in the list; None of others."""
+        return from_library(name, module)
+
+    def above(self, scope):
+        """What ``super()`` is: the object, as its class's base sees it."""
+        while scope is not None and scope.owner is None:
+            scope = scope.outer
+        bases = scope.owner.bases if scope is not None else ()
+        known = next((base for base in bases if isinstance(base, Class)), None)
+        if known is None:
+            robot = next((base for base in bases if isinstance(base, Native)), None)
+            return Instance(Class("above", (), {"__init__": robot or Native("", _nothing)}, []))
+        view = Instance(known, scope.me.attributes if scope.me else {})
+        return view
+
+    def call(self, function, args, kwargs):
+        """The value of a call."""
+        self.budget.step()
+        if isinstance(function, Method):
+            if isinstance(function.function, Native):
+                return self.call(function.function, args, kwargs)
+            return self.call(function.function, [function.owner, *args], kwargs)
+        if isinstance(function, Unknown):
+            if sum(map(_is_known_pose, args)) > 1:  # somebody else's product
+                self.factors.spoil(*args)
+            return Unknown(f"{function.path}()", self.samples) if not args else self.unknown("call")
+        if isinstance(function, Native):
+            return self._native(function, args, kwargs)
+        if isinstance(function, Class):
+            return self._made(function, args, kwargs)
+        if isinstance(function, Function):
+            return self._called(function, args, kwargs)
+        if isinstance(function, Instance):
+            return self.call(attribute(self, function, "__call__"), args, kwargs)
+        raise Unsupported("no function")
+
+    def _native(self, function, args, kwargs):
+        try:
+            return self.budget.checked(function.call(self, args, kwargs))
+        except (Unsupported, RecursionError, MemoryError):
+            raise
+        except FAILURES:
+            raise Unsupported(function.name) from None
+
+    def _made(self, cls, args, kwargs):
+        made = Instance(cls, path=cls.name)
+        self.instances.append(made)
+        start = cls.find("__init__")
+        if isinstance(start, Function):
+            self.call(start, [made, *args], kwargs)
+            return made
+        for base in cls.bases:
+            if isinstance(base, Native):
+                return self.call(base, args, kwargs)
+        fields = [
+            name for one in (*reversed(cls.bases), cls) for name in getattr(one, "fields", ())
+        ]
+        given = dict(zip(fields, args)) | kwargs
+        if (args or kwargs) and not fields:
+            raise Unsupported("no such object")
+        for name in fields:
+            value = given.get(name, cls.find(name))
+            made.attributes[name] = self.unknown("field") if value is None else value
+        after = cls.find("__post_init__")
+        if isinstance(after, Function):
+            self.call(after, [made], {})
+        return made
+
+    def _called(self, function, args, kwargs):
+        if self.calls >= DEEPEST_CALL:
+            raise Unsupported("too deep")
+        self.budget.step(10)
+        node = function.node
+        self.called.add(id(node))
+        scope = Scope(outer=function.scope, owner=function.owner)
+        if function.owner is not None and args and function.kind != "staticmethod":
+            scope.me = args[0] if isinstance(args[0], Instance) else None
+        self._bind(function, scope, args, kwargs)
+        self.calls += 1
+        try:
+            with self.budget:
+                if isinstance(node.body, list):
+                    ended = body(self, node.body, scope)
+                    result = ended[1] if ended and ended[0] == "return" else None
+                else:
+                    result = evaluate(self, node.body, scope)
+        finally:
+            self.calls -= 1
+        self._look_at(args, result)
+        return result
+
+    def _look_at(self, args, result):
+        """A function that multiplies two matrices in its own way."""
+        poses = [one for one in args if not isinstance(one, Unknown) and is_pose(one)]
+        if len(poses) == 2 and not isinstance(result, Unknown) and is_pose(result):
+            try:
+                self.factors.seen_as_product(result, *poses)
+            except FAILURES:
+                return
+
+    def _bind(self, function, scope, args, kwargs):
+        signature = function.node.args
+        names = [one.arg for one in (*signature.posonlyargs, *signature.args)]
+        defaults = getattr(function, "defaults", None)
+        if defaults is None:
+            defaults = [evaluate(self, one, function.scope) for one in signature.defaults]
+        last = dict(zip(names[len(names) - len(signature.defaults) :], defaults))
+        by_word = defaults[len(signature.defaults) :]
+        last |= dict(zip([one.arg for one in signature.kwonlyargs], by_word))
+        if len(args) > len(names) and signature.vararg is None:
+            raise Unsupported("too many arguments")
+        given = dict(zip(names, args))
+        unused = {key: value for key, value in kwargs.items() if key not in (*names, *last)}
+        if signature.vararg:
+            scope.put(signature.vararg.arg, list(args[len(names) :]))
+        if signature.kwarg:
+            scope.put(signature.kwarg.arg, unused)
+        elif unused and not all(one.arg in kwargs for one in signature.kwonlyargs):
+            raise Unsupported("no such argument")
+        for name in [*names, *(one.arg for one in signature.kwonlyargs)]:
+            if name in given:
+                scope.put(name, given[name])
+            elif name in kwargs:
+                scope.put(name, kwargs[name])
+            elif name in last:
+                scope.put(name, last[name])
+            else:
+                raise Unsupported("an argument is missing")
+
+    def store(self, held, key, value):
+        """Let an item of a list, an array or a dictionary be a value."""
+        if isinstance(held, Unknown):
+            return
+        if isinstance(held, dict) and isinstance(key, str | int | float | tuple):
+            held[key] = value
+        elif isinstance(held, np.ndarray):
+            held[whole(key)] = _filling(value, held[whole(key)])
+        elif isinstance(held, list):
+            held[whole(key)] = value
+        else:
+            raise Unsupported("no items")
+        self.budget.checked(held)
+
+    def set_attribute(self, held, name, value):
+        """Let an attribute be a value."""
+        if isinstance(held, Instance | Class):
+            held.attributes[name] = value
+        elif not isinstance(held, Unknown) and not (isinstance(held, Link) and name in BESIDE):
+            raise Unsupported("no attribute")
+
+
+def _is_known_pose(value):
+    return not isinstance(value, Unknown) and is_pose(value)
+
+
+def _filling(value, place):
+    """What fills a place of an array: numbers, or as many of an unknown list as it has."""
+    if isinstance(value, Unknown):
+        return plain(value.items(len(place))) if np.ndim(place) == 1 else number_of(value)
+    found = plain(value)
+    return found.reshape(np.shape(place)) if found.size == np.size(place) else found
+
+
+def _nothing(run, args, kwargs):
+    return None

@@ -1,0 +1,46 @@
+"""What a program computes beside what is read of its text: one settles or corrects the other."""
+
+from dataclasses import replace
+
+from .reading import differs_in_theta, moves_alike
+
+__all__ = ["settled"]
+
+
+def settled(written, program, convention=None):
+    """(Readings, notes) of a text of which a program is computed, too.
+
+    Parameters
+    ----------
+    written : list of Reading
+        What the text is read as; nothing, where it is not read.
+    program : Computed
+    convention : str, optional
+        In which the table is wanted.
+
+    Returns
+    -------
+    tuple
+        Readings that are written and computed; else the computed ones. Beside them stands what is
+        written where that was sure of itself, unless only angles of joints differ: the program adds
+        to them or turns them round, which its rows do not say.
+    """
+    alike = [
+        one
+        for one in written
+        if any(moves_alike(own, one, program.ends) for own in program.readings)
+    ]
+    if alike:
+        return alike, ()
+    own = program.readings
+    if convention:
+        own = [replace(one, arm=one.arm.to(convention)) for one in own]
+    if len(written) != 1 or any(differs_in_theta(one, written[0]) for one in own):
+        return list(own), program.notes
+    return [*(_beside(one, written[0]) for one in own), written[0]], program.notes
+
+
+def _beside(own, written):
+    """A computed reading of which it is asked whether it is meant, beside what is written."""
+    choices = dict(written.choices) | {"form": "computed", "length": dict(own.choices)["length"]}
+    return replace(own, choices=tuple(choices.items()))

@@ -1,0 +1,61 @@
+"""The links of the Robotics Toolbox, which hold their rows themselves."""
+
+from dataclasses import dataclass
+
+from .budget import Unsupported
+from .values import Unknown, number_of
+
+__all__ = ["BESIDE", "LINKS", "Link", "keep_robot"]
+
+TURNING = ("d", "a", "alpha", "offset")
+BESIDE = ("qlim", "name", "I", "m", "r", "Jm", "G", "B", "Tc")  # no part of the row
+SLIDING = ("theta", "a", "alpha", "offset")
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """A link: its convention, the letter of its joint, its numbers, and whether it is turned
+    round.
+    """
+
+    convention: str
+    letter: str
+    row: tuple  # theta, d, a, alpha
+    sign: int = 1
+
+
+def _maker(convention, letter):
+    names = TURNING if letter == "R" else SLIDING
+
+    def call(run, args, kwargs):
+        said = dict(zip(names, args)) | {key: kwargs[key] for key in names if key in kwargs}
+        if any(isinstance(value, Unknown) for value in said.values()):
+            raise Unsupported("a number that is not known")
+        held = {key: float(number_of(value)) for key, value in said.items()}
+        zero = held.get("offset", 0.0)
+        theta, d = (zero, held.get("d", 0.0)) if letter == "R" else (held.get("theta", 0.0), zero)
+        sign = -1 if kwargs.get("flip") is True else 1
+        row = (theta, d, held.get("a", 0.0), held.get("alpha", 0.0))
+        return Link(convention, letter, row, sign)
+
+    return call
+
+
+def robot(run, args, kwargs):
+    """A chain of links: what the program was written for."""
+    given = args[0] if args else kwargs.get("links", [])
+    keep_robot(run, given)
+    return run.unknown("robot")
+
+
+def keep_robot(run, given):
+    """Keep a list of links."""
+    if isinstance(given, list | tuple) and given and all(isinstance(one, Link) for one in given):
+        run.robots.append(tuple(given))
+
+
+LINKS = {
+    "RevoluteDH": _maker("standard", "R"), "PrismaticDH": _maker("standard", "P"),
+    "RevoluteMDH": _maker("craig", "R"), "PrismaticMDH": _maker("craig", "P"),
+    "DHRobot": robot,
+}  # fmt: skip

@@ -1,0 +1,50 @@
+"""What a statement would have changed that was not understood."""
+
+import ast
+
+from .budget import FAILURES
+from .expressions import evaluate
+from .values import Instance, Unknown
+
+__all__ = ["spoiled"]
+
+
+def spoiled(run, node, scope):
+    """Make unknown whatever a statement, which failed, would have set or changed."""
+    for target in _targets(node):
+        run.budget.step(10)
+        path = f"?{run.ticket()}"
+        if isinstance(target, ast.Name):
+            scope.put(target.id, Unknown(path, run.samples))
+            continue
+        try:
+            owner = evaluate(run, target.value, scope)
+        except FAILURES:
+            continue
+        if isinstance(owner, Instance):
+            owner.attributes[target.attr] = Unknown(path, run.samples)
+
+
+def _targets(node):
+    for one in ast.walk(node):
+        if isinstance(one, ast.FunctionDef | ast.ClassDef):
+            yield ast.Name(one.name)
+        stored = isinstance(getattr(one, "ctx", None), ast.Store)
+        if stored and isinstance(one, ast.Name | ast.Attribute | ast.Subscript):
+            yield from _root(one)
+        if isinstance(one, ast.Call) and isinstance(one.func, ast.Attribute):
+            yield from _root(one.func.value)
+        if isinstance(one, ast.Expr) and isinstance(one.value, ast.Call):
+            for given in one.value.args:
+                yield from _root(given)
+
+
+def _root(node):
+    """The name, or the attribute of a name, in which something is changed."""
+    while isinstance(node, ast.Subscript | ast.Attribute):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            yield node
+            return
+        node = node.value
+    if isinstance(node, ast.Name) and node.id not in ("self", "np", "math", "sp", "plt"):
+        yield node

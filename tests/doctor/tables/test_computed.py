@@ -1,0 +1,323 @@
+"""Programs whose chain is computed: the truth is a product that these tests multiply themselves."""
+
+import numpy as np
+import pytest
+
+import dhlab as dh
+from dhlab.doctor.tables.computed.chains import chain_of
+from dhlab.doctor.tables.computed.program import statements_of
+
+STANDARD = """
+def link(th, d, a, al):
+    c, s, ca, sa = np.cos(th), np.sin(th), np.cos(al), np.sin(al)
+    return np.array([[c, -s*ca, s*sa, a*c], [s, c*ca, -c*sa, a*s], [0, sa, ca, d], [0, 0, 0, 1]])
+"""
+CRAIG = """
+def link(al, a, d, th):
+    c, s, ca, sa = np.cos(th), np.sin(th), np.cos(al), np.sin(al)
+    return np.array([[c, -s, 0, a], [s*ca, c*ca, -sa, -d*sa], [s*sa, c*sa, ca, d*ca], [0, 0, 0, 1]])
+"""
+QUARTER = np.pi / 2
+BENT = [(0.0, 0.31, 0.0, QUARTER), (-QUARTER, 0.0, 0.27, 0.0), (0.3, 0.12, 0.05, -QUARTER)]
+
+
+def turn(angle, i, j):
+    T = np.eye(4)
+    T[[i, i, j, j], [i, j, i, j]] = np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)
+    return T
+
+
+def move(length, i):
+    T = np.eye(4)
+    T[i, 3] = length
+    return T
+
+
+def pose(rows, q, convention="standard", letters=None, signs=None):
+    """The product of rows theta, d, a, alpha at joint values, out of elementary moves."""
+    T = np.eye(4)
+    for k, (theta, d, a, alpha) in enumerate(rows):
+        step = (signs or [1] * len(rows))[k] * q[k]
+        slides = letters is not None and letters[k] == "P"
+        theta, d = (theta, d + step) if slides else (theta + step, d)
+        z, x = turn(theta, 0, 1) @ move(d, 2), move(a, 0) @ turn(alpha, 1, 2)
+        T = T @ (z @ x if convention == "standard" else x @ z)
+    return T
+
+
+def agrees(text, rows, **said):
+    """Whether the one reading of a text is the arm of rows."""
+    found = dh.recognise_table(text)
+    assert len(found.readings) == 1, str(found)
+    q = np.random.default_rng(3).uniform(-1, 1, (5, len(rows)))
+    expected = [pose(rows, values, **said) for values in q]
+    return np.allclose(found.arm.forward(q), expected, rtol=0, atol=1e-9)
+
+
+COLUMNS_IN_A_LOOP = """
+import numpy as np
+twist = [90, 0, -90]
+reach = {"base": 0, "upper": 270, "fore": 50}
+up = np.array([310, 0, 120]) / 1000
+def chain(values):
+    pose = np.eye(4)
+    for k, (length, w) in enumerate(zip(reach.values(), twist)):
+        pose = pose @ link(values[k] + shift(k), up[k], length * 1e-3, w * np.pi / 180)
+    return pose
+def shift(k):
+    if k == 1:
+        return -np.pi / 2
+    return 0.3 if k == 2 else 0
+"""
+CLASS = """
+import numpy as np
+class Joint:
+    def __init__(self, up, out, twist, zero=0.0):
+        self.up, self.out, self.twist, self.zero = up, out, twist, zero
+    def pose(self, angle):
+        return link(angle + self.zero, self.up, self.out, np.radians(self.twist))
+class Arm:
+    joints = [Joint(0.31, 0, 90), Joint(0, 0.27, 0, -np.pi / 2)]
+    def __init__(self):
+        self.all = self.joints + [Joint(0.12, 0.05, -90, zero=0.3)]
+    def where(self, angles_deg):
+        T = np.identity(4)
+        for joint, angle in zip(self.all, np.deg2rad(angles_deg)):
+            T = T.dot(joint.pose(angle))
+        return T
+"""
+REDUCED = """
+from functools import reduce
+import numpy as np
+def rows(q):
+    return [[q[0], .31, 0, np.pi/2], [q[1] - np.pi/2, 0, .27, 0], [q[2] + .3, .12, .05, -np.pi/2]]
+def forward(q):
+    return reduce(np.matmul, [link(*row) for row in rows(q)])
+"""
+SYMBOLIC = """
+import sympy as sp
+import numpy as np
+q1, q2, q3, L = sp.symbols('q1 q2 q3 L')
+def link(th, d, a, al):
+    return sp.Matrix([
+        [sp.cos(th), -sp.sin(th)*sp.cos(al), sp.sin(th)*sp.sin(al), a*sp.cos(th)],
+        [sp.sin(th), sp.cos(th)*sp.cos(al), -sp.cos(th)*sp.sin(al), a*sp.sin(th)],
+        [0, sp.sin(al), sp.cos(al), d], [0, 0, 0, 1]])
+T = link(q1, 0.31, 0, sp.pi/2) * link(q2 - sp.pi/2, 0, L, 0) * link(q3 + 0.3, 0.12, 0.05, -sp.pi/2)
+T = sp.simplify(T.subs({L: 0.27}))
+"""
+BY_HAND = """
+import numpy as np
+def times(A, B):
+    return [[sum(A[i][k] * B[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+def forward(first, second, third):
+    T = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    angles = [first, second, third]
+    table = [(0, .31, 0, np.pi/2), (-np.pi/2, 0, .27, 0), (.3, .12, .05, -np.pi/2)]
+    i = 0
+    while i < len(table):
+        zero, up, out, twist = table[i]
+        T = times(T, link(angles[i] + zero, up, out, twist).tolist())
+        i += 1
+    return T
+"""
+ELEMENTARY = """
+import numpy as np
+def rz(t):
+    R = np.array([[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]])
+    return np.block([[R, np.zeros((2, 2))], [np.zeros((2, 2)), np.eye(2)]])
+def rx(t):
+    T = np.eye(4)
+    T[1:3, 1:3] = [[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]]
+    return T
+def shifted(x, z):
+    T = np.eye(4)
+    T[:3, 3] = [x, 0, z]
+    return T
+def forward(q):
+    T = np.eye(4)
+    for zero, up, out, twist, angle in [(0, .31, 0, np.pi/2, q[0]), (-np.pi/2, 0, .27, 0, q[1]),
+                                        (.3, .12, .05, -np.pi/2, q[2])]:
+        T = T @ rz(angle + zero) @ shifted(0, up) @ shifted(out, 0) @ rx(twist)
+    return T
+"""
+SLIDERS = """
+import numpy as np
+def shown(_):
+    angles = [np.radians(slider.val) for slider in sliders]
+    angles[1] -= np.pi / 2
+    angles[2] += .3
+    A = [link(angles[0], .31, 0, np.pi/2), link(angles[1], 0, .27, 0),
+         link(angles[2], .12, .05, -np.pi/2)]
+    draw(A[0] @ A[1] @ A[2])
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [COLUMNS_IN_A_LOOP, CLASS, REDUCED, BY_HAND, SLIDERS],
+    ids=["columns", "class", "reduce", "by hand", "sliders"],
+)
+def test_a_program_is_read_by_what_it_multiplies(text):
+    assert agrees(STANDARD + text, BENT)
+
+
+@pytest.mark.parametrize("text", [SYMBOLIC, ELEMENTARY], ids=["symbolic", "elementary"])
+def test_its_own_links_are_read(text):
+    assert agrees(text, BENT)
+
+
+def test_matrices_tell_the_convention():
+    text = "import numpy as np" + CRAIG + """
+def forward(q):
+    sizes = dict(zip("xyz", (0.2, 0.3, 0.4)))
+    T = link(0, 0, sizes["x"], q[0])
+    for k, name in enumerate("yz", 1):
+        T = T @ link(np.pi / 2 * (k == 1), sizes[name], 0.1 * k, q[k] - np.pi / 4)
+    return T
+"""  # fmt: skip
+    rows = [(0, 0.2, 0, 0), (-np.pi / 4, 0.1, 0.3, QUARTER), (-np.pi / 4, 0.2, 0.4, 0)]
+    assert agrees(text, rows, convention="craig")
+    assert dh.recognise_table(text).arm.table.convention == "craig"
+
+
+def test_a_joint_that_slides_and_one_that_counts_backwards():
+    text = "import numpy as np" + STANDARD + """
+def forward(first, lift, last):
+    sizes = [0.3, 0.2, 0.15]
+    parts = [link(-first, sizes[0], 0, np.pi/2), link(0, sizes[1] - lift, 0, 0)]
+    parts.append(link(last, 0, sizes[2], 0))
+    return np.linalg.multi_dot(parts)
+"""  # fmt: skip
+    rows = [(0, 0.3, 0, QUARTER), (0, 0.2, 0, 0), (0, 0, 0.15, 0)]
+    assert agrees(text, rows, letters="RPR", signs=[-1, -1, 1])
+
+
+def test_a_toolbox_robot_made_in_a_loop():
+    text = """
+import roboticstoolbox as rtb
+from math import pi
+class Own(rtb.DHRobot):
+    def __init__(self):
+        heights, reaches = [0.3, 0, 0.1], [0, 0.25, 0.15]
+        parts = []
+        for k in range(3):
+            parts.append(rtb.RevoluteDH(d=heights[k], a=reaches[k], alpha=pi/2 if k == 0 else 0))
+        super().__init__(parts, name="own")
+"""
+    rows = [(0, 0.3, 0, QUARTER), (0, 0, 0.25, 0), (0, 0.1, 0.15, 0)]
+    assert agrees(text, rows)
+
+
+POSED = """
+import numpy as np
+def forward(lengths, values):
+    T = np.eye(4)
+    for a, value in zip(lengths, values):
+        T = T @ link(value, 0.1, a, 0)
+    return T
+q = [0.4, -0.7, 0.2]
+print(forward([0.3, 0.25, 0.2], q))
+"""
+
+
+def test_the_values_of_joints_in_one_pose_are_no_zeros():
+    assert agrees(STANDARD + POSED, [(0, 0.1, 0.3, 0), (0, 0.1, 0.25, 0), (0, 0.1, 0.2, 0)])
+
+
+def test_quarter_turns_under_a_name_of_zeros_and_of_values_are_not_decided():
+    said = (STANDARD + POSED).replace("q = [0.4, -0.7, 0.2]", "theta = [0, -np.pi/2, 0.2]")
+    with pytest.raises(ValueError):
+        dh.recognise_table(said.replace("0.2], q)", "0.2], theta)"))
+
+
+UNDECIDED = {
+    "coupled joints": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1] - q[0], 0, 0.4, 0)",
+    "a length that is not known": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, reach, 0)",
+    "a joint twice": "T = link(q[0], 0.3, 0, 1.2) @ link(q[0], 0, 0.4, 0)",
+    "a factor that is not known": (
+        "T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, 0.4, 0) @ other.link(q[2])"
+    ),
+    "as many joints as anybody likes": """T = np.eye(4)
+    for angle in q:
+        T = T @ link(angle, 0.1, 0.2, 0.3)""",
+    "two arms": """T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, 0.4, 0)
+    return link(q[0], 0.2, 0, 1.2) @ link(q[1], 0, 0.5, 0)""",
+    "a loop that fails in its last turn": """T = np.eye(4)
+    for k in range(4):
+        T = T @ link(q[k], [0.1, 0.2, 0.3][k], 0, 1.2)""",
+}
+
+
+@pytest.mark.parametrize("name", UNDECIDED)
+def test_no_chain_where_a_part_is_not_known(name):
+    text = f"import numpy as np{STANDARD}\ndef forward(q):\n    {UNDECIDED[name]}\n    return T\n"
+    assert chain_of(text) is None
+
+
+def test_what_is_written_and_not_computed_is_asked_about():
+    text = "import numpy as np" + STANDARD + """
+rows = [[0, 0.31, 0, np.pi/2], [0, 0, 0.27, 0], [0, 0.12, 0.05, 0]]  # theta, d, a, alpha
+def forward(q):
+    T = np.eye(4)
+    for k, (zero, up, out, twist) in enumerate(rows):
+        T = T @ link(q[k] + zero, up, out * 2 - 0.01, twist)
+    return T
+"""  # fmt: skip
+    found = dh.recognise_table(text)
+    rows = [(0, 0.31, -0.01, QUARTER), (0, 0, 0.53, 0), (0, 0.12, 0.09, 0)]
+    q = np.array([0.3, -0.4, 0.5])
+    assert any(np.allclose(one.arm.forward(q), pose(rows, q)) for one in found.readings)
+    assert len(found.readings) == 1 or found.questions
+
+
+def test_constant_matrices_at_the_ends_are_no_rows():
+    text = "import numpy as np" + STANDARD + """
+def forward(q):
+    base = np.array([[0, -1, 0, 0.2], [1, 0, 0, 0], [0, 0, 1, 0.1], [0, 0, 0, 1]])
+    sizes = (0.31, 0.27)
+    return base @ link(q[0], sizes[0], 0, np.pi/2) @ link(q[1], 0, sizes[1], 0)
+"""  # fmt: skip
+    links, _ = chain_of(text)
+    assert links.ends == ("base",)
+    assert np.allclose(links.rows, [(0, 0.31, 0, QUARTER), (0, 0, 0.27, 0)])
+
+
+HOSTILE = {
+    "a power": "x = 10**10**10",
+    "a long loop": "for i in range(10**9):\n    pass",
+    "loops in loops": "for i in range(200):\n for j in range(200):\n  for k in range(200):\n   x",
+    "a text repeated": "x = 'ab' * 10**9",
+    "lists that double": "x = [1]\nwhile True:\n    x = x + x\n    if len(x) < 0: break",
+    "a large array": "x = np.zeros((10**5, 10**5))",
+    "recursion": "def f(n):\n    return f(n + 1) + f(n)\nf(0)",
+    "deep brackets": "x = " + "(" * 110 + "1" + ")" * 110,
+    "many signs": "x = " + "- " * 900 + "1",
+    "numbers that grow": "x = 2\nfor i in range(100):\n    x = x * x * x",
+    "a class of itself": "class A:\n    def __init__(self):\n        self.a = A()\nA()",
+    "a shift": "x = 1 << 10**9",
+    "a list in itself": "x = []\nx.append(x)\ny = np.array(x)\nprint(x == x)",
+    "a lambda": "f = lambda f: f(f)\nf(f)",
+    "attributes": "x = ().__class__.__bases__[0].__subclasses__()\nopen('/etc/passwd').read()",
+    "importing": "import os\nos.system('true')\n__import__('os').system('true')\neval('1')",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_text_ends_within_the_budget(name):
+    text = f"import numpy as np\n{HOSTILE[name]}\n{STANDARD}"
+    assert chain_of(text) is None
+    with pytest.raises(ValueError, match="recognise_table: "):
+        dh.recognise_table(text)
+
+
+def test_what_stands_beside_hostile_lines_is_computed():
+    text = f"import numpy as np\nx = 10**10**10\n{STANDARD}{REDUCED}"
+    assert len(chain_of(text)[0].rows) == 3
+
+
+def test_prompts_and_parts_of_programs_are_read():
+    session = "\n".join(f">>> {line}" for line in ("import numpy as np", "a = [1, 2]"))
+    assert len(statements_of(session)) == 2
+    cut = "        self.a = [1, 2]\n\n    def where(self, q):\n        return q\n    def lost(self"
+    assert [type(node).__name__ for node in statements_of("import numpy\n" + cut)]
