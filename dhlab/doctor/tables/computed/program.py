@@ -37,10 +37,23 @@ def statements_of(text):
     for written in (text, unified(text)):
         whole = _parsed(written)
         if whole is not None:
-            return whole
+            return _lifted(whole)
     found: list = []
     for part in _parts(text.split("\n")):
         found += _beginning(part)
+    return _lifted(found)
+
+
+def _lifted(statements):
+    """The statements with methods that stand, by the indent of what was pasted, behind the return
+    of a function, beside it.
+    """
+    found = []
+    for node in statements:
+        found.append(node)
+        if isinstance(node, ast.FunctionDef):
+            ends = [k for k, one in enumerate(node.body) if isinstance(one, ast.Return)]
+            found += node.body[ends[0] + 1 :] if ends else []
     return found
 
 

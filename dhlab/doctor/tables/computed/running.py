@@ -49,6 +49,7 @@ class Run:
         self.factors, self.scope = Factors(), Scope()
         self.robots, self.posed, self.told = [], {}, {}
         self.lists: list = []
+        self.outermost: list = []
         self.instances: list = []
         self.tickets = self.calls = 0
         self.called: set = set()
@@ -91,11 +92,12 @@ class Run:
     def listed(self):
         """The factors of matrices that are listed, or numbered, in their order."""
         numbered: dict = {}
-        for name, value in self.scope.names.items():
-            self.keep_list(value)
-            end = re.search(r"\d+$", name)
-            if end and _is_known_pose(value):
-                numbered.setdefault(name[: end.start()], []).append((end[0], value))
+        for k, scope in enumerate([self.scope, *self.outermost]):
+            for name, value in scope.names.items():
+                self.keep_list(value)
+                end = re.search(r"\d+$", name)
+                if end and _is_known_pose(value):
+                    numbered.setdefault((k, name[: end.start()]), []).append((end[0], value))
         rows = [[value for _, value in sorted(one, key=itemgetter(0))] for one in numbered.values()]
         lists = [*self.lists, *(one for one in rows if len(one) > 1)]
         return [tuple(part for one in row for part in self.factors.of(one)) for row in lists]
@@ -191,6 +193,8 @@ class Run:
         if function.owner is not None and args and function.kind != "staticmethod":
             scope.me = args[0] if isinstance(args[0], Instance) else None
         self._bind(function, scope, args, kwargs)
+        if not self.calls:
+            self.outermost.append(scope)
         self.calls += 1
         try:
             with self.budget:
