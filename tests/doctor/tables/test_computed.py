@@ -283,6 +283,101 @@ def forward(q):
     assert np.allclose(links.rows, [(0, 0.31, 0, QUARTER), (0, 0, 0.27, 0)])
 
 
+LINK_IN_MATLAB = """
+function T = link(th, d, a, al)
+    T = [cos(th) -sin(th)*cos(al)  sin(th)*sin(al) a*cos(th);
+         sin(th)  cos(th)*cos(al) -cos(th)*sin(al) a*sin(th);   % the second row
+         0 sin(al) cos(al) d; 0 0 0 1];
+end
+"""
+MATLAB = {
+    "columns in a loop": """
+function [T, all] = forward(q)
+    twist = [90 0 -90]' * pi/180;
+    sizes = [310, 0; 0, 270; 120, 50] / 1000; zero = [0, -pi/2, .3];
+    T = eye(4); all = cell(1, 3);
+    for k = 1:length(twist)
+        all{k} = link(q(k) + zero(k), sizes(k, 1), sizes(k, end), twist(k));
+        T = T * all{k};
+    end
+end
+""",
+    "cells multiplied afterwards": """
+syms q1 q2 q3 real
+rows = [q1 .31 0 pi/2; q2-pi/2 0 .27 0; q3+.3 .12 .05 -pi/2];
+for i = 1:size(rows, 1)
+    row = rows(i, :);
+    A(:, :, i) = link(row(1), row(2), row(3), row(4));
+end
+T = A(:,:,1) * A(:,:,2) ...
+    * A(:,:,3);
+disp(simplify(T))
+""",
+    "an object": """
+classdef Leg
+    properties
+        up = [0.31 0 0.12];
+        out
+    end
+    methods
+        function obj = Leg()
+            obj.out = 10 .^ [-9 0 0] .* [0 0.27 0.05];
+        end
+        function T = where(obj, q)
+            T = eye(4); i = 0;
+            while i < 3
+                i = i + 1;
+                switch i
+                    case 2
+                        zero = -pi/2; w = 0;
+                    case {1, 3}
+                        zero = 0.3 * (i == 3); w = pi/2 * (2 - i);
+                end
+                T = T * obj.one(q(i) + zero, obj.up(i), obj.out(i), w);
+            end
+        end
+        function A = one(~, th, d, a, al)
+            A = link(th, d, a, al);
+        end
+    end
+end
+""",
+}
+
+
+@pytest.mark.parametrize("name", MATLAB)
+def test_matlab_is_read_by_what_it_multiplies(name):
+    links, _ = chain_of(LINK_IN_MATLAB + MATLAB[name])
+    assert links.convention == "standard" and links.letters == ("R", "R", "R")
+    assert np.allclose(links.rows, BENT, rtol=0, atol=1e-8)
+
+
+def test_a_toolbox_robot_in_matlab_is_made_in_a_loop():
+    text = """
+heights = [0.3 0 0.1]; reaches = [0 0.25 0.15];
+for k = 1:3
+    L(k) = Link('d', heights(k), 'a', reaches(k), 'alpha', (k == 1) * pi/2, 'm', 3);
+end
+arm = SerialLink(L, 'name', 'own');
+"""
+    assert agrees(text, [(0, 0.3, 0, QUARTER), (0, 0, 0.25, 0), (0, 0.1, 0.15, 0)])
+
+
+def test_a_toolbox_robot_with_a_length_that_nobody_knows_is_none():
+    text = "% a robot\nL(1) = Link([0 L1 0 pi/2]);\nL(2) = Link([0 0 0.3 0]);\nR = SerialLink(L);\n"
+    assert chain_of(text) is None
+    assert chain_of("L1 = 0.2;\n" + text) is not None
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["x = zeros(1e6);", "x = 1:1e9;", "for i = 1:1e9, x = i; end", "x = " + "(" * 99 + "1;",
+     "while true, x = 1; end", "x = 9^9^9^9;", "system('true');", "x = [" + "1 " * 900 + "];"],
+)  # fmt: skip
+def test_hostile_matlab_ends_within_the_budget(line):
+    assert chain_of(f"% a program\n{line}\n{LINK_IN_MATLAB}") is None
+
+
 HOSTILE = {
     "a power": "x = 10**10**10",
     "a long loop": "for i in range(10**9):\n    pass",

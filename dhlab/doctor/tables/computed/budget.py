@@ -7,7 +7,7 @@ import numpy as np
 
 __all__ = ["FAILURES", "Budget", "Raised", "Stopped", "Unsupported"]
 
-MOST_STEPS = 100_000  # nodes of the program, in all its runs
+MOST_STEPS = 80_000  # nodes of the program, in all its runs
 DEEPEST = 90  # expressions and calls within each other
 MOST_ITEMS = 4_096  # of a list, an array, a text
 LARGEST = 1e15  # a number

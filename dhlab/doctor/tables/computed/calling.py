@@ -33,8 +33,10 @@ def call_all(run, thorough):
     asked.sort(key=lambda pair: (pair[0].name in named, _is_later(pair[0].name)))
     run.called.clear()
     for function, owner in asked[:MOST_CALLED]:
-        if function.name in named and id(function.node) in run.called and not thorough:
-            continue
+        if function.name in named and id(function.node) in run.called:
+            run.skipped = True
+            if not thorough:
+                continue
         _guarded(run, lambda f=function, o=owner: _asked(run, f, o))
 
 

@@ -10,6 +10,8 @@ import numpy as np
 from .budget import Budget, Stopped
 from .calling import call_all
 from .links import Links, links_of
+from .matlab.dialect import Matlab
+from .matlab.translating import as_python, is_matlab
 from .program import statements_of
 from .running import Run
 from .values import Samples
@@ -38,13 +40,16 @@ def chain_of(text):
     >>> [row[2] for row in links.rows], round(links.rows[1][0], 4)
     ([0.4, 0.3], 1.5708)
     """
-    statements = statements_of(text)
+    dialect = None
+    if is_matlab(text):
+        text, dialect = as_python(text), Matlab()
+    statements = statements_of(text, dialect is not None)
     if not statements:
         return None
     budget = Budget()
     for posing, thorough in ((False, False), (False, True), (True, True)):
         try:
-            found = _tried(Way(statements, budget, posing, thorough))
+            found = _tried(Way(statements, budget, posing, thorough, dialect))
         except Stopped:
             return None
         if found or found is False:
@@ -55,17 +60,19 @@ def chain_of(text):
 @dataclass(frozen=True)
 class Way:
     """How a program is run: whether joints' values that it holds are taken for not known, and
-    whether functions are called from outside that others call.
+    whether functions are called from outside that others call; ``dialect`` is what its language
+    has otherwise than Python.
     """
 
     statements: list
     budget: Budget
     posing: bool
     thorough: bool
+    dialect: object = None
 
     def run(self, seed, length, given=()):
         """A Run with the numbers of a seed, and lists of a length where nothing says it."""
-        run = Run(self.budget, Samples(seed, dict(given), length), self.posing)
+        run = Run(self.budget, Samples(seed, dict(given), length), self.posing, self.dialect)
         run.program(self.statements)
         call_all(run, self.thorough)
         return run
@@ -74,6 +81,8 @@ class Way:
 def _tried(way):
     """The chain; None without one, False where there are several."""
     first = way.run(1, LENGTHS[0])
+    if (way.posing and not first.posed) or (way.thorough and not (way.posing or first.skipped)):
+        return None  # nothing is otherwise than before
     found = _chain(way, first, LENGTHS[0])
     if not first.samples.asked:
         return found
@@ -107,7 +116,7 @@ def _chain(way, first, length):
     seeds = range(1 if told else 2, RUNS + 2)
     runs = [] if told else [first]
     runs += [way.run(seed, length, told) for seed in seeds]
-    found = _from_products(runs) or [_of_robot(one) for one in runs[0].robots if len(one) > 1]
+    found = _from_products(runs) or _from_robots(runs)
     different = _different(found or _from_lists(runs))
     if len(different) > 1:
         return False
@@ -120,6 +129,18 @@ def _from_products(runs):
         return []
     places = list(_longest(runs[0]))
     return _as_links(runs, [[run.factors.products[k] for run in runs] for k in places])
+
+
+def _from_robots(runs):
+    """The Links of a toolbox's robots whose numbers are the same in all runs."""
+    if len({len(run.robots) for run in runs}) > 1:
+        return []
+    found = []
+    for same in zip(*(run.robots for run in runs)):
+        rows = {tuple(link.row for link in robot) for robot in same}
+        if len(rows) == 1 and len(same[0]) >= FEWEST:
+            found.append(_of_robot(same[0]))
+    return found
 
 
 def _from_lists(runs):

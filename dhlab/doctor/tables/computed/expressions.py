@@ -40,7 +40,8 @@ def _name(run, node, scope):
     found = scope.find(node.id)
     if found is not MISSING:
         return found
-    found = from_library(node.id)
+    found = run.dialect.name(node.id, run.scope) if run.dialect else None
+    found = from_library(node.id) if found is None else found
     if found is not None:
         return found
     return Module(node.id) if node.id in LIBRARIES else Unknown(node.id, run.samples)
@@ -170,7 +171,7 @@ def _comprehended(run, node, scope):
                 found.append(evaluate(run, node.elt, inner))
             return run.budget.checked(found)
         part = node.generators[k]
-        for item in items_of(evaluate(run, part.iter, inner)):
+        for item in run.over(evaluate(run, part.iter, inner)):
             run.budget.step()
             assign(run, part.target, item, inner)
             if all(truth(evaluate(run, test, inner)) for test in part.ifs):
@@ -198,6 +199,8 @@ def assign(run, target, value, scope):
     elif isinstance(target, ast.Tuple | ast.List):
         _unpack(run, target.elts, value, scope)
     elif isinstance(target, ast.Subscript):
+        if run.dialect and isinstance(target.value, ast.Name):
+            run.dialect.prepare(target.value.id, scope)
         run.store(evaluate(run, target.value, scope), evaluate(run, target.slice, scope), value)
     elif isinstance(target, ast.Attribute):
         run.set_attribute(

@@ -33,6 +33,8 @@ def binary(run, kind, one, other):
     """The value of an operation."""
     if kind is ast.MatMult:
         return multiplied(run, one, other)
+    if run.dialect:
+        kind, one, other = run.dialect.operands(kind, one, other)
     if isinstance(one, Unknown) or isinstance(other, Unknown):
         return _with_unknown(run, kind, one, other)
     if kind is ast.Pow:
@@ -95,9 +97,11 @@ def _with_unknown(run, kind, one, other):
     held, free = (other, one) if isinstance(one, Unknown) else (one, other)
     if isinstance(held, list | tuple | np.ndarray) and np.ndim(plain(held)):
         values = plain(held)
-        items = plain(free.items(len(values)))
-        if values.ndim == 2:  # a column of joint values beside a column of zeros
-            items = items.reshape(-1, 1) if values.shape[1] == 1 else items
+        flat = (
+            values.ndim == 2 and 1 in values.shape
+        )  # a column beside a column, a row beside a row
+        items = plain(free.items(values.size if flat else len(values)))
+        items = items.reshape(values.shape) if flat else items
         pair = (items, values) if held is other else (values, items)
         return _calculated(run, act, *pair)
     if not is_number(held):

@@ -19,7 +19,7 @@ MOST_TRIES = 24
 FAILED = (SyntaxError, ValueError, RecursionError, MemoryError)
 
 
-def statements_of(text):
+def statements_of(text, translated=False):
     """The statements of a program, the longest beginnings of its parts that parse; none of a text
     that is no Python.
 
@@ -31,7 +31,7 @@ def statements_of(text):
     if re.search(r"^[ \t]*>>> ", text, re.MULTILINE):
         lines = [line for line in text.split("\n") if PROMPT.match(line)]
         text = "\n".join(PROMPT.sub("", line) for line in lines)
-    if not PYTHON.search(text):
+    if not translated and not PYTHON.search(text):
         return []
     text = MAGIC.sub("", text).expandtabs(4)
     for written in (text, unified(text)):

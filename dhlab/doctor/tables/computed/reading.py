@@ -30,12 +30,14 @@ WORDS = "as the program computes it"
 @dataclass(frozen=True)
 class Computed:
     """What a program computes: a Reading for each unit that its lengths can have, what is worth a
-    second look, and the ends that are not in the rows.
+    second look, the ends that are not in the rows, and whether the program holds the joints' values
+    itself, in one pose.
     """
 
     readings: tuple
     notes: tuple = ()
     ends: tuple = ()
+    posed: bool = False
 
 
 def computed(text, length=None):
@@ -57,7 +59,7 @@ def computed(text, length=None):
     if any(_may_be_zeros(name, values) for name, values in posed):
         return None
     ends = ("base", "tool") if links.of_toolbox else links.ends
-    return Computed(_readings(links, text, length), _notes(links, posed), ends)
+    return Computed(_readings(links, text, length), _notes(links, posed), ends, bool(posed))
 
 
 @lru_cache(64)

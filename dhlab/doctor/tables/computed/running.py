@@ -5,6 +5,7 @@ from operator import itemgetter
 
 import numpy as np
 
+from .binding import bind
 from .budget import FAILURES, Budget, Raised, Unsupported
 from .expressions import evaluate
 from .factors import Factors, is_pose
@@ -21,6 +22,7 @@ from .values import (
     Native,
     Samples,
     Unknown,
+    items_of,
     number_of,
     plain,
 )  # fmt: skip
@@ -44,14 +46,16 @@ MOST_AT_ONCE = 12_000
 class Run:
     """The state of one run: names, what is multiplied, what is left of the budget."""
 
-    def __init__(self, budget: Budget, samples: Samples, posing=False):
+    def __init__(self, budget: Budget, samples: Samples, posing=False, dialect=None):
         self.budget, self.samples, self.posing = budget, samples, posing
+        self.dialect = dialect
         self.factors, self.scope = Factors(), Scope()
         self.robots, self.posed, self.told = [], {}, {}
         self.lists: list = []
         self.outermost: list = []
         self.instances: list = []
         self.tickets = self.calls = 0
+        self.skipped = False
         self.called: set = set()
         self.me = Instance(None, path="self")
         self.scope.names["self"] = self.me
@@ -106,8 +110,15 @@ class Run:
         """Whether a name is one of joints' values."""
         return bool(JOINT.match(name)) and not NO_JOINT.search(name)
 
+    def over(self, value):
+        """What a loop goes over."""
+        found = self.dialect.listed(value) if self.dialect else None
+        return items_of(value) if found is None else found
+
     def held(self, name, value):
-        """What a name holds."""
+        """What a name holds: where names never share a value, a copy of it."""
+        if self.dialect and isinstance(value, np.ndarray | dict):
+            return value.copy()
         return value
 
     def attribute(self, value, name):
@@ -137,6 +148,8 @@ class Run:
             if isinstance(function.function, Native):
                 return self.call(function.function, args, kwargs)
             return self.call(function.function, [function.owner, *args], kwargs)
+        if self.dialect and self.dialect.is_index(function, args):
+            return self.dialect.picked(function, args)
         if isinstance(function, Unknown):
             if sum(map(_is_known_pose, args)) > 1:  # somebody else's product
                 self.factors.spoil(*args)
@@ -192,7 +205,7 @@ class Run:
         scope = Scope(outer=function.scope, owner=function.owner)
         if function.owner is not None and args and function.kind != "staticmethod":
             scope.me = args[0] if isinstance(args[0], Instance) else None
-        self._bind(function, scope, args, kwargs)
+        bind(self, function, scope, args, kwargs)
         if not self.calls:
             self.outermost.append(scope)
         self.calls += 1
@@ -217,39 +230,12 @@ class Run:
             except FAILURES:
                 return
 
-    def _bind(self, function, scope, args, kwargs):
-        signature = function.node.args
-        names = [one.arg for one in (*signature.posonlyargs, *signature.args)]
-        defaults = getattr(function, "defaults", None)
-        if defaults is None:
-            defaults = [evaluate(self, one, function.scope) for one in signature.defaults]
-        last = dict(zip(names[len(names) - len(signature.defaults) :], defaults))
-        by_word = defaults[len(signature.defaults) :]
-        last |= dict(zip([one.arg for one in signature.kwonlyargs], by_word))
-        if len(args) > len(names) and signature.vararg is None:
-            raise Unsupported("too many arguments")
-        given = dict(zip(names, args))
-        unused = {key: value for key, value in kwargs.items() if key not in (*names, *last)}
-        if signature.vararg:
-            scope.put(signature.vararg.arg, list(args[len(names) :]))
-        if signature.kwarg:
-            scope.put(signature.kwarg.arg, unused)
-        elif unused and not all(one.arg in kwargs for one in signature.kwonlyargs):
-            raise Unsupported("no such argument")
-        for name in [*names, *(one.arg for one in signature.kwonlyargs)]:
-            if name in given:
-                scope.put(name, given[name])
-            elif name in kwargs:
-                scope.put(name, kwargs[name])
-            elif name in last:
-                scope.put(name, last[name])
-            else:
-                raise Unsupported("an argument is missing")
-
     def store(self, held, key, value):
         """Let an item of a list, an array or a dictionary be a value."""
         if isinstance(held, Unknown):
             return
+        if self.dialect:
+            key = self.dialect.key(held, key)
         if isinstance(held, dict) and isinstance(key, str | int | float | tuple):
             held[key] = value
         elif isinstance(held, np.ndarray):

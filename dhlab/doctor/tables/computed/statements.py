@@ -140,7 +140,7 @@ def _is_main(test):
 
 
 def _for(run, node, scope):
-    for item in items_of(evaluate(run, node.iter, scope)):
+    for item in run.over(evaluate(run, node.iter, scope)):
         run.budget.step()
         assign(run, node.target, item, scope)
         ended = inner(run, node.body, scope)

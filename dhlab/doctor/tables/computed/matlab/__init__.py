@@ -1,0 +1,1 @@
+"""MATLAB, said in Python's grammar, and what it calls."""
