@@ -5,7 +5,7 @@ import pytest
 
 import dhlab as dh
 from dhlab.doctor.tables.computed.chains import chain_of
-from dhlab.doctor.tables.computed.program import statements_of
+from dhlab.doctor.tables.computed.languages.python import statements_of
 
 STANDARD = """
 def link(th, d, a, al):
@@ -281,6 +281,45 @@ def forward(q):
     links, _ = chain_of(text)
     assert links.ends == ("base",)
     assert np.allclose(links.rows, [(0, 0.31, 0, QUARTER), (0, 0, 0.27, 0)])
+
+
+SHIFTED = """
+    turned[1] -= np.pi / 2
+    turned[2] = turned[2] + .3
+    sizes = [(.31, 0, np.pi/2), (0, .27, 0), (.12, .05, -np.pi/2)]
+    return np.linalg.multi_dot([link(turned[i], *sizes[i]) for i in range(3)])
+"""
+
+
+@pytest.mark.parametrize(
+    "begin",
+    [
+        "def forward(turned):",
+        "def forward(q):\n    turned = q.copy()",
+        "def forward(q):\n    turned = np.array(q)",
+        "def forward(q):\n    turned = list(q[:3])",
+        "def forward(q):\n    twice(q)\n    turned = q * 1.0\ndef twice(turned):",
+        "def forward(q):\n    turned = np.zeros(3)\n    turned[:] = q",
+        "def forward(q):\n    turned = np.radians(q[:3])",
+    ],
+)
+def test_zeros_added_to_a_list_that_nobody_knows_are_no_less_added(begin):
+    text = f"import numpy as np\n{STANDARD}\n{begin}{SHIFTED}"
+    links, _ = chain_of(text)
+    assert np.allclose(links.rows, BENT)
+
+
+@pytest.mark.parametrize(
+    "line", ["q[some(q)] -= 1.57", "q[:] = other(q)", "q[1:] -= 1.57", "q.sort()", "change(q)"]
+)
+def test_a_list_that_is_changed_in_a_way_that_is_not_known_gives_no_chain(line):
+    text = f"""import numpy as np
+{STANDARD}
+def forward(q):
+    {line}
+    return link(q[0], 0.3, 0, 1.5) @ link(q[1], 0, 0.4, 0)
+"""
+    assert chain_of(text) is None or line in ("q.sort()", "change(q)")
 
 
 LINK_IN_MATLAB = """

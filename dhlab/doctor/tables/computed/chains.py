@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .budget import Budget, Stopped
-from .calling import call_all
+from .held.budget import Budget, Stopped
+from .held.values import Samples
+from .interpreting.calling import call_all
+from .interpreting.running import Run
+from .languages.matlab.dialect import Matlab
+from .languages.matlab.translating import as_python, is_matlab
+from .languages.python import statements_of
 from .links import Links, links_of
-from .matlab.dialect import Matlab
-from .matlab.translating import as_python, is_matlab
-from .program import statements_of
-from .running import Run
-from .values import Samples
 
 __all__ = ["chain_of"]
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....kinematics import link_matrices
+from .held.values import LOST
 
 __all__ = ["Links", "links_of"]
 
@@ -168,7 +169,7 @@ def _row(numbers, drawn):
     slides = bool(spread[1])
     values = numbers[:, 1 if slides else 0]
     for name in drawn[0]:
-        if not all(name in one for one in drawn):
+        if name.startswith(LOST) or not all(name in one for one in drawn):
             continue
         q = np.array([one[name] for one in drawn])
         for scale in (1.0, 1e-3, 1e-2, 1e3, 1e2) if slides else SCALES:

@@ -5,13 +5,13 @@ import math
 
 import numpy as np
 
-from .budget import Unsupported
-from .factors import Multiplied, is_pose
+from ..held.budget import Unsupported
+from ..held.factors import Multiplied, is_pose
+from ..held.operators import binary, compared, multiplied, power, truth, whole
+from ..held.values import Instance, Native, Unknown, is_number, items_of, number_of, plain
 from .making import MAKERS, as_array
-from .operators import binary, compared, multiplied, power, truth, whole
 from .symbols import SYMBOLS
 from .toolbox import LINKS
-from .values import Instance, Native, Unknown, is_number, items_of, number_of, plain
 
 __all__ = ["CONSTANTS", "FUNCTIONS", "LIBRARIES"]
 
@@ -59,6 +59,8 @@ def _elementwise(act):
 
 
 def _same(run, args, _):
+    if args and isinstance(args[0], Unknown):
+        return args[0].copied(run.ticket())
     return _copied(args[0]) if args else 0.0
 
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from .budget import Unsupported
-from .values import Unknown, number_of
+from ..held.budget import Unsupported
+from ..held.values import Unknown, number_of
 
 __all__ = ["BESIDE", "LINKS", "Link", "keep_robot"]
 

@@ -4,9 +4,9 @@ import ast
 
 import numpy as np
 
-from ..factors import Multiplied
-from ..scopes import MISSING
-from ..values import Function, Instance, Method, Unknown, plain
+from ...held.factors import Multiplied
+from ...held.scopes import MISSING
+from ...held.values import Function, Instance, Method, Unknown, plain
 from .values import ALL, NAMES, Span, from_one, key_of, listed, picked
 
 __all__ = ["Matlab"]
@@ -19,6 +19,7 @@ class Matlab:
 
     listed = staticmethod(listed)
     picked = staticmethod(picked)
+    from_one = staticmethod(from_one)
 
     def name(self, name, scope):
         """What a name is that the program does not define; None of others."""

@@ -4,7 +4,7 @@ import ast
 import re
 import warnings
 
-from ..language.letters import unified
+from ...language.letters import unified
 
 __all__ = ["statements_of"]
 

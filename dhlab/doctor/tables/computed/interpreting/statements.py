@@ -4,12 +4,12 @@ import ast
 
 import numpy as np
 
-from .budget import FAILURES, Raised, Unsupported
+from ..held.budget import FAILURES, Raised, Unsupported
+from ..held.operators import binary, truth
+from ..held.scopes import MISSING, Scope
+from ..held.values import Class, Function, Module, Unknown, is_number, items_of, plain
 from .expressions import assign, evaluate
-from .operators import binary, truth
-from .scopes import MISSING, Scope
 from .unknowns import spoiled
-from .values import Class, Function, Module, Unknown, is_number, items_of, plain
 
 __all__ = ["body"]
 

@@ -5,13 +5,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..budget import MOST_ITEMS, Unsupported
-from ..factors import Multiplied
-from ..library import FUNCTIONS
-from ..operators import whole
-from ..symbols import SYMBOLS
-from ..toolbox import Link, robot
-from ..values import Native, Unknown, is_number, number_of, plain
+from ...held.budget import MOST_ITEMS, Unsupported
+from ...held.factors import Multiplied
+from ...held.operators import whole
+from ...held.values import Native, Unknown, is_number, number_of, plain
+from ...library.functions import FUNCTIONS
+from ...library.symbols import SYMBOLS
+from ...library.toolbox import Link, robot
 
 __all__ = ["ALL", "NAMES", "Span", "from_one", "key_of", "listed", "picked"]
 

@@ -5,16 +5,11 @@ from operator import itemgetter
 
 import numpy as np
 
-from .binding import bind
-from .budget import FAILURES, Budget, Raised, Unsupported
-from .expressions import evaluate
-from .factors import Factors, is_pose
-from .methods import attribute, from_library
-from .operators import whole
-from .scopes import Scope
-from .statements import body
-from .toolbox import BESIDE, Link
-from .values import (
+from ..held.budget import FAILURES, Budget, Raised, Unsupported
+from ..held.factors import Factors, is_pose
+from ..held.operators import whole
+from ..held.scopes import Scope
+from ..held.values import (
     Class,
     Function,
     Instance,
@@ -22,10 +17,16 @@ from .values import (
     Native,
     Samples,
     Unknown,
+    is_number,
     items_of,
     number_of,
     plain,
 )  # fmt: skip
+from ..library.methods import attribute, from_library
+from ..library.toolbox import BESIDE, Link
+from .binding import bind
+from .expressions import evaluate
+from .statements import body
 
 __all__ = ["JOINT", "Run"]
 
@@ -232,10 +233,11 @@ class Run:
 
     def store(self, held, key, value):
         """Let an item of a list, an array or a dictionary be a value."""
-        if isinstance(held, Unknown):
-            return
-        if self.dialect:
+        if self.dialect and not isinstance(held, Unknown):
             key = self.dialect.key(held, key)
+        if isinstance(held, Unknown):
+            self._store_in_unknown(held, key, value)
+            return
         if isinstance(held, dict) and isinstance(key, str | int | float | tuple):
             held[key] = value
         elif isinstance(held, np.ndarray):
@@ -246,11 +248,24 @@ class Run:
             raise Unsupported("no items")
         self.budget.checked(held)
 
+    def _store_in_unknown(self, held, key, value):
+        if isinstance(key, str):
+            held.put(f"[{key!r}]", value)
+            return
+        at = self.dialect.from_one(key) if self.dialect else key
+        at = whole(at)
+        if not isinstance(at, int):
+            raise Unsupported("a part of something that is not known")
+        held.put(f"[{at + held.samples.many() if at < 0 else at}]", value)
+
     def set_attribute(self, held, name, value):
         """Let an attribute be a value."""
         if isinstance(held, Instance | Class):
             held.attributes[name] = value
-        elif not isinstance(held, Unknown) and not (isinstance(held, Link) and name in BESIDE):
+        elif isinstance(held, Unknown):
+            if is_number(value):
+                held.put(f".{name}", value)
+        elif not (isinstance(held, Link) and name in BESIDE):
             raise Unsupported("no attribute")
 
 

@@ -2,10 +2,10 @@
 
 import ast
 
-from .budget import FAILURES, Raised
+from ..held.budget import FAILURES, Raised
+from ..held.values import Class, Function, Instance, Module, Native, Unknown
+from ..library.toolbox import keep_robot
 from .expressions import evaluate
-from .toolbox import keep_robot
-from .values import Class, Function, Instance, Module, Native, Unknown
 
 __all__ = ["call_all"]
 
@@ -54,6 +54,7 @@ def _is_later(name):
 
 
 def _asked(run, function, owner):
+    run.samples.stored.clear()
     found = run.call(function, *_arguments(run, function, owner))
     keep_robot(run, found)
     run.keep_list(found)

@@ -37,10 +37,10 @@ class Budget:
 
     Examples
     --------
-    >>> Budget(steps=1).step()
-    >>> Budget(steps=0).step()
-    Traceback (most recent call last):
-    dhlab.doctor.tables.computed.budget.Stopped
+    >>> budget = Budget(steps=9)
+    >>> budget.step(2)
+    >>> budget.steps
+    7
     """
 
     steps: int = MOST_STEPS

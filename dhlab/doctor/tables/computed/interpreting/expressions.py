@@ -4,12 +4,12 @@ import ast
 
 import numpy as np
 
-from .budget import Unsupported
-from .library import LIBRARIES
-from .methods import attribute, from_library
-from .operators import binary, compared, indexed, truth, unary
-from .scopes import MISSING, Scope
-from .values import Function, Module, Unknown, items_of
+from ..held.budget import Unsupported
+from ..held.operators import binary, compared, indexed, truth, unary
+from ..held.scopes import MISSING, Scope
+from ..held.values import Function, Module, Unknown, items_of
+from ..library.functions import LIBRARIES
+from ..library.methods import attribute, from_library
 
 __all__ = ["arguments", "assign", "evaluate"]
 

@@ -10,10 +10,12 @@ import numpy as np
 from .budget import Unsupported
 
 __all__ = [
+    "LOST",
     "Class", "Function", "Instance", "Method", "Module", "Native", "Samples", "Unknown",
     "is_number", "items_of", "number_of", "plain",
 ]  # fmt: skip
 
+LOST = "!"  # begins the path of what the program knows and its interpreter does not
 LONGEST_PATH = 200
 SPREAD = 100_003
 
@@ -30,6 +32,8 @@ class Samples:
         What the program says later of something (``subs``).
     length : int
         How many items a list has of which nobody knows; ``asked`` whether it mattered.
+    stored : dict
+        What the program puts into lists that nobody knows, by (place, path).
     """
 
     seed: int
@@ -37,6 +41,7 @@ class Samples:
     length: int = 6
     asked: bool = False
     drawn: dict = field(default_factory=dict)
+    stored: dict = field(default_factory=dict)
 
     def of(self, path):
         """The number for a path: between 0.1 and 0.9, the same in every run of this seed.
@@ -70,6 +75,7 @@ class Unknown:
     path: str
     samples: Samples
     steps: tuple = ()
+    place: int = 0  # of a copy, into which something else may be put
 
     def number(self):
         """The number that stands for it."""
@@ -83,7 +89,28 @@ class Unknown:
         path = f"{self.path}{key}"
         if len(path) > LONGEST_PATH:
             raise Unsupported("too deep")
-        return Unknown(path, self.samples, self.steps)
+        value = self.samples.stored.get((self.place, path))
+        if value is None:
+            return Unknown(path, self.samples, self.steps, self.place)
+        for step in self.steps:
+            value = value.mapped(step) if isinstance(value, Unknown) else step(number_of(value))
+        return value
+
+    def put(self, key, value):
+        """Let an item be a value."""
+        if self.steps or not is_number(value):
+            raise Unsupported("a part of something that is not known")
+        if isinstance(value, Unknown):  # it may have the same path
+            value = value.number() if value.path != f"{self.path}{key}" or value.steps else None
+        self.samples.stored[self.place, f"{self.path}{key}"] = value
+
+    def copied(self, place):
+        """A copy of it, which has a place of its own."""
+        stored = self.samples.stored
+        for (held, path), value in list(stored.items()):
+            if held == self.place and path.startswith(self.path):
+                stored[place, path] = value
+        return Unknown(self.path, self.samples, self.steps, place)
 
     def items(self, n=None):
         """Its first items, as many as anybody thinks."""
@@ -93,7 +120,7 @@ class Unknown:
         """It, or each of its items, calculated with."""
         if len(self.steps) > 50:
             raise Unsupported("too deep")
-        return Unknown(self.path, self.samples, (*self.steps, step))
+        return Unknown(self.path, self.samples, (*self.steps, step), self.place)
 
 
 @dataclass(eq=False)

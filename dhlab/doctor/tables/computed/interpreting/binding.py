@@ -1,6 +1,6 @@
 """Which parameter of a function holds what."""
 
-from .budget import Unsupported
+from ..held.budget import Unsupported
 from .expressions import evaluate
 
 __all__ = ["bind"]

@@ -2,9 +2,9 @@
 
 import ast
 
-from .budget import FAILURES
+from ..held.budget import FAILURES
+from ..held.values import LOST, Instance, Unknown
 from .expressions import evaluate
-from .values import Instance, Unknown
 
 __all__ = ["spoiled"]
 
@@ -13,7 +13,7 @@ def spoiled(run, node, scope):
     """Make unknown whatever a statement, which failed, would have set or changed."""
     for target in _targets(node):
         run.budget.step(10)
-        path = f"?{run.ticket()}"
+        path = f"{LOST}{run.ticket()}"
         if isinstance(target, ast.Name):
             scope.put(target.id, Unknown(path, run.samples))
             continue

@@ -2,8 +2,8 @@
 
 import re
 
-from .budget import Unsupported
-from .values import Native, Unknown, is_number, items_of, number_of
+from ..held.budget import Unsupported
+from ..held.values import Native, Unknown, is_number, items_of, number_of
 
 __all__ = ["SYMBOLS"]
 

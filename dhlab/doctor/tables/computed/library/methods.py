@@ -2,12 +2,10 @@
 
 import numpy as np
 
-from .budget import Unsupported
-from .factors import Multiplied
-from .library import CONSTANTS, FUNCTIONS, LIBRARIES
-from .operators import multiplied, whole
-from .symbols import substituted
-from .values import (
+from ..held.budget import Unsupported
+from ..held.factors import Multiplied
+from ..held.operators import multiplied, whole
+from ..held.values import (
     Class,
     Function,
     Instance,
@@ -18,6 +16,8 @@ from .values import (
     items_of,
     plain,
 )  # fmt: skip
+from .functions import CONSTANTS, FUNCTIONS, LIBRARIES
+from .symbols import substituted
 
 __all__ = ["attribute", "from_library"]
 
@@ -64,7 +64,7 @@ def _of_unknown(run, value, name):
     if name in ("shape", "size"):
         return (value.samples.many(),) if name == "shape" else value.samples.many()
     if name in SAME or name in ("flatten", "ravel", "tolist", "reshape", "T", "squeeze"):
-        return value if name == "T" else Native(name, lambda *_: value)
+        return value if name == "T" else Native(name, lambda *_: value.copied(run.ticket()))
     if name == "subs":
         return Native(name, lambda run, args, _: substituted(run, value, args))
     return value.item(f".{name}")

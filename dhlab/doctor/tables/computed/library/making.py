@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from .budget import MOST_ITEMS, Unsupported
-from .factors import Multiplied
-from .operators import whole
-from .values import Unknown, items_of, number_of, plain
+from ..held.budget import MOST_ITEMS, Unsupported
+from ..held.factors import Multiplied
+from ..held.operators import whole
+from ..held.values import Unknown, items_of, number_of, plain
 
 __all__ = ["MAKERS", "as_array"]
 
@@ -14,7 +14,7 @@ def as_array(run, args, kwargs):
     """An array of numbers; what is not known, and lists with texts, stay as they are."""
     value = args[0] if args else kwargs.get("object")
     if isinstance(value, Unknown):
-        return value
+        return value.copied(run.ticket())
     if isinstance(value, np.ndarray):
         return value.copy()
     try:

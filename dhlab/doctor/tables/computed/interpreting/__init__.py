@@ -1,0 +1,1 @@
+"""Expressions, statements, functions and classes of a parsed program, carried out."""

@@ -1,0 +1,1 @@
+"""Texts in several languages, as programs in Python's grammar."""
