@@ -238,6 +238,9 @@ UNDECIDED = {
     "a factor that is not known": (
         "T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, 0.4, 0) @ other.link(q[2])"
     ),
+    "a named factor that is not known": """A1 = link(q[0], 0.3, 0, 1.2)
+    A2 = link(q[1], 0, 0.4, 0)
+    T = A1 @ A2 @ other.link(q[2])""",
     "as many joints as anybody likes": """T = np.eye(4)
     for angle in q:
         T = T @ link(angle, 0.1, 0.2, 0.3)""",
@@ -415,6 +418,118 @@ def test_a_toolbox_robot_with_a_length_that_nobody_knows_is_none():
 )  # fmt: skip
 def test_hostile_matlab_ends_within_the_budget(line):
     assert chain_of(f"% a program\n{line}\n{LINK_IN_MATLAB}") is None
+
+
+BRACES = {
+    "C": """
+#define L1 0.31
+const double up[3] = {L1, 0, 0.12};
+double out_[] = {0.0, 270 / 1000.0, 0.05};
+static const float twist[3] = {M_PI / 2, 0.0f, -M_PI_2};
+void link(double th, double d, double a, double al, double T[4][4]) {
+  /* row by row */
+  double c = cos(th), s = sin(th);
+  T[0][0] = c; T[0][1] = -s * cos(al); T[0][2] = s * sin(al); T[0][3] = a * c;
+  T[1][0] = s; T[1][1] = c * cos(al); T[1][2] = -c * sin(al); T[1][3] = a * s;
+  T[2][0] = 0; T[2][1] = sin(al); T[2][2] = cos(al); T[2][3] = d;
+  T[3][0] = T[3][1] = T[3][2] = 0; T[3][3] = 1;
+}
+void times(double A[4][4], double B[4][4], double C[4][4]) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; j++) {
+      double sum = 0.0;
+      for (int k = 0; k < 4; k++) sum += A[i][k] * B[k][j];
+      C[i][j] = sum;
+    }
+}
+void forward(const double q[3], double T[4][4]) {
+  double A1[4][4], A2[4][4], A3[4][4], T12[4][4];
+  link(q[0], up[0], out_[0], twist[0], A1);
+  link(q[1] - M_PI / 2, up[1], out_[1], twist[1], A2);
+  link(q[2] + 0.3, up[2], out_[2], twist[2], A3);
+  times(A1, A2, T12);
+  times(T12, A3, T);
+}
+""",
+    "C++": """
+#include <Eigen/Dense>
+using namespace Eigen;
+class Leg {
+ public:
+  Leg() { rows_ << 0, 0.31, 0, M_PI / 2, -M_PI / 2, 0, 0.27, 0, 0.3, 0.12, 0.05, -M_PI / 2; }
+  Eigen::Matrix4d link(double th, double d, double a, double al) const {
+    Matrix4d T = Matrix4d::Identity();
+    T << cos(th), -sin(th) * cos(al), sin(th) * sin(al), a * cos(th),
+         sin(th), cos(th) * cos(al), -cos(th) * sin(al), a * sin(th),
+         0, sin(al), cos(al), d, 0, 0, 0, 1;
+    return T;
+  }
+  Eigen::Matrix4d forward(const std::vector<double>& q) {
+    std::vector<double> sizes = {0.31, 0.0, 0.12};
+    const double reach[3] = {0, 0.27, 0.05};
+    Matrix4d T = Matrix4d::Identity();
+    for (size_t i = 0; i < sizes.size(); i++) {
+      double zero = (i == 1) ? -M_PI / 2 : 0.3 * (i == 2);
+      double al = i == 0 ? M_PI / 2 : (i == 2 ? -M_PI / 2 : 0.0);
+      T *= link(q[i] + zero, sizes[i], reach[i], al);
+    }
+    return T;
+  }
+ private:
+  Eigen::MatrixXd rows_;
+};
+""",
+    "JavaScript": """
+const sizes = [{d: 0.31, a: 0, alpha: 90}, {d: 0, a: 0.27, alpha: 0},
+  {d: 0.12, a: 0.05, alpha: -90}];
+function link(th, d, a, al) {
+  const c = Math.cos(th), s = Math.sin(th), ca = Math.cos(al), sa = Math.sin(al);
+  return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]];
+}
+function multiply(A, B) {
+  const C = [];
+  for (let i = 0; i < 4; i++) {
+    C[i] = [];
+    for (let j = 0; j < 4; j++) {
+      C[i][j] = 0;
+      for (let k = 0; k < 4; k++) C[i][j] += A[i][k] * B[k][j];
+    }
+  }
+  return C;
+}
+function forward(q) {
+  let T = link(q[0], sizes[0].d, sizes[0].a, sizes[0].alpha * Math.PI / 180);
+  const zeros = [0, -Math.PI / 2, 0.3];
+  for (let i = 1; i < 3; i++) {
+    const row = sizes[i];
+    T = multiply(T, link(q[i] + zeros[i], row.d, row.a, row.alpha * Math.PI / 180));
+  }
+  return T;
+}
+""",
+}
+
+
+@pytest.mark.parametrize("name", BRACES)
+def test_a_program_with_braces_is_read_by_what_it_multiplies(name):
+    links, _ = chain_of(BRACES[name])
+    assert links.convention == "standard" and links.letters == ("R", "R", "R")
+    assert np.allclose(links.rows, BENT, rtol=0, atol=1e-9)
+
+
+def test_a_product_that_is_written_to_something_unknown_is_no_shorter_chain():
+    text = BRACES["C"].replace("const double q[3], double T[4][4]", "const double q[3], Pose* T")
+    assert chain_of(text) is None
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["while (true) { x = 1; }", "for (;;) {}", "for (int i = 0; i < 1e9; i++) x = i;",
+     "double x[9999][9999];", "int f(int n) { return f(n + 1) + f(n); }", "x = " + "(" * 99 + "1;",
+     "{" * 100, "system(\"true\");", "x = a ? b : " * 60 + "1;", "T << " + "1, " * 900 + "1;"],
+)  # fmt: skip
+def test_hostile_braces_end_within_the_budget(line):
+    assert chain_of(f"const double a = 1;\nint b = 2;\n{line}\n") is None
 
 
 HOSTILE = {

@@ -4,6 +4,7 @@ numbers for what is not known.
 
 import ast
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -11,9 +12,7 @@ from .held.budget import Budget, Stopped
 from .held.values import Samples
 from .interpreting.calling import call_all
 from .interpreting.running import Run
-from .languages.matlab.dialect import Matlab
-from .languages.matlab.translating import as_python, is_matlab
-from .languages.python import statements_of
+from .languages.known import statements_in
 from .links import Links, links_of
 
 __all__ = ["chain_of"]
@@ -40,10 +39,7 @@ def chain_of(text):
     >>> [row[2] for row in links.rows], round(links.rows[1][0], 4)
     ([0.4, 0.3], 1.5708)
     """
-    dialect = None
-    if is_matlab(text):
-        text, dialect = as_python(text), Matlab()
-    statements = statements_of(text, dialect is not None)
+    statements, dialect = statements_in(text)
     if not statements:
         return None
     budget = Budget()
@@ -57,7 +53,7 @@ def chain_of(text):
     return None
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Way:
     """How a program is run: whether joints' values that it holds are taken for not known, and
     whether functions are called from outside that others call; ``dialect`` is what its language
@@ -74,8 +70,22 @@ class Way:
         """A Run with the numbers of a seed, and lists of a length where nothing says it."""
         run = Run(self.budget, Samples(seed, dict(given), length), self.posing, self.dialect)
         run.program(self.statements)
-        call_all(run, self.thorough)
+        call_all(run, self.named, self.thorough)
         return run
+
+    @cached_property
+    def named(self):
+        """The names that functions of the program speak of."""
+        functions = [
+            node
+            for statement in self.statements
+            for node in ast.walk(statement)
+            if isinstance(node, ast.FunctionDef)
+        ]
+        inside = (
+            node for function in functions for part in function.body for node in ast.walk(part)
+        )
+        return {getattr(node, "id", getattr(node, "attr", "")) for node in inside}
 
 
 def _tried(way):
@@ -97,14 +107,15 @@ def _tried(way):
 
 
 def _lengths(statements):
-    """How long lists of joints' values may be: as long as other lists are, or a number is."""
+    """How long lists of joints' values may be: as long as other lists, or as loops."""
     sizes = set()
     for statement in statements:
         for node in ast.walk(statement):
             if isinstance(node, ast.List | ast.Tuple):
                 sizes.add(len(node.elts))
-            elif isinstance(node, ast.Constant) and isinstance(node.value, int):
-                sizes.add(node.value)
+            elif isinstance(node, ast.Call | ast.Compare):  # range(6), i < 6
+                parts = node.args if isinstance(node, ast.Call) else node.comparators
+                sizes |= {one.value for one in parts if isinstance(one, ast.Constant)}
     return [length for length in LENGTHS[1:] if length in sizes]
 
 
@@ -115,12 +126,19 @@ def _chain(way, first, length):
         return None
     seeds = range(1 if told else 2, RUNS + 2)
     runs = [] if told else [first]
-    runs += [way.run(seed, length, told) for seed in seeds]
-    found = _from_products(runs) or _from_robots(runs)
-    different = _different(found or _from_lists(runs))
+    for seed in seeds:
+        runs.append(way.run(seed, length, told))
+        if len(runs) == 2 and not _in(runs):  # what two runs do not show, more of them do not
+            return None
+    different = _different(_in(runs))
     if len(different) > 1:
         return False
     return (different[0], dict(runs[0].posed)) if different else None
+
+
+def _in(runs):
+    """The Links that runs show."""
+    return _from_products(runs) or _from_robots(runs) or _from_lists(runs)
 
 
 def _from_products(runs):

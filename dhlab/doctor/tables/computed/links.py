@@ -106,6 +106,9 @@ def _without_ends(convention, stacks, moving, makers):
 def _numbers(convention, stack):
     """theta, d, a, alpha of matrices (k, 4, 4) as (k, 4); None where they are no links."""
     T = stack
+    still = T[:, 2, 0] if convention == "standard" else T[:, 0, 2]
+    if np.abs(still).max() > SAME:
+        return None
     if convention == "standard":
         theta, alpha = np.arctan2(T[:, 1, 0], T[:, 0, 0]), np.arctan2(T[:, 2, 1], T[:, 2, 2])
         a = T[:, 0, 3] * np.cos(theta) + T[:, 1, 3] * np.sin(theta)

@@ -7,7 +7,7 @@ import numpy as np
 from .budget import Unsupported
 from .values import Unknown, plain
 
-__all__ = ["Factors", "Multiplied", "is_pose"]
+__all__ = ["Factors", "Multiplied", "is_known_pose", "is_pose"]
 
 MOST_FACTORS = 200
 MOST_KEPT = 2_000
@@ -26,6 +26,11 @@ def is_pose(value):
         and len(value) == 4
         and all(isinstance(row, list | tuple | np.ndarray) and len(row) == 4 for row in value)
     )
+
+
+def is_known_pose(value):
+    """Whether a value is known to have four rows of four numbers."""
+    return not isinstance(value, Unknown) and is_pose(value)
 
 
 @dataclass
@@ -81,10 +86,13 @@ class Factors:
             self.products.append(factors)
 
     def seen_as_product(self, result, one, other):
-        """Keep the factors of a matrix that is the product of two others, however it was made."""
+        """Whether a matrix is the product of two others, however made; its factors are kept."""
         a, b, c = (np.asarray(plain(value), dtype=float) for value in (one, other, result))
-        if (c + 0.0).tobytes() not in self.known and np.allclose(a @ b, c, rtol=0, atol=1e-12):
+        if not np.allclose(a @ b, c, rtol=0, atol=1e-12):
+            return False
+        if (c + 0.0).tobytes() not in self.known:
             self.keep(c, (*self.of(a), *self.of(b)))
+        return True
 
     def spoil(self, *values):
         """Note that matrices were multiplied with something unknown."""

@@ -1,7 +1,5 @@
 """What a program defines, called from outside with arguments that are not known."""
 
-import ast
-
 from ..held.budget import FAILURES, Raised
 from ..held.values import Class, Function, Instance, Module, Native, Unknown
 from ..library.toolbox import keep_robot
@@ -9,14 +7,14 @@ from .expressions import evaluate
 
 __all__ = ["call_all"]
 
-AT_ONCE = 8_000  # steps of one function
+AT_ONCE = 12_000  # steps of one function
 MOST_CALLED = 30
 LATER = ("plot", "draw", "show", "anim", "inv", "ik", "jac", "test", "traj", "main", "run")
 
 
-def call_all(run, thorough):
-    """Call what the program defines, with unknown arguments; what others of it call first, only
-    where nobody called it yet, unless ``thorough``.
+def call_all(run, named, thorough):
+    """Call what the program defines, with unknown arguments; what its functions name, ``named``,
+    only where nobody called it yet, unless ``thorough``.
     """
     defined = [value for value in run.scope.names.values() if isinstance(value, Function | Class)]
     made = {id(one.cls) for one in run.instances}
@@ -29,7 +27,6 @@ def call_all(run, thorough):
     for one in run.instances[:6]:
         methods = [part for part in one.cls.attributes.values() if isinstance(part, Function)]
         asked += [(part, one) for part in methods if part.name[:2] != "__" and not part.kind]
-    named = _named([function for function, _ in asked])
     asked.sort(key=lambda pair: (pair[0].name in named, _is_later(pair[0].name)))
     run.called.clear()
     for function, owner in asked[:MOST_CALLED]:
@@ -38,15 +35,6 @@ def call_all(run, thorough):
             if not thorough:
                 continue
         _guarded(run, lambda f=function, o=owner: _asked(run, f, o))
-
-
-def _named(functions):
-    """The names that functions speak of."""
-    found = set()
-    for function in functions:
-        for node in ast.walk(function.node):
-            found.add(getattr(node, "id", getattr(node, "attr", "")))
-    return found
 
 
 def _is_later(name):

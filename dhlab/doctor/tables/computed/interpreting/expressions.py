@@ -200,7 +200,7 @@ def assign(run, target, value, scope):
         _unpack(run, target.elts, value, scope)
     elif isinstance(target, ast.Subscript):
         if run.dialect and isinstance(target.value, ast.Name):
-            run.dialect.prepare(target.value.id, scope)
+            run.dialect.prepare(target.value.id, target, scope)
         run.store(evaluate(run, target.value, scope), evaluate(run, target.slice, scope), value)
     elif isinstance(target, ast.Attribute):
         run.set_attribute(

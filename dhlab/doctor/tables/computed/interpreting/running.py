@@ -6,7 +6,7 @@ from operator import itemgetter
 import numpy as np
 
 from ..held.budget import FAILURES, Budget, Raised, Unsupported
-from ..held.factors import Factors, is_pose
+from ..held.factors import Factors, is_known_pose
 from ..held.operators import whole
 from ..held.scopes import Scope
 from ..held.values import (
@@ -26,6 +26,7 @@ from ..library.methods import attribute, from_library
 from ..library.toolbox import BESIDE, Link
 from .binding import bind
 from .expressions import evaluate
+from .products import OwnProducts
 from .statements import body
 
 __all__ = ["JOINT", "Run"]
@@ -56,7 +57,7 @@ class Run:
         self.outermost: list = []
         self.instances: list = []
         self.tickets = self.calls = 0
-        self.skipped = False
+        self.skipped, self.own_products = False, OwnProducts()
         self.called: set = set()
         self.me = Instance(None, path="self")
         self.scope.names["self"] = self.me
@@ -91,17 +92,21 @@ class Run:
 
     def keep_list(self, value):
         """Keep a list of matrices, the links' perhaps."""
-        if isinstance(value, list | tuple) and len(value) > 1 and all(map(_is_known_pose, value)):
+        if isinstance(value, list | tuple) and len(value) > 1 and all(map(is_known_pose, value)):
             self.lists.append(value)
 
     def listed(self):
-        """The factors of matrices that are listed, or numbered, in their order."""
+        """The factors of matrices that are listed, or numbered, in their order; none where some
+        are multiplied with something unknown.
+        """
+        if self.factors.broken:
+            return []
         numbered: dict = {}
         for k, scope in enumerate([self.scope, *self.outermost]):
             for name, value in scope.names.items():
                 self.keep_list(value)
                 end = re.search(r"\d+$", name)
-                if end and _is_known_pose(value):
+                if end and is_known_pose(value):
                     numbered.setdefault((k, name[: end.start()]), []).append((end[0], value))
         rows = [[value for _, value in sorted(one, key=itemgetter(0))] for one in numbered.values()]
         lists = [*self.lists, *(one for one in rows if len(one) > 1)]
@@ -152,7 +157,7 @@ class Run:
         if self.dialect and self.dialect.is_index(function, args):
             return self.dialect.picked(function, args)
         if isinstance(function, Unknown):
-            if sum(map(_is_known_pose, args)) > 1:  # somebody else's product
+            if sum(map(is_known_pose, args)) > 1:  # somebody else's product
                 self.factors.spoil(*args)
             return Unknown(f"{function.path}()", self.samples) if not args else self.unknown("call")
         if isinstance(function, Native):
@@ -202,6 +207,9 @@ class Run:
             raise Unsupported("too deep")
         self.budget.step(10)
         node = function.node
+        known = self.own_products.again(self, node, args)
+        if known is not None:
+            return known[0]
         self.called.add(id(node))
         scope = Scope(outer=function.scope, owner=function.owner)
         if function.owner is not None and args and function.kind != "staticmethod":
@@ -219,17 +227,8 @@ class Run:
                     result = evaluate(self, node.body, scope)
         finally:
             self.calls -= 1
-        self._look_at(args, result)
+        self.own_products.look_at(self, node, args, result)
         return result
-
-    def _look_at(self, args, result):
-        """A function that multiplies two matrices in its own way."""
-        poses = [one for one in args if not isinstance(one, Unknown) and is_pose(one)]
-        if len(poses) == 2 and not isinstance(result, Unknown) and is_pose(result):
-            try:
-                self.factors.seen_as_product(result, *poses)
-            except FAILURES:
-                return
 
     def store(self, held, key, value):
         """Let an item of a list, an array or a dictionary be a value."""
@@ -242,6 +241,8 @@ class Run:
             held[key] = value
         elif isinstance(held, np.ndarray):
             held[whole(key)] = _filling(value, held[whole(key)])
+        elif isinstance(held, list) and self.dialect and key == len(held):
+            held.append(value)
         elif isinstance(held, list):
             held[whole(key)] = value
         else:
@@ -267,10 +268,6 @@ class Run:
                 held.put(f".{name}", value)
         elif not (isinstance(held, Link) and name in BESIDE):
             raise Unsupported("no attribute")
-
-
-def _is_known_pose(value):
-    return not isinstance(value, Unknown) and is_pose(value)
 
 
 def _filling(value, place):

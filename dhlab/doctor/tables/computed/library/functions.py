@@ -16,9 +16,9 @@ from .toolbox import LINKS
 __all__ = ["CONSTANTS", "FUNCTIONS", "LIBRARIES"]
 
 LIBRARIES = {
-    "np", "numpy", "math", "sp", "sympy", "sym", "cmath", "functools", "itertools", "copy", "jnp",
-    "jax", "torch", "linalg", "ca", "casadi", "cs", "anp", "autograd", "cp", "mpmath", "smp", "sy",
-    "rtb", "roboticstoolbox", "scipy",
+    "np", "numpy", "math", "Math", "sp", "sympy", "sym", "cmath", "functools", "itertools", "copy",
+    "jnp", "jax", "torch", "linalg", "ca", "casadi", "cs", "anp", "autograd", "cp", "mpmath", "smp",
+    "sy", "rtb", "roboticstoolbox", "scipy",
 }  # fmt: skip
 CONSTANTS = {
     "pi": math.pi,

@@ -44,7 +44,7 @@ class Matlab:
             return (at % len(held), at // len(held)) if len(held) > 1 else (0, at)
         return at
 
-    def prepare(self, name, scope):
+    def prepare(self, name, target, scope):
         """A name that is set item by item begins as nothing."""
         if scope.find(name) is MISSING:
             scope.put(name, {})

@@ -13,7 +13,9 @@ MATLAB = re.compile(
     re.MULTILINE,
 )
 NOT_MATLAB = re.compile(
-    r"^\s*(?:def \w+\(|import \w|#include|using |public |from \w+ import)", re.MULTILINE
+    r"^\s*(?:def \w+\(|import \w|#include|using |public |from \w+ import|(?:const|let|var)\s+\w)"
+    r"|\)\s*\{\s*$",
+    re.MULTILINE,
 )
 BLOCK = re.compile(r"^[ \t]*%\{[ \t]*$.*?^[ \t]*%\}[ \t]*$", re.MULTILINE | re.DOTALL)
 COMMENT = re.compile(

@@ -1,0 +1,1 @@
+"""Programs in C, C++, C#, Java and JavaScript, said in Python's grammar."""

@@ -1,0 +1,116 @@
+"""What languages with braces have otherwise than Python, for the interpreter of their programs."""
+
+import ast
+import math
+
+import numpy as np
+
+from ...held.budget import Unsupported
+from ...held.factors import Multiplied
+from ...held.operators import indexed, whole
+from ...held.values import Instance, Module, Native, Unknown, items_of, plain
+from ...library.functions import FUNCTIONS
+
+__all__ = ["Braces"]
+
+LARGEST = 16
+
+
+class Braces:
+    """The dialect: a matrix may be indexed in round brackets, ``*`` is the product of matrices."""
+
+    def listed(self, value):
+        """What a loop goes over, as in Python."""
+        return None
+
+    def from_one(self, key):
+        """An index, which counts from zero."""
+        return key
+
+    def name(self, name, scope):
+        """What a name is that the program does not define; None of others."""
+        return Module("math") if name == "Math" else NAMES.get(name)
+
+    def is_index(self, held, args):
+        """Whether round brackets behind a value are an index."""
+        numbers = 0 < len(args) < 3 and all(type(one) is int for one in args)
+        return numbers and isinstance(held, np.ndarray | list | Unknown)
+
+    def picked(self, held, args):
+        """``value(i, j)``."""
+        return indexed(held, tuple(args) if len(args) > 1 else args[0])
+
+    def key(self, held, key):
+        """Where a value is stored."""
+        if isinstance(held, np.ndarray) and held.ndim == 2 and isinstance(key, int):
+            return (key, 0) if held.shape[1] == 1 else key
+        return key
+
+    def prepare(self, name, target, scope):
+        """A matrix that is set place by place begins as zeros."""
+        held = scope.find(name)
+        if isinstance(held, dict) and not held and isinstance(target.slice, ast.Tuple):
+            scope.put(name, np.zeros((4, 4)).view(Multiplied))
+
+    def operands(self, kind, one, other):
+        """The operation and its operands as Python has them."""
+        return kind, one, other
+
+
+def _filled(run, args, _):
+    """The matrix, or the column, that ``T << 1, 0, …`` fills."""
+    try:
+        numbers = plain(args[0]).reshape(-1)
+    except Unsupported:
+        parts = [plain(one).reshape(-1) for one in args[0]]
+        numbers = np.concatenate(parts)
+    side = math.isqrt(numbers.size)
+    square = side in (3, 4) and side * side == numbers.size
+    return numbers.reshape(side, side).view(Multiplied) if square else numbers
+
+
+def _new(run, args, _):
+    """An array of zeros, as lists; something empty without sizes."""
+    if not args:
+        return {}
+    sizes = [run.samples.length if isinstance(one, Unknown) else whole(one) for one in args]
+    if any(not 0 <= one <= LARGEST for one in sizes):
+        raise Unsupported("too large an array")
+    made = np.zeros(sizes).tolist()
+    run.budget.step(int(np.prod(sizes)) // 16)
+    return made
+
+
+def _product(run, args, _):
+    return FUNCTIONS["dot"].call(run, args, {})
+
+
+def _identity(run, args, _):
+    return np.eye(4).view(Multiplied)
+
+
+def _zero(run, args, _):
+    return np.zeros((4, 4)).view(Multiplied)
+
+
+def _pushed(run, args, _):
+    held = items_of(args[0]) if not isinstance(args[0], dict) else []
+    return [*held, *args[1:]]
+
+
+def _record(run, args, _):
+    return Instance(None, dict(args[0]), "record")
+
+
+NAMES: dict = {
+    "_record": _record,
+    "_filled": _filled, "_new": _new, "multiply": _product, "Identity": _identity,
+    "setIdentity": _identity, "Zero": _zero, "_pushed": _pushed, "matmul": _product,
+    **{f"{name}f": FUNCTIONS[name].call for name in ("sin", "cos", "tan", "sqrt", "fabs")},
+    **{name: FUNCTIONS[name.lower()].call for name in ("Cos", "Sin", "Tan", "Sqrt")},
+    "toRadians": FUNCTIONS["radians"].call,
+}  # fmt: skip
+NAMES = {
+    **{name: Native(name, call) for name, call in NAMES.items()},
+    "M_PI_2": math.pi / 2, "M_PI_4": math.pi / 4, "M_PIf": math.pi,
+}  # fmt: skip

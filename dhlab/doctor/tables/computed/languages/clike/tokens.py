@@ -1,0 +1,157 @@
+"""Expressions of the languages with braces, in Python's grammar."""
+
+import re
+
+__all__ = ["NoProgram", "expression", "split", "tokens_of"]
+
+TOKEN = re.compile(
+    r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fFlLuUdD]*(?!\w)"
+    r"|(?P<name>[A-Za-z_$]\w*)|(?P<string>\"[^\"\n]*\"|'[^'\n]*'|`[^`]*`)"
+    r"|(?P<op>\+\+|--|<<=|>>=|<<|>>|===|!==|[-+*/%=!<>]=|&&|\|\||->|=>|::|[-+*/%=<>(){}\[\],;:.?!&|^~@])"
+    r"|(?P<space>\s+)"
+)
+SAID = {"&&": " and ", "||": " or ", "!": " not ", "===": "==", "!==": "!=", "->": ".", "{": "[",
+        "}": "]", "=>": "=>"}  # fmt: skip
+WORDS = {"true": "True", "false": "False", "null": "None", "nullptr": "None", "this": "self",
+         "M_PI": "pi", "NULL": "None"}  # fmt: skip
+KEPT = ("lambda", "def", "class", "in", "is", "not", "and", "or", "None", "from", "import", "pass",
+        "del", "raise", "with", "as", "assert", "yield", "except", "elif", "nonlocal")  # fmt: skip
+OPENED = {"(": ")", "[": "]", "{": "}"}
+TYPES = r"(?:const\s+)?(?:unsigned\s+)?(?:double|float|int|long|size_t|real_t|T|Scalar|f64|f32)"
+CAST = re.compile(rf"\(\s*{TYPES}\s*\)\s*(?=[\w(.-])")
+TEMPLATE = re.compile(
+    r"\b(?:static_cast|block|cast|head|tail|topLeftCorner|topRightCorner|template)\s*(<[\w\s,:]*>)"
+)
+GENERIC = re.compile(
+    r"\b([A-Za-z_][\w:.]*)\s*<\s*(?:const\s+)?[\w:.]+(?:\s*<[\w\s,:.]*>)?(?:\s*,\s*[-\w:.\s]+)*\s*[*&]?\s*>(?=\s*[\w&({>*:])"
+)
+
+
+class NoProgram(Exception):
+    """A statement that is not of the kind that is known."""
+
+
+def simplified(text):
+    """A text without casts and what stands in angle brackets."""
+    text = CAST.sub("", text)
+    text = TEMPLATE.sub(lambda match: match[0][: match.start(1) - match.start()], text)
+    for _ in range(3):
+        text = GENERIC.sub(r"\1", text)
+    return text
+
+
+def tokens_of(text):
+    """The (kind, text) of the tokens of a text, without spaces.
+
+    Examples
+    --------
+    >>> tokens_of("a += 2.0f;")
+    [('name', 'a'), ('op', '+='), ('number', '2.0'), ('op', ';')]
+    """
+    found = []
+    at = 0
+    while at < len(text):
+        match = TOKEN.match(text, at)
+        if not match:
+            raise NoProgram
+        if match.lastgroup == "number":
+            found.append(("number", match["number"]))
+        elif match.lastgroup != "space":
+            found.append((match.lastgroup, match[0]))
+        at = match.end()
+    return found
+
+
+def split(tokens, mark):
+    """The tokens, cut at a mark that stands in no bracket."""
+    parts: list = [[]]
+    depth = 0
+    for kind, text in tokens:
+        depth += (text in OPENED and kind == "op") - (text in (")", "]", "}") and kind == "op")
+        if kind == "op" and text == mark and depth == 0:
+            parts.append([])
+        else:
+            parts[-1].append((kind, text))
+    return parts
+
+
+def expression(tokens):
+    """Tokens as an expression of Python's grammar.
+
+    Examples
+    --------
+    >>> expression(tokens_of("i == 1 && !b ? std::cos(q[0]) : {0.5f, -M_PI / 2}"))
+    '(cos(q[0]) if i==1 and  not b else [0.5,-pi/2])'
+    """
+    condition = split(tokens, "?")
+    if len(condition) > 1:
+        rest = [one for part in condition[1:] for one in (*part, ("op", "?"))][:-1]
+        choices = split(rest, ":")
+        if len(choices) < 2:
+            raise NoProgram
+        other = [one for part in choices[1:] for one in (*part, ("op", ":"))][:-1]
+        return f"({expression(choices[0])} if {expression(condition[0])} else {expression(other)})"
+    found: list = []
+    at = 0
+    while at < len(tokens):
+        kind, text = tokens[at]
+        if kind == "op" and text in OPENED:
+            inside, at = _inside(tokens, at)
+            parts = [part for part in split(inside, ",") if part]
+            if text == "{" and parts and all(_is_named(part) for part in parts):
+                found.append(_record(parts))
+                continue
+            items = ",".join(expression(part) for part in parts)
+            if text == "{" and found and (found[-1].isidentifier() or found[-1] == "]"):
+                _drop_maker(found)
+            found.append(f"{SAID.get(text, text)}{items}{SAID.get(OPENED[text], OPENED[text])}")
+            continue
+        at += 1
+        if kind == "op" and text == "::":
+            while found and (found[-1].isidentifier() or found[-1] == "."):
+                found.pop()
+        elif kind == "name" and text == "new":
+            continue
+        elif kind == "string":
+            found.append(repr(text[1:-1]))
+        elif kind == "name":
+            word = WORDS.get(text, text.replace("$", "_"))
+            found.append(f"{word}_" if word in KEPT and word != "None" else word)
+        elif kind == "op" and text in ("++", "--", "=>", ";"):
+            raise NoProgram
+        else:
+            found.append(SAID.get(text, text))
+    return "".join(found)
+
+
+def _is_named(tokens):
+    """Whether an item has a name: d: 0.3, "d": 0.3, .d = 0.3."""
+    texts = [text for _, text in tokens[:3]]
+    return texts[1:2] == [":"] or (texts[:1] == ["."] and texts[2:] == ["="])
+
+
+def _record(parts):
+    """Items with names as what _record makes an object of."""
+    said = []
+    for part in parts:
+        named = part[0][1] != "."
+        name, value = (part[0][1], part[2:]) if named else (part[1][1], part[3:])
+        said.append(f"{name.strip(chr(34) + chr(39))!r}:{expression(value)}")
+    return f"_record({{{','.join(said)}}})"
+
+
+def _drop_maker(found):
+    """Take away the name before a list in braces: Vector{1, 2}, double[]{1, 2}."""
+    while found and (found[-1].isidentifier() or found[-1] in (".", "[]")):
+        found.pop()
+
+
+def _inside(tokens, at):
+    """(The tokens in a bracket, the place behind it)."""
+    depth = 0
+    for end in range(at, len(tokens)):
+        kind, text = tokens[end]
+        depth += (kind == "op" and text in OPENED) - (kind == "op" and text in (")", "]", "}"))
+        if depth == 0:
+            return tokens[at + 1 : end], end + 1
+    raise NoProgram

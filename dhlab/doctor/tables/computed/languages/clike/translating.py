@@ -1,0 +1,230 @@
+"""A program with braces as one in Python's grammar."""
+
+import re
+
+from .declarations import (
+    NO_TYPES,
+    assignment,
+    behind,
+    closing,
+    declared,
+    parameters,
+    step,
+    without_type,
+)  # fmt: skip
+from .tokens import NoProgram, expression, simplified, split, tokens_of
+
+__all__ = ["as_python", "is_clike"]
+
+CLIKE = re.compile(
+    r"^[^\n'\"#%]*[;{]\s*(?://[^\n]*)?$(?s:.*?)^[^\n'\"#%]*;\s*(?://[^\n]*)?$", re.MULTILINE
+)
+SURE = re.compile(
+    r"\b(?:double|float|const|let|var|void|auto|int|function|Matrix\w*|std::\w+)\s+[\w\[*&<]"
+)
+OTHERS = re.compile(r"^\s*(?:def \w+\(|import numpy|from \w+ import|end\s*$|fn \w+)", re.MULTILINE)
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
+DEFINED = re.compile(r"^[ \t]*#define[ \t]+(\w+)[ \t]+([^\n]+)$", re.MULTILINE)
+PREPROCESSOR = re.compile(
+    r"^[ \t]*(?:#[^\n]*|@\w+[^\n]*|using [^\n]*|import [^\n]*|package [^\n]*)$", re.MULTILINE
+)
+WORD = re.compile(r"[A-Za-z_]\w*")
+PUSHED = ("push_back", "push", "emplace_back", "add", "Add")
+
+
+def is_clike(text):
+    """Whether a text looks like a program with braces.
+
+    Examples
+    --------
+    >>> is_clike("double a = 1;\\nint b = 2;"), is_clike("a = 1\\nb = 2")
+    (True, False)
+    """
+    return bool(CLIKE.search(text) and SURE.search(text)) and not OTHERS.search(text)
+
+
+def as_python(text):
+    """A program with braces in Python's grammar.
+
+    Examples
+    --------
+    >>> print(as_python("int f(int x[]) { for (int i = 0; i < 2; i++) x[i] *= 2; return x[0]; }"))
+    def f(x):
+        pass
+        i=0
+        while i<2:
+            pass
+            x[i]*=2
+            i+=1
+        return x[0]
+    """
+    text = DEFINED.sub(r"\1 = \2;", COMMENT.sub(" ", text))
+    text = simplified(PREPROCESSOR.sub("", text))
+    try:
+        tokens = tokens_of(text)
+    except NoProgram:
+        return ""
+    writer = _Writer()
+    writer.block(tokens, 0)
+    return "\n".join(writer.lines)
+
+
+class _Writer:
+    """The lines that are written."""
+
+    def __init__(self):
+        self.lines: list = []
+        self.depth = 0
+        self.local: set | None = None  # what a function declares: other names belong to its object
+
+    def put(self, line):
+        """Write a line."""
+        self.lines.append("    " * self.depth + line)
+
+    def block(self, tokens, at):
+        """Write statements until the block ends; the place behind it."""
+        while at < len(tokens):
+            if tokens[at] == ("op", "}"):
+                return at + 1
+            start = at
+            try:
+                at = self.statement(tokens, at)
+            except (NoProgram, IndexError):
+                at = behind(tokens, start)
+                names = [text for kind, text in tokens[start:at] if kind == "name"]
+                marks = [k for k in range(start, at) if tokens[k] == ("op", "=")]
+                before = (
+                    [t for kind, t in tokens[start : marks[0]] if kind == "name"] if marks else []
+                )
+                self.put(f"{before[-1]} = _lost()" if before else "_lost()" if names else "pass")
+            if at <= start:
+                at = start + 1
+        return at
+
+    def statement(self, tokens, at):
+        """Write the statement that begins here; the place behind it."""
+        kind, word = tokens[at]
+        if (kind, word) == ("op", ";"):
+            return at + 1
+        if (kind, word) == ("op", "{"):
+            return self.block(tokens, at + 1)
+        if word in ("if", "while", "for"):
+            return self.controlled(tokens, at, word)
+        if word == "else":
+            if tokens[at + 1][1] == "if":
+                return self.controlled(tokens, at + 1, "if", "elif")
+            self.put("else:")
+            return self.body(tokens, at + 1)
+        if word in ("class", "struct", "namespace", "public", "private", "protected"):
+            end = next(k for k in range(at, len(tokens)) if tokens[k][1] in ("{", ";", ":", "("))
+            if tokens[end][1] == "{":
+                return self.block(tokens, end + 1)
+            if tokens[end][1] == ":" and end == at + 1:
+                return end + 1
+        head = self.function(tokens, at)
+        if head:
+            return head
+        end = behind(tokens, at)
+        self.simple(tokens[at : end - (tokens[end - 1] == ("op", ";"))])
+        return end
+
+    def body(self, tokens, at, last=""):
+        """Write what a head governs: a block or one statement; the place behind it."""
+        self.depth += 1
+        self.put("pass")
+        braces = tokens[at] == ("op", "{")
+        at = self.block(tokens, at + 1) if braces else self.statement(tokens, at)
+        if last:
+            self.put(last)
+        self.depth -= 1
+        return at
+
+    def controlled(self, tokens, at, word, said=""):
+        """Write a loop or a branch."""
+        if tokens[at + 1] != ("op", "("):
+            raise NoProgram
+        end = closing(tokens, at + 1)
+        inside = tokens[at + 2 : end]
+        if word != "for":
+            self.put(f"{said or word} {expression(inside)}:")
+            return self.body(tokens, end + 1)
+        parts = split(inside, ";")
+        if len(parts) == 3:
+            self.simple(parts[0])
+            self.put(f"while {expression(parts[1])}:")
+            return self.body(tokens, end + 1, step(parts[2]))
+        over = split(inside, ":")
+        if len(over) == 1:
+            at_word = next(k for k, one in enumerate(inside) if one[1] in ("of", "in"))
+            over = [inside[:at_word], inside[at_word + 1 :]]
+        self.put(f"for {over[0][-1][1]} in {expression(over[1])}:")
+        return self.body(tokens, end + 1)
+
+    def function(self, tokens, at):
+        """Write a function, where its head stands here; the place behind it, None of others."""
+        k = at
+        while k < len(tokens) and (
+            tokens[k][0] == "name" or tokens[k][1] in ("::", "*", "&", "[", "]", ".")
+        ):
+            k += 1
+        if k >= len(tokens) or tokens[k][1] != "(" or k == at or tokens[at][1] in NO_TYPES:
+            return None
+        end = closing(tokens, k)
+        after = end + 1
+        while (
+            after < len(tokens)
+            and tokens[after][0] == "name"
+            and tokens[after][1] in ("const", "noexcept", "override")
+        ):
+            after += 1
+        if after >= len(tokens) or tokens[after] != ("op", "{"):
+            return None
+        names = parameters(tokens[k + 1 : end])
+        self.put(f"def {tokens[k - 1][1]}({', '.join(names)}):")
+        around, self.local = self.local, {name.partition("=")[0] for name in names}
+        end = self.body(tokens, after)
+        self.local = around
+        return end
+
+    def simple(self, tokens):
+        """Write a declaration, an assignment, a return or a call."""
+        if not tokens:
+            return
+        word = tokens[0][1]
+        if word in ("return", "break", "continue"):
+            self.put(f"{word} {expression(tokens[1:])}".rstrip())
+            return
+        if tokens[-1][1] in ("++", "--") or word in ("++", "--"):
+            self.put(step(tokens))
+            return
+        filled = split(tokens, "<<")
+        if len(filled) == 2 and len(filled[0]) >= 1 and tokens[0][1] not in ("cout", "std", "cerr"):
+            self.set(filled[0], f"_filled([{expression(filled[1])}])")
+            return
+        texts = [text for _, text in tokens]
+        if texts[1:2] == ["."] and texts[2:4] in (["setIdentity", "("], ["setZero", "("]):
+            self.put(f"{texts[0]} = {'Identity' if texts[2] == 'setIdentity' else 'Zero'}()")
+            return
+        if texts[-1] == ")" and texts[1:2] == ["."] and texts[2] in PUSHED and texts[3] == "(":
+            self.put(f"{texts[0]} = _pushed({texts[0]}, {expression(tokens[4:-1])})")
+            return
+        bare = without_type(tokens)
+        for part in split(bare, ","):
+            line = assignment(part)
+            name = re.match(r"(\w+)\s*=(?!=)", line)
+            if name and self.local is not None:
+                if len(bare) < len(tokens):
+                    self.local.add(name[1])
+                elif name[1] not in self.local:
+                    self.put(f"global {name[1]}")
+            self.put(line)
+
+    def set(self, target, value):
+        """Write what fills a matrix."""
+        name = declared(target)
+        if self.local is not None and name.isidentifier():
+            if len(target) > 1:
+                self.local.add(name)
+            elif name not in self.local:
+                self.put(f"global {name}")
+        self.put(f"{name} = {value}")
