@@ -231,6 +231,34 @@ def test_quarter_turns_under_a_name_of_zeros_and_of_values_are_not_decided():
         dh.recognise_table(said.replace("0.2], q)", "0.2], theta)"))
 
 
+def test_the_way_of_a_condition_that_nobody_knows_is_not_guessed():
+    text = "import numpy as np" + STANDARD + CRAIG.replace("def link", "def modified") + """
+def forward(q, kind):
+    T = np.eye(4)
+    for k, a in enumerate((0.3, 0.2)):
+        T = T @ (link(q[k], 0.1, a, 1.2) if kind == "standard" else modified(1.2, a, 0.1, q[k]))
+    return T
+"""  # fmt: skip
+    assert chain_of(text) is None
+    assert chain_of(text.replace("q, kind)", "q, kind='standard')"))[0].convention == "standard"
+    assert chain_of(text.replace("q, kind)", "q, kind='craig')"))[0].convention == "craig"
+    printed = text.replace("    T =", "    if kind: print(q)\n    T =", 1)
+    assert chain_of(printed.replace('kind == "standard"', "True")) is not None
+
+
+def test_a_part_of_the_rows_that_is_multiplied_is_not_the_arm():
+    text = "import numpy as np" + STANDARD + """
+# standard DH, metres: theta, d, a, alpha
+rows = [[0, 0.31, 0, np.pi/2], [0, 0, 0.27, 0], [0, 0.12, 0.05, 0], [0, 0.2, 0, np.pi/2]]
+def wrist(q):
+    T = np.eye(4)
+    for k in range(3):
+        T = T @ link(q[k], *rows[k][1:])
+    return T
+"""  # fmt: skip
+    assert all(len(one.arm) == 4 for one in dh.recognise_table(text).readings)
+
+
 UNDECIDED = {
     "coupled joints": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1] - q[0], 0, 0.4, 0)",
     "a length that is not known": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, reach, 0)",

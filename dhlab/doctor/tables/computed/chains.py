@@ -3,7 +3,7 @@ numbers for what is not known.
 """
 
 import ast
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -57,7 +57,8 @@ def chain_of(text):
 class Way:
     """How a program is run: whether joints' values that it holds are taken for not known, and
     whether functions are called from outside that others call; ``dialect`` is what its language
-    has otherwise than Python.
+    has otherwise than Python, and ``likely`` whether conditions of which nobody knows whether they
+    hold go their usual way.
     """
 
     statements: list
@@ -65,10 +66,12 @@ class Way:
     posing: bool
     thorough: bool
     dialect: object = None
+    likely: bool = True
 
     def run(self, seed, length, given=()):
         """A Run with the numbers of a seed, and lists of a length where nothing says it."""
-        run = Run(self.budget, Samples(seed, dict(given), length), self.posing, self.dialect)
+        samples = Samples(seed, dict(given), length, likely=self.likely)
+        run = Run(self.budget, samples, self.posing, self.dialect)
         run.program(self.statements)
         call_all(run, self.named, self.thorough)
         return run
@@ -95,15 +98,27 @@ def _tried(way):
         return None  # nothing is otherwise than before
     found = _chain(way, first, LENGTHS[0])
     if not first.samples.asked:
-        return found
+        return _undoubted(way, found, LENGTHS[0]) if first.samples.doubted else found
     for length in _lengths(way.statements) if found is None else LENGTHS[1:2]:
-        shorter = _chain(way, way.run(1, length), length)
+        run = way.run(1, length)
+        shorter = _chain(way, run, length)
         if found is None and shorter is not None:
-            return shorter
+            return _undoubted(way, shorter, length) if run.samples.doubted else shorter
         if found is not None:  # as many joints as anybody likes
             same = shorter and found and len(shorter[0].rows) == len(found[0].rows)
             return found if same else False
     return None
+
+
+def _undoubted(way, found, length):
+    """The chain, unless another comes out where conditions that nobody knows go the other way."""
+    if not found or not way.likely:
+        return found
+    other = replace(way, likely=False)
+    against = _chain(other, other.run(1, length), length)
+    if against is None:
+        return found
+    return False if against is False or len(_different([found[0], against[0]])) > 1 else found
 
 
 def _lengths(statements):
@@ -215,7 +230,8 @@ def _different(found):
         if not one.convention:
             continue
         rows = [tuple(row) for row in one.rows]
-        if not any(_is_part(rows, other) for other in kept if other.convention == one.convention):
+        same = [other for other in kept if other.convention == one.convention]
+        if not any(_is_part(rows, other) for other in same):
             kept.append(one)
     return kept
 

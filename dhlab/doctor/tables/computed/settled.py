@@ -33,10 +33,15 @@ def settled(written, program, convention=None):
     if alike:
         return alike, ()
     own = program.readings
+    if written and min(len(one.arm) for one in written) > len(own[0].arm):
+        return written, ()  # the program multiplies a part of them
     if convention:
         own = [replace(one, arm=one.arm.to(convention)) for one in own]
-    if len(written) != 1 or any(differs_in_theta(one, written[0]) for one in own):
+    if len(written) != 1:
         return list(own), program.notes
+    if any(differs_in_theta(one, written[0]) for one in own):
+        note = "theta and the senses are those of the product; the rows in the text have others"
+        return list(own), (*program.notes, note)
     return [*(_beside(one, written[0]) for one in own), written[0]], program.notes
 
 

@@ -144,7 +144,7 @@ def unary(run, kind, value):
 def truth(value):
     """Whether a value counts as true."""
     if isinstance(value, Unknown):
-        return True
+        return value.samples.holds(True)
     if isinstance(value, np.ndarray):
         if value.size != 1:
             raise Unsupported("no truth")
@@ -157,8 +157,9 @@ def compared(kind, one, other):
     if kind in (ast.Is, ast.IsNot):
         return (one is other) == (kind is ast.Is)
     if kind in (ast.In, ast.NotIn):
-        if isinstance(other, Unknown) or isinstance(one, Unknown):
-            return kind is ast.NotIn
+        for value in (one, other):
+            if isinstance(value, Unknown):
+                return value.samples.holds(False) == (kind is ast.In)
         if not isinstance(other, list | tuple | dict | str) or isinstance(one, np.ndarray):
             raise Unsupported("not in a list")
         try:
@@ -166,6 +167,9 @@ def compared(kind, one, other):
         except (TypeError, ValueError):
             raise Unsupported("not in a list") from None
     act = COMPARED[kind]
+    unknown = next((value for value in (one, other) if isinstance(value, Unknown)), None)
+    if unknown is not None and kind in (ast.Eq, ast.NotEq):
+        return unknown.samples.holds(False) == (kind is ast.Eq)
     if any(isinstance(value, str) or value is None for value in (one, other)):
         if kind not in (ast.Eq, ast.NotEq):
             raise Unsupported("no comparison")

@@ -34,6 +34,9 @@ class Samples:
         How many items a list has of which nobody knows; ``asked`` whether it mattered.
     stored : dict
         What the program puts into lists that nobody knows, by (place, path).
+    likely : bool
+        Whether conditions that hang on what nobody knows go their usual way; ``doubted`` whether
+        there are any.
     """
 
     seed: int
@@ -42,6 +45,15 @@ class Samples:
     asked: bool = False
     drawn: dict = field(default_factory=dict)
     stored: dict = field(default_factory=dict)
+    likely: bool = True
+    doubted: bool = False
+
+    def holds(self, usual):
+        """Whether a condition holds of which nobody knows it; a run in which nothing is ``likely``
+        takes the other way.
+        """
+        self.doubted = True
+        return usual == self.likely
 
     def of(self, path):
         """The number for a path: between 0.1 and 0.9, the same in every run of this seed.
