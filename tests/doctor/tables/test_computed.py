@@ -538,6 +538,47 @@ function forward(q) {
 }
 
 
+BRACES["three.js"] = """
+const sizes = [[0.31, 0, 90], [0, 0.27, 0], [0.12, 0.05, -90]];
+function pose(th, d, a, al) {
+  const c = Math.cos(th), s = Math.sin(th), ca = Math.cos(al), sa = Math.sin(al);
+  return new THREE.Matrix4().set(c, -s * ca, s * sa, a * c, s, c * ca, -c * sa, a * s,
+    0, sa, ca, d, 0, 0, 0, 1);
+}
+function moved() {
+  const zeros = [0, -Math.PI / 2, 0.3];
+  const angles = [ref(0), ref(0), ref(0)];
+  const T = new THREE.Matrix4();
+  for (let i = 0; i < sizes.length; i++) {
+    const [d, a, alpha] = sizes[i];
+    T.multiply(pose(angles[i].value + zeros[i], d, a, THREE.MathUtils.degToRad(alpha)));
+  }
+  return T;
+}
+"""
+BRACES["C# in Unity"] = """
+struct Row { public float zero, up, reach; public float twist; }
+Matrix4x4 Link(float th, float d, float a, float al) {
+  Matrix4x4 m = Matrix4x4.identity;
+  m.SetRow(0, new Vector4(Mathf.Cos(th), -Mathf.Sin(th) * Mathf.Cos(al), 0f, a * Mathf.Cos(th)));
+  m.SetRow(1, new Vector4(Mathf.Sin(th), Mathf.Cos(th) * Mathf.Cos(al), 0f, a * Mathf.Sin(th)));
+  m.m02 = Mathf.Sin(th) * Mathf.Sin(al); m.m12 = -Mathf.Cos(th) * Mathf.Sin(al);
+  m.SetRow(2, new Vector4(0, Mathf.Sin(al), Mathf.Cos(al), d));
+  return m;
+}
+Row[] rows = { {0f, 0.31f, 0f, 90f}, {-90f, 0f, 0.27f, 0f},
+  {0.3f * Mathf.Rad2Deg, .12f, .05f, -90f} };
+Matrix4x4 Forward(float[] angles) {
+  Matrix4x4 T = Matrix4x4.identity;
+  for (int i = 0; i < rows.Length; i++) {
+    Row row = rows[i];
+    T *= Link((angles[i] + row.zero) * Mathf.Deg2Rad, row.up, row.reach, row.twist * Mathf.Deg2Rad);
+  }
+  return T;
+}
+"""
+
+
 @pytest.mark.parametrize("name", BRACES)
 def test_a_program_with_braces_is_read_by_what_it_multiplies(name):
     links, _ = chain_of(BRACES[name])

@@ -179,7 +179,11 @@ def _from_robots(runs):
 def _from_lists(runs):
     """The Links of matrices that are listed, or numbered, and not multiplied."""
     lists = [run.listed() for run in runs]
-    return _as_links(runs, list(zip(*lists))) if len({len(one) for one in lists}) == 1 else []
+    if len({len(one) for one in lists}) > 1:
+        return []
+    held = [{one.tobytes() for one in row} for row in lists[0]]
+    whole = [k for k, row in enumerate(held) if not any(row < other for other in held)]
+    return _as_links(runs, [[one[k] for one in lists] for k in whole])
 
 
 def _as_links(runs, chains):

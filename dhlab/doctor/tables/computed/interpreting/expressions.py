@@ -9,7 +9,7 @@ from ..held.operators import binary, compared, indexed, truth, unary
 from ..held.scopes import MISSING, Scope
 from ..held.values import Function, Module, Unknown, items_of
 from ..library.functions import LIBRARIES
-from ..library.methods import attribute, from_library
+from ..library.methods import from_library
 
 __all__ = ["arguments", "assign", "evaluate"]
 
@@ -122,7 +122,7 @@ def _slice(run, node, scope):
 
 
 def _attribute(run, node, scope):
-    return attribute(run, evaluate(run, node.value, scope), node.attr)
+    return run.attribute(evaluate(run, node.value, scope), node.attr)
 
 
 def _call(run, node, scope):

@@ -129,7 +129,8 @@ class Run:
 
     def attribute(self, value, name):
         """What stands behind a dot."""
-        return attribute(self, value, name)
+        found = self.dialect.attribute(self, value, name) if self.dialect else None
+        return attribute(self, value, name) if found is None else found
 
     def imported(self, module, name):
         """What a program imports, as far as it is in the list; None of others."""
@@ -261,6 +262,8 @@ class Run:
 
     def set_attribute(self, held, name, value):
         """Let an attribute be a value."""
+        if self.dialect and self.dialect.set_attribute(held, name, value):
+            return
         if isinstance(held, Instance | Class):
             held.attributes[name] = value
         elif isinstance(held, Unknown):

@@ -2,22 +2,45 @@
 
 import ast
 import math
+import re
 
 import numpy as np
 
 from ...held.budget import Unsupported
 from ...held.factors import Multiplied
 from ...held.operators import indexed, whole
-from ...held.values import Instance, Module, Native, Unknown, items_of, plain
+from ...held.values import Instance, Module, Native, Unknown, items_of, number_of, plain
 from ...library.functions import FUNCTIONS
+from .objects import asked, place_of
 
 __all__ = ["Braces"]
 
 LARGEST = 16
+VECTOR = re.compile(r"(?:^|[._])(?:q|th|theta|joint|angle)s?(?:_\w*|\[\d+\])?$", re.IGNORECASE)
+SPACES = ("THREE", "THREE.MathUtils", "Matrix4x4", "UnityEngine", "Eigen")  # of names
 
 
 class Braces:
     """The dialect: a matrix may be indexed in round brackets, ``*`` is the product of matrices."""
+
+    def __init__(self):
+        self.structs: list = []
+
+    def attribute(self, run, value, name):
+        """What stands behind a dot; None where it does as in Python."""
+        if isinstance(value, Module) or (isinstance(value, Unknown) and value.path in SPACES):
+            if value == Unknown("Matrix4x4", run.samples) and name == "identity":
+                return np.eye(4).view(Multiplied)
+            return NAMES.get(name)
+        return asked(run, value, name, self.structs)
+
+    def set_attribute(self, held, name, value):
+        """Whether a place of a matrix, m.m03, was set."""
+        place = place_of(name)
+        if isinstance(held, np.ndarray) and held.shape == (4, 4) and place:
+            held[place] = number_of(value)
+            return True
+        return False
 
     def listed(self, value):
         """What a loop goes over, as in Python."""
@@ -29,12 +52,14 @@ class Braces:
 
     def name(self, name, scope):
         """What a name is that the program does not define; None of others."""
-        return Module("math") if name == "Math" else NAMES.get(name)
+        return Module("math") if name in ("Math", "Mathf", "MathF") else NAMES.get(name)
 
     def is_index(self, held, args):
         """Whether round brackets behind a value are an index."""
         numbers = 0 < len(args) < 3 and all(type(one) is int for one in args)
-        return numbers and isinstance(held, np.ndarray | list | Unknown)
+        if isinstance(held, Unknown):  # q(0), and no readAngle(0)
+            return numbers and bool(VECTOR.search(held.path))
+        return numbers and isinstance(held, np.ndarray | list)
 
     def picked(self, held, args):
         """``value(i, j)``."""
@@ -98,19 +123,28 @@ def _pushed(run, args, _):
     return [*held, *args[1:]]
 
 
+def _struct(run, args, _):
+    run.dialect.structs.append(tuple(args[0]))
+
+
+def _vector(run, args, _):
+    return [number_of(one) for one in args]
+
+
 def _record(run, args, _):
     return Instance(None, dict(args[0]), "record")
 
 
 NAMES: dict = {
-    "_record": _record,
+    "_record": _record, "_struct": _struct, "Vector4": _vector, "Matrix4": _identity,
     "_filled": _filled, "_new": _new, "multiply": _product, "Identity": _identity,
     "setIdentity": _identity, "Zero": _zero, "_pushed": _pushed, "matmul": _product,
     **{f"{name}f": FUNCTIONS[name].call for name in ("sin", "cos", "tan", "sqrt", "fabs")},
     **{name: FUNCTIONS[name.lower()].call for name in ("Cos", "Sin", "Tan", "Sqrt")},
-    "toRadians": FUNCTIONS["radians"].call,
+    "toRadians": FUNCTIONS["radians"].call, "degToRad": FUNCTIONS["radians"].call,
 }  # fmt: skip
 NAMES = {
     **{name: Native(name, call) for name, call in NAMES.items()},
+    "Deg2Rad": math.pi / 180, "Rad2Deg": 180 / math.pi,
     "M_PI_2": math.pi / 2, "M_PI_4": math.pi / 4, "M_PIf": math.pi,
 }  # fmt: skip

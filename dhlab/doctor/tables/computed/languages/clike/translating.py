@@ -115,6 +115,10 @@ class _Writer:
                 return self.controlled(tokens, at + 1, "if", "elif")
             self.put("else:")
             return self.body(tokens, at + 1)
+        if word == "typedef":
+            return at + 1
+        if word == "struct":
+            self.fields(tokens, at)
         if word in ("class", "struct", "namespace", "public", "private", "protected"):
             end = next(k for k in range(at, len(tokens)) if tokens[k][1] in ("{", ";", ":", "("))
             if tokens[end][1] == "{":
@@ -127,6 +131,18 @@ class _Writer:
         end = behind(tokens, at)
         self.simple(tokens[at : end - (tokens[end - 1] == ("op", ";"))])
         return end
+
+    def fields(self, tokens, at):
+        """Write the fields of a record."""
+        start = next(k for k in range(at, len(tokens)) if tokens[k][1] in ("{", ";", "(", "="))
+        if tokens[start][1] != "{":
+            return
+        names = []
+        for part in split(tokens[start + 1 : closing(tokens, start)], ";"):
+            if part and not any(text in ("(", "{") for _, text in part):
+                ends = [one for one in split(split(part, "=")[0], ",") if one]
+                names += [one[-1][1] for one in ends if one[-1][0] == "name"]
+        self.put(f"_struct({names!r})")
 
     def body(self, tokens, at, last=""):
         """Write what a head governs: a block or one statement; the place behind it."""

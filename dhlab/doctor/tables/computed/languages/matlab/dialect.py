@@ -21,6 +21,14 @@ class Matlab:
     picked = staticmethod(picked)
     from_one = staticmethod(from_one)
 
+    def attribute(self, run, value, name):
+        """What stands behind a dot, as in Python."""
+        return None
+
+    def set_attribute(self, held, name, value):
+        """Whether a part of something was set that Python has not."""
+        return False
+
     def name(self, name, scope):
         """What a name is that the program does not define; None of others."""
         if name.startswith("SELF__"):  # obj.link(…): obj is the function's first argument

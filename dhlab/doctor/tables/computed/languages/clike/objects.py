@@ -1,0 +1,101 @@
+"""What languages with braces ask of their matrices and records: three.js, Unity, structs."""
+
+import re
+
+import numpy as np
+
+from ...held.budget import Unsupported
+from ...held.factors import Multiplied
+from ...held.operators import multiplied, whole
+from ...held.values import Native, Unknown, plain
+
+__all__ = ["asked", "place_of"]
+
+PLACE = re.compile(r"[mM]_?(\d)(\d)$")
+
+
+def asked(run, value, name, structs):
+    """What stands behind the dot of a matrix or a list; None where Python knows it, or nobody.
+
+    Parameters
+    ----------
+    structs : list of tuple of str
+        The fields of the program's records, of which a list may be one.
+    """
+    if isinstance(value, list):
+        if name in ("length", "Length", "Count"):
+            return len(value)
+        fields = next((one for one in structs if name in one and len(value) <= len(one)), None)
+        at = fields.index(name) if fields else len(value)
+        return value[at] if at < len(value) else None
+    if isinstance(value, Unknown):
+        return value.samples.many() if name in ("length", "Length", "Count") else None
+    if not isinstance(value, np.ndarray) or value.shape != (4, 4):
+        return None
+    if place := place_of(name):
+        return float(value[place])
+    act = MATRIX.get(name)
+    return None if act is None else Native(name, lambda run, args, _: act(run, value, args))
+
+
+def place_of(name):
+    """The row and the column of a field of a matrix; None of another name.
+
+    Examples
+    --------
+    >>> place_of("m03"), place_of("mass")
+    ((0, 3), None)
+    """
+    found = PLACE.match(name)
+    return (int(found[1]), int(found[2])) if found and max(found[1], found[2]) < "4" else None
+
+
+def _into(value, found):
+    value[...] = found
+    return value
+
+
+def _set(run, value, args):
+    if len(args) != 16:
+        raise Unsupported("no matrix")
+    return _into(value, plain(args).reshape(4, 4))
+
+
+def _row(run, value, args):
+    numbers = plain(args[1]).reshape(-1)
+    if numbers.size != 4:
+        raise Unsupported("no row")
+    value[whole(args[0])] = numbers
+
+
+def _column(run, value, args):
+    numbers = plain(args[1]).reshape(-1)
+    if numbers.size != 4:
+        raise Unsupported("no column")
+    value[:, whole(args[0])] = numbers
+
+
+def _times(run, value, args):
+    return _into(value, multiplied(run, value, args[0]))
+
+
+def _before(run, value, args):
+    return _into(value, multiplied(run, args[0], value))
+
+
+def _of_two(run, value, args):
+    return _into(value, multiplied(run, args[0], args[1]))
+
+
+def _identity(run, value, args):
+    return _into(value, np.eye(4))
+
+
+def _copy(run, value, args):
+    return value.copy().view(Multiplied)
+
+
+MATRIX = {
+    "set": _set, "SetRow": _row, "SetColumn": _column, "multiply": _times, "premultiply": _before,
+    "multiplyMatrices": _of_two, "identity": _identity, "clone": _copy,
+}  # fmt: skip
