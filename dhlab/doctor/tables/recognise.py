@@ -12,7 +12,7 @@ from ...geometry.parallels import cancelling
 from .answers import require_answers
 from .completing.alike import stands_for
 from .computed.reading import computed
-from .computed.settled import settled
+from .computed.settled import is_cut_off, settled
 from .dialects.lined.lines import TwoTables
 from .meaning.columns import misplaced
 from .meaning.joints import require_one_column, require_values
@@ -88,7 +88,7 @@ def recognise_table(
     try:
         written = _as_written(given, right, **said)
     except ValueError:
-        if program is None:
+        if program is None or is_cut_off(given):
             raise
         readings, notes = settled([], program, convention)
         return _answer(readings, notes, right)

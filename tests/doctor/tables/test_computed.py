@@ -246,6 +246,15 @@ def forward(q, kind):
     assert chain_of(printed.replace('kind == "standard"', "True")) is not None
 
 
+@pytest.mark.parametrize("end", ["", "\nT = A1 @ A2 @", "\nT = A1 @ A2", "\nA4 = link(q[3], 0."])
+def test_a_program_that_was_cut_off_is_no_shorter_arm(end):
+    calls = "\n".join(f"A{k} = link(q[{k - 1}], 0.{k}, 0.2, 1.2)" for k in (1, 2, 3))
+    text = f"import numpy as np{STANDARD}\n{calls}"
+    assert len(chain_of(text)[0].rows) == 3
+    found = chain_of(text + end)
+    assert found is None or len(found[0].rows) == 3
+
+
 def test_a_part_of_the_rows_that_is_multiplied_is_not_the_arm():
     text = "import numpy as np" + STANDARD + """
 # standard DH, metres: theta, d, a, alpha
@@ -442,7 +451,8 @@ def test_a_toolbox_robot_with_a_length_that_nobody_knows_is_none():
 @pytest.mark.parametrize(
     "line",
     ["x = zeros(1e6);", "x = 1:1e9;", "for i = 1:1e9, x = i; end", "x = " + "(" * 99 + "1;",
-     "while true, x = 1; end", "x = 9^9^9^9;", "system('true');", "x = [" + "1 " * 900 + "];"],
+     "while true, x = 1; end", "for " * 200, "case 1 " * 200, "else " * 200, "(" * 1500,
+     "[1 " * 600, "a'" * 900, "x = 9^9^9^9;", "system('true');", "x = [" + "1 " * 900 + "];"],
 )  # fmt: skip
 def test_hostile_matlab_ends_within_the_budget(line):
     assert chain_of(f"% a program\n{line}\n{LINK_IN_MATLAB}") is None
@@ -595,7 +605,9 @@ def test_a_product_that_is_written_to_something_unknown_is_no_shorter_chain():
     "line",
     ["while (true) { x = 1; }", "for (;;) {}", "for (int i = 0; i < 1e9; i++) x = i;",
      "double x[9999][9999];", "int f(int n) { return f(n + 1) + f(n); }", "x = " + "(" * 99 + "1;",
-     "{" * 100, "system(\"true\");", "x = a ? b : " * 60 + "1;", "T << " + "1, " * 900 + "1;"],
+     "{" * 1500, "if (a) " * 300, "else " * 300, "a<b," * 450,
+     "a ? b : " * 200, "system(\"true\");", "x = a ? b : " * 60 + "1;",
+     "T << " + "1, " * 900 + "1;"],
 )  # fmt: skip
 def test_hostile_braces_end_within_the_budget(line):
     assert chain_of(f"const double a = 1;\nint b = 2;\n{line}\n") is None

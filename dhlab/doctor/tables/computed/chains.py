@@ -39,13 +39,13 @@ def chain_of(text):
     >>> [row[2] for row in links.rows], round(links.rows[1][0], 4)
     ([0.4, 0.3], 1.5708)
     """
-    statements, dialect = statements_in(text)
+    statements, dialect, whole = statements_in(text)
     if not statements:
         return None
     budget = Budget()
     for posing, thorough in ((False, False), (False, True), (True, True)):
         try:
-            found = _tried(Way(statements, budget, posing, thorough, dialect))
+            found = _tried(Way(statements, budget, posing, thorough, dialect, whole))
         except Stopped:
             return None
         if found or found is False:
@@ -58,7 +58,7 @@ class Way:
     """How a program is run: whether joints' values that it holds are taken for not known, and
     whether functions are called from outside that others call; ``dialect`` is what its language
     has otherwise than Python, and ``likely`` whether conditions of which nobody knows whether they
-    hold go their usual way.
+    hold go their usual way; where a text is not ``whole``, what it only lists is no chain.
     """
 
     statements: list
@@ -66,6 +66,7 @@ class Way:
     posing: bool
     thorough: bool
     dialect: object = None
+    whole: bool = True
     likely: bool = True
 
     def run(self, seed, length, given=()):
@@ -143,25 +144,35 @@ def _chain(way, first, length):
     runs = [] if told else [first]
     for seed in seeds:
         runs.append(way.run(seed, length, told))
-        if len(runs) == 2 and not _in(runs):  # what two runs do not show, more of them do not
+        if len(runs) == 2 and not _in(way, runs):  # what two runs do not show, more of them do not
             return None
-    different = _different(_in(runs))
+    different = _different(_in(way, runs))
     if len(different) > 1:
         return False
     return (different[0], dict(runs[0].posed)) if different else None
 
 
-def _in(runs):
+def _in(way, runs):
     """The Links that runs show."""
-    return _from_products(runs) or _from_robots(runs) or _from_lists(runs)
+    multiplied = _from_products(runs) or _from_robots(runs)
+    return multiplied or (_from_lists(runs) if way.whole else [])
 
 
 def _from_products(runs):
     """The Links of what the runs multiply."""
     if len({len(run.factors.products) for run in runs}) > 1:
         return []
-    places = list(_longest(runs[0]))
+    lists = [{one.tobytes() for one in row} for row in runs[0].listed()]
+    places = [k for k in _longest(runs[0]) if not _leaves_out(runs[0].factors.products[k], lists)]
     return _as_links(runs, [[run.factors.products[k] for run in runs] for k in places])
+
+
+def _leaves_out(product, lists):
+    """Whether a product has some matrices of a list and others not: the program goes on, or was cut
+    off.
+    """
+    held = {one.tobytes() for one in product}
+    return any(held & row and row - held for row in lists)
 
 
 def _from_robots(runs):

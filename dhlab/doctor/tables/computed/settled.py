@@ -2,9 +2,31 @@
 
 from dataclasses import replace
 
+from ..evidence.ending import require_whole
+from ..evidence.source import source_of
+from ..language.wrapping.notebook import without_notebook
 from .reading import differs_in_theta, moves_alike
 
-__all__ = ["settled"]
+__all__ = ["is_cut_off", "settled"]
+
+
+def is_cut_off(text):
+    """Whether a text ends within a row, so that a program in it may have had more links.
+
+    Examples
+    --------
+    >>> is_cut_off("dh = [[0, 0.1, 0, 1.57],\\n[0, 0, 0.3"), is_cut_off("dh = [[0, 0.1, 0, 1.57]]")
+    (True, False)
+    """
+    try:
+        source = source_of(without_notebook(text))
+    except ValueError:
+        return False
+    try:
+        require_whole(source)
+    except ValueError:
+        return True
+    return False
 
 
 def settled(written, program, convention=None):

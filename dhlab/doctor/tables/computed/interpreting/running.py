@@ -92,7 +92,12 @@ class Run:
 
     def keep_list(self, value):
         """Keep a list of matrices, the links' perhaps."""
-        if isinstance(value, list | tuple) and len(value) > 1 and all(map(is_known_pose, value)):
+        least = 3 if isinstance(value, tuple) else 2  # a pair is two results
+        if (
+            isinstance(value, list | tuple)
+            and len(value) >= least
+            and all(map(is_known_pose, value))
+        ):
             self.lists.append(value)
 
     def listed(self):

@@ -1,28 +1,43 @@
 """A text as a program, in whatever language it is written."""
 
+import re
+
+from ..held.budget import FAILURES
 from .clike.dialect import Braces
 from .clike.translating import as_python as from_braces
 from .clike.translating import is_clike
 from .matlab.dialect import Matlab
 from .matlab.translating import as_python as from_matlab
 from .matlab.translating import is_matlab
-from .python import statements_of
+from .python import parsed, statements_of
+
+OPEN_END = r"[-+*/=,.@(]$"  # of a line that goes on
 
 __all__ = ["statements_in"]
 
 
 def statements_in(text):
-    """(The statements of a program, the dialect that they are in); none of another text, and no
-    dialect of Python.
+    """(The statements of a program, the dialect that they are in, whether they are all of it); none
+    of another text, and no dialect of Python.
 
     Examples
     --------
-    >>> statements, dialect = statements_in("T = eye(4);  % start")
-    >>> len(statements), type(dialect).__name__
-    (1, 'Matlab')
+    >>> statements, dialect, whole = statements_in("T = eye(4);  % start")
+    >>> len(statements), type(dialect).__name__, whole
+    (1, 'Matlab', True)
     """
-    if is_matlab(text):
-        return statements_of(from_matlab(text), True), Matlab()
-    if is_clike(text):
-        return statements_of(from_braces(text), True), Braces()
-    return statements_of(text), None
+    try:
+        if is_matlab(text):
+            return statements_of(from_matlab(text), True), Matlab(), _is_closed(text)
+        if is_clike(text):
+            return statements_of(from_braces(text), True), Braces(), _is_closed(text)
+        return statements_of(text), None, _is_closed(text) and parsed(text) is not None
+    except FAILURES:  # brackets in brackets in brackets
+        return [], None, False
+
+
+def _is_closed(text):
+    """Whether a text ends with a line and closes its brackets."""
+    last = text.rstrip().rsplit("\n", 1)[-1].strip()
+    pairs = ("()", "[]", "{}")
+    return all(text.count(a) == text.count(b) for a, b in pairs) and not re.search(OPEN_END, last)

@@ -6,7 +6,7 @@ import warnings
 
 from ...language.letters import unified
 
-__all__ = ["statements_of"]
+__all__ = ["parsed", "statements_of"]
 
 PYTHON = re.compile(
     r"^\s*(?:def \w+\(|import \w|from \w[\w.]* import|class \w+.*:\s*$)|\b(?:np|math|sp|rtb)\.\w",
@@ -35,7 +35,7 @@ def statements_of(text, translated=False):
         return []
     text = MAGIC.sub("", text).expandtabs(4)
     for written in (text, unified(text)):
-        whole = _parsed(written)
+        whole = parsed(written)
         if whole is not None:
             return _lifted(whole)
     found: list = []
@@ -57,7 +57,7 @@ def _lifted(statements):
     return found
 
 
-def _parsed(text):
+def parsed(text):
     """The statements of a text; None where it does not parse."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -16,14 +16,15 @@ WORDS = {"true": "True", "false": "False", "null": "None", "nullptr": "None", "t
          "M_PI": "pi", "NULL": "None"}  # fmt: skip
 KEPT = ("lambda", "def", "class", "in", "is", "not", "and", "or", "None", "from", "import", "pass",
         "del", "raise", "with", "as", "assert", "yield", "except", "elif", "nonlocal")  # fmt: skip
+MOST_CHOICES = 12  # a ? b : c in one expression
 OPENED = {"(": ")", "[": "]", "{": "}"}
 TYPES = r"(?:const\s+)?(?:unsigned\s+)?(?:double|float|int|long|size_t|real_t|T|Scalar|f64|f32)"
 CAST = re.compile(rf"\(\s*{TYPES}\s*\)\s*(?=[\w(.-])")
 TEMPLATE = re.compile(
     r"\b(?:static_cast|block|cast|head|tail|topLeftCorner|topRightCorner|template)\s*(<[\w\s,:]*>)"
 )
-GENERIC = re.compile(
-    r"\b([A-Za-z_][\w:.]*)\s*<\s*(?:const\s+)?[\w:.]+(?:\s*<[\w\s,:.]*>)?(?:\s*,\s*[-\w:.\s]+)*\s*[*&]?\s*>(?=\s*[\w&({>*:])"
+GENERIC = re.compile(  # vector<double>, Matrix<double, 4, 4>, map<string, vector<double>>
+    r"\b([A-Za-z_][\w:.]{0,40})<[ ]?(?:const )?[-\w:., <*&]{1,60}?>+(?=[ ]?[\w&({>*:])"
 )
 
 
@@ -35,9 +36,7 @@ def simplified(text):
     """A text without casts and what stands in angle brackets."""
     text = CAST.sub("", text)
     text = TEMPLATE.sub(lambda match: match[0][: match.start(1) - match.start()], text)
-    for _ in range(3):
-        text = GENERIC.sub(r"\1", text)
-    return text
+    return GENERIC.sub(r"\1", text)
 
 
 def tokens_of(text):
@@ -84,6 +83,8 @@ def expression(tokens):
     '(cos(q[0]) if i==1 and  not b else [0.5,-pi/2])'
     """
     condition = split(tokens, "?")
+    if len(condition) > MOST_CHOICES:
+        raise NoProgram
     if len(condition) > 1:
         rest = [one for part in condition[1:] for one in (*part, ("op", "?"))][:-1]
         choices = split(rest, ":")

@@ -16,9 +16,8 @@ from .tokens import NoProgram, expression, simplified, split, tokens_of
 
 __all__ = ["as_python", "is_clike"]
 
-CLIKE = re.compile(
-    r"^[^\n'\"#%]*[;{]\s*(?://[^\n]*)?$(?s:.*?)^[^\n'\"#%]*;\s*(?://[^\n]*)?$", re.MULTILINE
-)
+ENDED = re.compile(r"[;{}]\s*(?://.*)?$")
+FEWEST = 2  # lines that end so
 SURE = re.compile(
     r"\b(?:double|float|const|let|var|void|auto|int|function|Matrix\w*|std::\w+)\s+[\w\[*&<]"
 )
@@ -40,7 +39,8 @@ def is_clike(text):
     >>> is_clike("double a = 1;\\nint b = 2;"), is_clike("a = 1\\nb = 2")
     (True, False)
     """
-    return bool(CLIKE.search(text) and SURE.search(text)) and not OTHERS.search(text)
+    ended = sum(bool(ENDED.search(line)) for line in text.split("\n"))
+    return ended >= FEWEST and bool(SURE.search(text)) and not OTHERS.search(text)
 
 
 def as_python(text):
@@ -89,7 +89,7 @@ class _Writer:
             start = at
             try:
                 at = self.statement(tokens, at)
-            except (NoProgram, IndexError):
+            except (NoProgram, LookupError, ValueError, StopIteration):
                 at = behind(tokens, start)
                 names = [text for kind, text in tokens[start:at] if kind == "name"]
                 marks = [k for k in range(start, at) if tokens[k] == ("op", "=")]

@@ -18,9 +18,6 @@ NOT_MATLAB = re.compile(
     re.MULTILINE,
 )
 BLOCK = re.compile(r"^[ \t]*%\{[ \t]*$.*?^[ \t]*%\}[ \t]*$", re.MULTILINE | re.DOTALL)
-COMMENT = re.compile(
-    r"^((?:[^%'\"\n]|(?<=[\w)\]}.])'|'[^'\n]*'|\"[^\"\n]*\")*?)[%#][^\n]*$", re.MULTILINE
-)
 GOING_ON = re.compile(r"\.\.\.[^\n]*\n")
 COMMANDS = re.compile(
     r"(?:clc|clear|close|hold|format|figure|warning|global|persistent|addpath|axis|grid|clearvars"
@@ -56,9 +53,24 @@ def as_python(text):
         T=T*A(i)
     """
     text = BLOCK.sub("", text)
-    text = COMMENT.sub(r"\1", GOING_ON.sub(" ", text))
+    lines = GOING_ON.sub(" ", text).split("\n")
+    text = "\n".join(map(_without_comment, lines))
     writer = _Writer(list(_statements(text)))
     return "\n".join(writer.written())
+
+
+def _without_comment(line):
+    """A line without what stands behind a % or # that is in no text."""
+    quote = ""
+    for k, mark in enumerate(line):
+        if mark == quote:
+            quote = ""
+        elif not quote and mark in "%#":
+            return line[:k]
+        elif not quote and mark in "'\"":
+            turned = mark == "'" and k and (line[k - 1].isalnum() or line[k - 1] in "_)]}.'")
+            quote = "" if turned else mark
+    return line
 
 
 def _statements(text):
@@ -98,7 +110,7 @@ class _Writer:
         for tokens in self.statements:
             try:
                 self.statement(tokens)
-            except NoMatlab:
+            except (NoMatlab, LookupError, ValueError):
                 named = tokens[0][0] == "name" and len(tokens) > 1
                 self.put(f"{tokens[0][1].split('.')[0]} = _lost()" if named else "_lost()")
         while self.blocks:
