@@ -268,6 +268,27 @@ def wrist(q):
     assert all(len(one.arm) == 4 for one in dh.recognise_table(text).readings)
 
 
+def test_a_statement_in_a_loop_that_is_not_understood_leaves_the_others():
+    text = "import numpy as np" + STANDARD + """
+def jacobian(q):
+    rows, T, J = [(.31, 0, np.pi/2), (0, .27, 0), (.12, .05, -np.pi/2)], np.eye(4), np.zeros((6, 3))
+    for i in range(3):
+        J[3:, i] = np.einsum('ij,j', T[:3, :3], [0, 0, 1]) @ np.nothing
+        T = T @ link(q[i] + (0, -np.pi/2, .3)[i], *rows[i])
+        del J
+    return J
+"""  # fmt: skip
+    assert np.allclose(chain_of(text)[0].rows, BENT)
+    failing = text.replace("rows[i]", "rows[i:][1]")
+    assert chain_of(failing) is None
+
+
+def test_functions_of_matlab_are_known_before_they_stand_there():
+    calls = "T = link(q(1), .31, 0, pi/2) * link(q(2) - pi/2, 0, .27, 0);\n"
+    links, _ = chain_of("% two links\n" + calls + LINK_IN_MATLAB)
+    assert np.allclose(links.rows, BENT[:2])
+
+
 UNDECIDED = {
     "coupled joints": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1] - q[0], 0, 0.4, 0)",
     "a length that is not known": "T = link(q[0], 0.3, 0, 1.2) @ link(q[1], 0, reach, 0)",

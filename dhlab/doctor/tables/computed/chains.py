@@ -100,6 +100,9 @@ def _tried(way):
     found = _chain(way, first, LENGTHS[0])
     if not first.samples.asked:
         return _undoubted(way, found, LENGTHS[0]) if first.samples.doubted else found
+    unbound = any(len(one) == LENGTHS[0] for one in first.factors.products)
+    if found is None and unbound and not first.failed:
+        return None  # a link for each of as many joints as anybody likes, and none that is known
     for length in _lengths(way.statements) if found is None else LENGTHS[1:2]:
         run = way.run(1, length)
         shorter = _chain(way, run, length)

@@ -2,6 +2,7 @@
 
 import ast
 import operator
+import re
 
 import numpy as np
 
@@ -27,6 +28,7 @@ COMPARED = {
 }  # fmt: skip
 MOST_REPEATED = 512
 HIGHEST = 64
+BEGINNING = re.compile(r"(?:T|H|M|tf|[a-z_]*(?:base|world|total|result)[a-z_]*)$", re.IGNORECASE)
 
 
 def binary(run, kind, one, other):
@@ -111,8 +113,15 @@ def _with_unknown(run, kind, one, other):
     return free.mapped(lambda value: act(held, value))
 
 
+def _begins(value):
+    """Whether a value is the matrix before all links, which the text does not show: T, base."""
+    return isinstance(value, Unknown) and not value.steps and bool(BEGINNING.match(value.path))
+
+
 def multiplied(run, one, other):
     """A product of matrices."""
+    if _begins(one) and not isinstance(other, Unknown) and is_pose(other):
+        return other
     if isinstance(one, Unknown) or isinstance(other, Unknown):
         run.factors.spoil(one, other)
         return run.unknown("product")

@@ -56,7 +56,7 @@ class Run:
         self.lists: list = []
         self.outermost: list = []
         self.instances: list = []
-        self.tickets = self.calls = 0
+        self.tickets = self.calls = self.failed = 0
         self.skipped, self.own_products = False, OwnProducts()
         self.called: set = set()
         self.me = Instance(None, path="self")

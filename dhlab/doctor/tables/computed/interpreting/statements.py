@@ -14,6 +14,7 @@ from .unknowns import spoiled
 __all__ = ["body"]
 
 MOST_TURNS = 128
+LEADING_OUT = (ast.Break, ast.Continue, ast.Return, ast.Raise)
 LIBRARY_WORDS = {
     "np", "numpy", "math", "pi", "sp", "sympy", "radians", "deg2rad", "array", "torch", "float",
     "zeros", "PI", "asarray", "list", "d2r", "deg",
@@ -46,12 +47,23 @@ def body(run, statements, scope):
 
 
 def inner(run, statements, scope):
-    """Carry out the statements of a loop or a branch; a failure is one of the whole."""
+    """Carry out the statements of a loop or a branch; where one may lead out of it and fails, the
+    whole does.
+    """
     for node in statements:
         run.budget.step()
-        with run.budget:
-            if ended := carry_out(run, node, scope):
-                return ended
+        mark = run.marked()
+        try:
+            with run.budget:
+                ended = carry_out(run, node, scope)
+        except FAILURES:
+            if any(isinstance(one, LEADING_OUT) for one in ast.walk(node)):
+                raise
+            run.back_to(mark)
+            spoiled(run, node, scope)
+            continue
+        if ended:
+            return ended
     return None
 
 

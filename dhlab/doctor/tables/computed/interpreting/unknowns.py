@@ -3,6 +3,7 @@
 import ast
 
 from ..held.budget import FAILURES
+from ..held.factors import is_known_pose
 from ..held.values import LOST, Instance, Unknown
 from .expressions import evaluate
 
@@ -11,10 +12,12 @@ __all__ = ["spoiled"]
 
 def spoiled(run, node, scope):
     """Make unknown whatever a statement, which failed, would have set or changed."""
+    run.failed += 1
     for target in _targets(node):
         run.budget.step(10)
         path = f"{LOST}{run.ticket()}"
         if isinstance(target, ast.Name):
+            _spoil_products(run, scope.find(target.id))
             scope.put(target.id, Unknown(path, run.samples))
             continue
         try:
@@ -22,7 +25,14 @@ def spoiled(run, node, scope):
         except FAILURES:
             continue
         if isinstance(owner, Instance):
+            _spoil_products(run, owner.attributes.get(target.attr))
             owner.attributes[target.attr] = Unknown(path, run.samples)
+
+
+def _spoil_products(run, value):
+    """What was multiplied until now is not all of it."""
+    items = value if isinstance(value, list) else [value]
+    run.factors.spoil(*(one for one in items if is_known_pose(one)))
 
 
 def _targets(node):

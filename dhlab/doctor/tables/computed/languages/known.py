@@ -1,5 +1,6 @@
 """A text as a program, in whatever language it is written."""
 
+import ast
 import re
 
 from ..held.budget import FAILURES
@@ -28,12 +29,18 @@ def statements_in(text):
     """
     try:
         if is_matlab(text):
-            return statements_of(from_matlab(text), True), Matlab(), _is_closed(text)
+            return _functions_first(from_matlab(text)), Matlab(), _is_closed(text)
         if is_clike(text):
-            return statements_of(from_braces(text), True), Braces(), _is_closed(text)
+            return _functions_first(from_braces(text)), Braces(), _is_closed(text)
         return statements_of(text), None, _is_closed(text) and parsed(text) is not None
     except FAILURES:  # brackets in brackets in brackets
         return [], None, False
+
+
+def _functions_first(text):
+    """The statements of a translated program: its functions are known before they stand there."""
+    found = statements_of(text, True)
+    return sorted(found, key=lambda node: not isinstance(node, ast.FunctionDef))
 
 
 def _is_closed(text):
