@@ -14,6 +14,7 @@ from .completing.alike import stands_for
 from .computed.reading import computed
 from .computed.settled import is_cut_off, settled
 from .dialects.lined.lines import TwoTables
+from .meaning.beside import Contradicted
 from .meaning.columns import misplaced
 from .meaning.joints import require_one_column, require_values
 from .meaning.scales import UNIT_WORDS
@@ -87,6 +88,8 @@ def recognise_table(
     program = computed(given, length) if isinstance(given, str) and nominal is None else None
     try:
         written = _as_written(given, right, **said)
+    except Contradicted:
+        raise
     except ValueError:
         if program is None or is_cut_off(given):
             raise

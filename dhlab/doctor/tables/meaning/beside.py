@@ -14,6 +14,7 @@ from ..language.words import KINDS
 __all__ = [
     "APART",
     "DASH",
+    "Contradicted",
     "explained",
     "labelled",
     "require_no_fifth",
@@ -22,6 +23,11 @@ __all__ = [
     "with_theta",
     "with_types",
 ]
+
+
+class Contradicted(ValueError):
+    """A row has a number that the program leaves out: nobody but its author knows which counts."""
+
 
 DASH = Cell(0.0, text="-")
 ENUMERATED = re.compile(  # JointType::Static
@@ -203,7 +209,7 @@ def _with_slides(table, source):
             )
         held = [cell for cell, role in zip(table.rows[k], table.roles) if role == "d"]
         if not counts and any(cell.value for cell in held):
-            raise ValueError(
+            raise Contradicted(
                 f"recognise_table: row {k + 1} has a d of its own, and the program puts q in its"
                 " place; does it count? Write 0 there, or add it up in the program"
             )
