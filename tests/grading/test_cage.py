@@ -389,6 +389,18 @@ def test_a_cage_that_is_killed_is_built_again():
     ]
 
 
+@pytest.mark.cage
+def test_whatever_stops_the_grader_in_a_submission_the_next_one_runs(monkeypatch):
+    """Its parent would still wait for the end of the one before, and take this one for it."""
+    asked = request(COURSE, 0)
+    with cage.Cage() as one:
+        with monkeypatch.context() as patched:
+            patched.setattr(one, "_learn", lambda lines: 1 / 0)
+            with pytest.raises(ZeroDivisionError):
+                one.run(asked, _one_cell("x = 1"), 20)
+        assert one.run(asked, _one_cell("x = 1"), 20).ended == "done"
+
+
 def code(source, *ids):
     return notebook.Cell(source, list(ids))
 
@@ -463,7 +475,7 @@ def test_a_diagnosis_that_is_only_shown_is_not_made():
 FORGED = """import os
 for file in range(3, 30):
     try:
-        os.write(file, b'\\n{"done": "", "loaded": ["this", "sympy", "pydoc", 3]}\\n')
+        os.write(file, b'\\n{"done": "", "loaded": ["this", "sympy", "pydoc", 3, []]}\\n')
     except OSError:
         pass
 """

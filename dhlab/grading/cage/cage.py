@@ -125,6 +125,9 @@ class Cage:
             run = Run()
             run.seconds = time.monotonic() - begun
             self.close()
+        except BaseException:
+            self.close()  # its parent waits for the end of this one, and would take the next for it
+            raise
         finally:
             os.close(answers)
         return run
@@ -153,6 +156,9 @@ class Cage:
         except OSError:
             talk.seconds = time.monotonic() - begun
             self.close()
+        except BaseException:  # as in run
+            self.close()
+            raise
         finally:
             ours.close()
 

@@ -33,11 +33,11 @@ def used(lines: Iterable[dict[str, Any]], known: Collection[str]) -> set[str]:
 
     Examples
     --------
-    >>> used([{"loaded": ["scipy", "sympy.tests", 3]}, {"done": ""}], ("scipy", "sympy"))
+    >>> used([{"loaded": ["scipy", "sympy.tests", 3, []]}, {"done": ""}], {"scipy", "sympy"})
     {'scipy'}
     """
     said = [line["loaded"] for line in lines if isinstance(line.get("loaded"), list)]
-    return {name for found in said for name in found if name in known}
+    return {name for found in said for name in found if isinstance(name, str) and name in known}
 
 
 class Listener:

@@ -106,6 +106,8 @@ def _run(cage, handed, course, variant, answers, most):
     notes, left, raw = [], most, handed.raw
     while True:
         run = cage.run(request(course, variant, skip), raw, left)
+        if not run.lines and run.ended == "crashed":  # the cage had died: nothing has run
+            run = cage.run(request(course, variant, skip), raw, left)
         raw = _code(run) or raw
         left -= run.seconds
         late = any(line.get("ended") == "timed out" for line in run.lines)
@@ -120,7 +122,7 @@ def _run(cage, handed, course, variant, answers, most):
             notes.append(broken[0] if broken[0] in FAULTS else error_name(broken[0]))
         if (
             run.ended == "done"
-            or run.cell is None
+            or not _is_cell(run)
             or run.cell in skip
             or len(skip) == AGAIN
             or left <= 0
@@ -130,3 +132,9 @@ def _run(cage, handed, course, variant, answers, most):
             return run, notes, (raw, sorted(skip)), most - left
         skip.add(run.cell)
         notes.append(f"cell {run.cell + 1} ended the program ({run.ended}); run again without it")
+
+
+def _is_cell(run):
+    """Whether it ended in a cell that there is: which one is what it says of itself."""
+    slim = run.lines[0].get("slim") if run.lines else None
+    return run.cell is not None and slim is not None and 0 <= run.cell < len(slim["cells"])
