@@ -13,14 +13,17 @@ import corpus
 from corpus import code
 
 from dhlab.course.workspace import handed_out
+from dhlab.grading.own_items import YOUR_NUMBERS
 from dhlab.grading.reports.alike import _tokens, alike, answers, is_cut
 from dhlab.grading.reports.answered import Answer, keep_answers, own_answers
+from dhlab.grading.reports.cells import written
 from dhlab.grading.reports.publish import _compared
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import GRADED, Graded, Mark
 from dhlab.grading.reviewing.desk import Desk
 from dhlab.grading.shown import readable
 
+CHECK = "check('05.1', 1)"
 PROGRAM = "def dh_closed("  # of ada's, and of who copied it
 
 
@@ -86,6 +89,10 @@ WAYS = {
         lambda s, key: f"check('{key}', '('); x = 2\n{s}"
     ),
     "as a text": lambda: answered_by(lambda s, key: f"exec({s!r})"),
+    "above a check of nothing": lambda: answered_by(lambda s, key: f"{s}\ncheck('77.7', 0)"),
+    "above one in a comment": lambda: answered_by(lambda s, key: f"{s}\n# check('77.7')"),
+    "above a guess's check": lambda: answered_by(lambda s, key: f"{s}\ncheck('00.P1', 'a')"),
+    "above another lesson's": lambda: answered_by(lambda s, key: f"{s}\ncheck('06.2', 0)"),
     "below the last check": below_the_last_check,
     "checked twice": checked_twice,
     "behind a broken cell": behind_a_broken_cell,
@@ -117,6 +124,20 @@ def test_a_newer_file_without_answers_hides_nothing():
 )
 def test_the_teacher_reads_what_ran(make):
     assert sum(PROGRAM in answer.code for answer in own_answers(make()).values()) == 1
+
+
+@pytest.mark.parametrize("make", [make for name, make in WAYS.items() if name.startswith("above")])
+def test_a_check_of_something_else_takes_no_code_away(make):
+    assert PROGRAM in own_answers(make())["05.6"].code
+
+
+def test_checks_and_numbers_without_end_are_read_once():
+    """Work grows as the file does, and no long cell is parsed."""
+    many = {"cells": [code("abcdefghijkl;check('05.1');" * 2000)]}
+    parts = written(many)["05.1"]
+    assert len(parts) == 2001 and len(answers(many)["05.1"]) == 10_000
+    assert own_answers({"cells": [code(YOUR_NUMBERS + "task = 1" + "+1" * 10_000), code(CHECK)]})
+    assert own_answers({"cells": [code(YOUR_NUMBERS + "task = 1\n1\n"), code(CHECK)]})
 
 
 @pytest.mark.parametrize(

@@ -17,8 +17,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from ...course.exercises import exercises
-from .cells import answered
+from .cells import written
 
 __all__ = ["Pair", "alike", "answers", "is_cut"]
 
@@ -89,18 +88,10 @@ def _cut(written):
 
 
 def _written_in(notebook):
-    found: dict[str, str] = {}
-    code = last = ""
-    for _, part, exercise in answered(notebook):
-        code += "" if part is None else NO_CODE.sub("", part) + APART
-        if exercise in exercises():
-            found[exercise] = found.get(exercise, "") + code
-            code, last = "", exercise
-        elif exercise:
-            code = ""
-    if last:
-        found[last] += code
-    return found
+    return {
+        exercise: "".join(NO_CODE.sub("", code) + APART for _, code in parts if code is not None)
+        for exercise, parts in written(notebook).items()
+    }
 
 
 def alike(

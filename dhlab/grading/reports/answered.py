@@ -16,7 +16,7 @@ from ..intake.notebooks import LARGEST, parsed
 from ..own_items import YOUR_NUMBERS
 from ..results.marks import Graded
 from ..results.names import marks_stem
-from .cells import answered
+from .cells import written
 
 __all__ = ["Answer", "Picture", "keep_answers", "own_answers", "read_answers", "read_notebook"]
 
@@ -68,35 +68,28 @@ def own_answers(notebook: Any) -> dict[str, Answer]:
     >>> own_answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
     {'05.2': Answer(code="rule = 'a'", pictures=())}
     """
-    found: dict[str, Answer] = {}
-    mine: list[str] = []
-    last = ""
-    pictures: list[Picture] = []
-    for cell, part, exercise in answered(notebook):
-        pictures += _pictures(cell) if part is None else ()
-        code = (part or "").strip()
-        if code and code not in _handed_out_cells() and not _is_given(code):
-            mine.append(code)
-        if exercise:
-            if mine or pictures:
-                found[exercise] = _answer(found.get(exercise), mine, pictures)
-            mine, pictures, last = [], [], exercise
-    if mine and last:  # below the last check
-        found[last] = _answer(found.get(last), mine, [])
-    return found
+    return {
+        exercise: answer
+        for exercise, parts in written(notebook).items()
+        if (answer := _answer(parts)) != Answer()
+    }
 
 
-def _answer(before, mine, pictures):
-    """An answer with what is found of it further below."""
-    known = before or Answer()
-    code = "\n\n".join(filter(None, [known.code, *mine]))[:MOST]
-    return Answer(code, (*known.pictures, *pictures)[:MOST_PICTURES])
+def _answer(parts):
+    """The Answer in what stands above an exercise's checks."""
+    mine = [(code or "").strip() for _, code in parts]
+    pictures = [picture for cell, code in parts if code is None for picture in _pictures(cell)]
+    own = (code for code in mine if code and code not in _handed_out_cells())
+    code = "\n\n".join(code for code in own if not _is_given(code))[:MOST]
+    return Answer(code, tuple(pictures[:MOST_PICTURES]))
 
 
 def _is_given(code):
     """Whether a cell is that of one's own numbers, and nothing else."""
     if not code.startswith(YOUR_NUMBERS):
         return bool(VARIANT.match(code))
+    if len(code) > MOST or code.count("\n") > YOUR_NUMBERS.count("\n"):
+        return False  # what we write is short, and one line
     try:
         (task,) = ast.parse(code).body
     except (ValueError, SyntaxError, RecursionError, MemoryError):

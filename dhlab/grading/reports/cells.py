@@ -6,9 +6,11 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from ...course.exercises import exercises
+from ...course.kinds import Prediction, PreTest
 from ..inside.reading.notebook import cells_of, listed
 
-__all__ = ["answered"]
+__all__ = ["answered", "written"]
 
 LINE = 1000  # letters of a check
 # a check, with what may stand before it in its line
@@ -40,6 +42,36 @@ def answered(notebook: Any) -> Iterator[tuple[dict[str, Any], str | None, str | 
         own = next(code)
         source = own.source.encode("utf-8", "replace").decode("utf-8")  # JSON has half letters
         yield from ((cell, *part) for part in _parts(source, own, checks))
+
+
+def written(notebook: Any) -> dict[str, list[tuple[dict[str, Any], str | None]]]:
+    """What stands above the check of each exercise, from the check before it of the same lesson on:
+    (cell, its code up to a check), of one that is no code None. What stands below the last check is
+    the last one's. A check of what is never marked ends nothing, so that it takes no code away from
+    the exercise that it is of.
+
+    Examples
+    --------
+    >>> sources = "x = 1", "check('77.7', x)", "check('05.1', x)"
+    >>> found = written({"cells": [{"cell_type": "code", "source": one} for one in sources]})
+    >>> [(key, [code for _, code in parts]) for key, parts in found.items()]
+    [('05.1', ['x = 1', '', ''])]
+    """
+    found: dict[str, list[tuple[dict[str, Any], str | None]]] = {}
+    parts: list[tuple[dict[str, Any], str | None]] = []
+    begun: dict[str, int] = {}  # of each lesson, how many parts stand above its last check
+    last = ""
+    for cell, code, exercise in answered(notebook):
+        parts.append((cell, code))
+        known = exercises().get(exercise) if exercise else None
+        if known and not isinstance(known, (Prediction, PreTest)):
+            last, lesson = known.id, known.id.partition(".")[0]
+            found.setdefault(last, []).extend(parts[begun.get(lesson, 0) :])
+            begun[lesson] = len(parts)
+    if last:
+        below = parts[begun[last.partition(".")[0]] :]
+        found[last] += [part for part in below if part[1] is not None]
+    return found
 
 
 def _parts(source, own, checks):
