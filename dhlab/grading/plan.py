@@ -159,7 +159,13 @@ def _lessons(found, settings, roster):
         for lesson, count in sorted(seen.items())
         if lesson not in common
     ]
-    return common, rare
+    few = [
+        f"lesson {lesson} was handed in by {known[lesson]} of {len(deciding)} and counts for"
+        " everybody; name the lessons in course.yaml if it should not"
+        for lesson in common
+        if 2 * known[lesson] < max(known.values())
+    ]
+    return common, [*rare, *few]
 
 
 def _handed_in(found):

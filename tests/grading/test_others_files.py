@@ -189,6 +189,48 @@ def test_nor_while_the_other_hands_in_nothing(tmp_path, nick):
     assert f"hw-6-{nick}" in submissions(tmp_path, CLASS)["ada_l"].notes[0]
 
 
+@pytest.mark.parametrize("login", ["ada_l-2", "ada_l_v2", "ada_l final"])
+def test_a_login_like_the_name_of_a_copy(tmp_path, login):
+    own(tmp_path, "ada_l", "bo")
+    put(tmp_path / login / "05.ipynb", day=20)
+    assert taken(tmp_path)["ada_l"] == ["ada_l/05.ipynb"]
+    assert login in submissions(tmp_path, CLASS)["ada_l"].notes[0]
+
+
+def test_a_display_name_that_is_anothers_but_for_a_digit(tmp_path):
+    put(tmp_path / "lovelaceada_771_900_05.ipynb")
+    put(tmp_path / "lovelaceada2_880_902_05.ipynb", day=20)
+    assert taken(tmp_path) == {"ada_l": ["lovelaceada_771_900_05.ipynb"]}
+
+
+def test_gradescopes_name_alone_is_not_sure(tmp_path):
+    people = [
+        ("Ada Lovelace", "ada_l", ""),
+        ("Ada Lovelace", "", "m@example.net"),
+        ("Bo", "bo", ""),
+    ]
+    listed = [
+        f"submission_{k}:\n  :submitters:\n  - :name: {name}\n    :sid: {sid}\n    :email: {mail}\n"
+        for k, (name, sid, mail) in enumerate(people)
+    ]
+    put(tmp_path / "submission_metadata.yml", "".join(listed).encode())
+    for k in range(3):
+        put(tmp_path / f"submission_{k}" / "05.ipynb", day=1 + 10 * k)
+    assert taken(tmp_path)["ada_l"] == ["ada_l/submission_0/05.ipynb"]
+    assert "submission_1" in submissions(tmp_path, CLASS)["ada_l"].notes[0]
+
+
+def test_nbgraders_time_is_of_all_that_was_handed_in_with_it(tmp_path):
+    """In a folder of one's own files keep the times that their owner gave them."""
+    for student in ("ada_l", "bo", "cy"):
+        put(tmp_path / student / "ps5" / "timestamp.txt", b"2026-11-20 08:00:00 UTC", day=25)
+    put(tmp_path / "ada_l" / "ps5" / "x" / "05.ipynb", day=1)
+    put(tmp_path / "bo" / "ps5" / "05.ipynb", day=25)
+    put(tmp_path / "cy" / "ps5" / "cy.zip", zipped({"05.ipynb": NOTEBOOK}), day=1)
+    found = submissions(tmp_path, CLASS)
+    assert [found[one.student].notebooks[0].when.day for one in CLASS] == [20, 20, 20]
+
+
 def test_strangers_folders_do_not_switch_off_the_platforms_times(tmp_path):
     for student in ("ada_l", "bo", "cy"):
         put(tmp_path / student / "ps5" / "05.ipynb", day=20)
@@ -290,6 +332,16 @@ def test_strangers_do_not_vote_on_the_lessons(tmp_path):
         put(tmp_path / f"{name}.ipynb", notebook("09"))
     planned = plan(tmp_path, roster)
     assert planned.course.lessons == ("05",) and "lesson 09" in told(planned)
+
+
+def test_a_lesson_that_few_of_the_class_handed_in_is_told(tmp_path):
+    roster = [Student(f"s{number}") for number in range(10)]
+    own(tmp_path, *(student.student for student in roster))
+    for name in ("s1", "s2"):
+        put(tmp_path / name / "06.ipynb", notebook("06"))
+    planned = plan(tmp_path, roster)
+    assert planned.course.lessons == ("05", "06")
+    assert "lesson 06 was handed in by 2 of 10 and counts for everybody" in told(planned)
 
 
 def test_without_a_roster_most_decide_on_the_lessons(tmp_path):

@@ -1,5 +1,6 @@
 """A class's files as learning platforms and teachers lay them: each is its owner's."""
 
+import os
 import unicodedata
 from datetime import UTC, datetime
 
@@ -49,6 +50,18 @@ LAYOUTS = {
     "Moodle with groups": {
         "Group A-Ada Lovelace_77_assignsubmission_file_/05.ipynb": "ada_l",
         "Group B-Müller Bo_78_assignsubmission_file_/work/05.ipynb": "bo",
+    },
+    "Moodle, two assignments in one folder": {
+        f"{name}_{number}_assignsubmission_file_/hw{number // 10}.ipynb": student
+        for k, (name, student) in enumerate(
+            [("Ada Lovelace", "ada_l"), ("Müller Bo", "bo"), ("Cy Twombly", "cy")]
+        )
+        for number in (50 + k, 60 + k)
+    },
+    "folders that are numbered, one of them with one student so far": {
+        "Practical 1/ada_l/05.ipynb": "ada_l",
+        "Practical 1/bo/05.ipynb": "bo",
+        "Practical 2/ada_l/06.ipynb": "ada_l",
     },
     "GitHub Classroom": {
         "hw-5-submissions/hw-5-ada_l/src/05.ipynb": "ada_l",
@@ -209,3 +222,28 @@ def test_the_platforms_whole_download_in_the_folder(tmp_path):
     assert taken(tmp_path, CLASS).keys() == {student.student for student in CLASS}
     (mine,) = found["ada_l"].notebooks
     assert mine.when == datetime(2026, 11, 2, tzinfo=UTC) and mine.source == "zip"
+
+
+def test_canvas_numbers_people_and_one_may_be_anothers_id_by_chance(tmp_path):
+    roster = [Student("12", "Ada Lovelace"), Student("77", "Bo Müller")]
+    put(tmp_path / "lovelaceada_31_901_05.ipynb")
+    put(tmp_path / "mullerbo_12_900_05.ipynb")
+    assert taken(tmp_path, roster) == {"12": ["lovelaceada_31_901_05.ipynb"]}
+    put(tmp_path / "someoneelse_77_902_05.ipynb")  # no other's name: the number says it
+    assert taken(tmp_path, roster)["77"] == ["someoneelse_77_902_05.ipynb"]
+
+
+def test_a_folder_that_cannot_be_looked_into_is_told(tmp_path, monkeypatch):
+    for student in ("ada_l", "bo"):
+        put(tmp_path / student / "05.ipynb")
+    look = os.scandir
+
+    def refuse(path):
+        if str(path).endswith("ada_l"):
+            raise PermissionError(13, "Permission denied", str(path))
+        return look(path)
+
+    monkeypatch.setattr(os, "scandir", refuse)
+    found = submissions(tmp_path, CLASS)
+    assert found["ada_l"].refused and "permissions" in found["ada_l"].notes[0]
+    assert found["bo"].notebooks and not found["bo"].notes

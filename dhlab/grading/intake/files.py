@@ -30,6 +30,7 @@ FOLDERS = 40  # in folders
 BROKEN = Exception
 LATEST = 7_258_118_400  # seconds, the year 2200: a file may claim times that no calendar has
 TOO_DEEP = "refused: too many folders in folders"
+CLOSED = "refused: a folder that cannot be looked into; are its permissions right?"
 # where the time of a submission comes from
 FILE_TIME, ZIP, TIMESTAMP = "file time", "zip", "timestamp.txt"
 
@@ -97,7 +98,8 @@ def only_zip(place: Path) -> Path | None:
 
 
 def _in_folder(place, zone, room):
-    for folder, folders, files in os.walk(place):
+    closed: list[OSError] = []
+    for folder, folders, files in os.walk(place, onerror=closed.append):
         folders[:] = sorted(name for name in folders if not _boring(name))
         for name in (*folders, *sorted(files)):
             path = os.path.join(folder, name)
@@ -127,6 +129,10 @@ def _in_folder(place, zone, room):
                 yield Entry(parts, _nothing, when, FILE_TIME, refused)
             else:
                 yield Entry(parts, _reader(place, parts), when, FILE_TIME, "", status.st_size)
+    for error in closed:
+        parts = Path(error.filename).relative_to(place).parts
+        if parts and not isinstance(error, FileNotFoundError):
+            yield Entry(parts, _nothing, None, FILE_TIME, CLOSED)
 
 
 def _nothing():

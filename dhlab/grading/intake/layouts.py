@@ -6,11 +6,12 @@ import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
+from statistics import median_low
 from typing import NamedTuple
 
 from .roster import Student
 
-__all__ = ["Names", "Owner", "from_platform", "named_in", "student_of"]
+__all__ = ["Names", "Owner", "from_platform", "named_in", "namesakes_of", "student_of"]
 
 # what a platform wrote: first who, then what the student called it
 CANVAS = re.compile(
@@ -18,10 +19,13 @@ CANVAS = re.compile(
 )
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
 BRIGHTSPACE = re.compile(r"\d+-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M")
-BLACKBOARD = re.compile(r"(?P<name>.+?_.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)")
+BLACKBOARD = re.compile(r"(?P<name>.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)")
 GROUP = re.compile(r".*?(\d|\b\w)-(?P<name>.+)")  # Moodle's before a name; not Anna-Lena's Anna
 GRADESCOPE = re.compile(r"submission_\d+$")
-COPY = re.compile(r"([ _-]*(copy|version|final|v)[ ._-]?\d*|[ _-]*\(\d+\)|-\d+)$", re.IGNORECASE)
+# of many signs a few: what is left is taken away as well, and a long row of them costs no time
+COPY = re.compile(
+    r"([ _-]{0,3}(copy|version|final|v)[ ._-]?\d*|[ _-]{0,3}\(\d+\)|-\d+)$", re.IGNORECASE
+)
 LONGEST = 100  # bytes of a name that was read off a file
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 
@@ -156,6 +160,25 @@ def student_of(
     return Owner(safe, False, name, number, where, within=named_in(parts, names))
 
 
+def namesakes_of(owners: Iterable[Owner]) -> set[Owner]:
+    """The owners of a name that a platform has given to several of its own numbers at one place:
+    they are several people.
+    """
+    owners = list(owners)
+    sure = {owner.student for owner in owners if owner.number and owner.sure}
+    numbers: dict[tuple[str, tuple[str, ...]], set[str]] = {}
+    for owner in owners:
+        if owner.number and (owner.sure or owner.student not in sure):
+            numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
+    most: dict[tuple[str, ...], int] = {}
+    for place in {place for _, place in numbers}:
+        counts = [len(found) for (_, where), found in numbers.items() if where == place]
+        # where most have several, they are those of several assignments
+        most[place] = median_low(counts) if len(counts) > 2 else 1
+    several = {student for (student, place), found in numbers.items() if len(found) > most[place]}
+    return {owner for owner in owners if owner.number and owner.student in several}
+
+
 def named_in(parts: Sequence[str], names: Names) -> str:
     """The first student of the roster whom a path names; empty where it names none."""
     return next((known for part in parts if (known := names.whose(part)[0])), "")
@@ -195,10 +218,11 @@ def _known(part, names, prefix):
     if written:
         return _known_to_platform(written, names, prefix)
     stem = ENDINGS.sub("", part)
-    for called in (stem, _called(part, names, True), stem.removeprefix(prefix)):
+    for called in (stem, _called(part, names, stem != part), stem.removeprefix(prefix)):
         if called and (found := names.find(called)):
             return found, True
-    return names.within(stem), False
+    # a folder is called by who made it: "ada-2" may be another person's login
+    return names.find(_called(part, names, True)) or names.within(stem), False
 
 
 def _known_to_platform(written, names, prefix):
@@ -210,9 +234,13 @@ def _known_to_platform(written, names, prefix):
         # as much of it as is somebody's: an id may have underscores
         ends = (called.split("_", k)[-1] for k in range(1, called.count("_") + 1))
         return next((found for end in ends if (found := names.find(end))), None), False
-    # a number is the platform's; a name is its owner's choice, and may be another's id
-    if written.re is CANVAS and (found := names.ids.get(_plain(written["number"]))):
-        return found, True
+    # a number is the platform's, and may be somebody's id by chance; a name is its owner's choice,
+    # and may be another's id
+    numbered = names.ids.get(_plain(written["number"])) if written.re is CANVAS else None
+    if numbered and names.by_name(called) in (None, numbered):
+        return numbered, True
+    if numbered:
+        return None, False
     if found := names.by_name(called):
         return found, True
     group = GROUP.fullmatch(called)
@@ -227,8 +255,9 @@ def _called(part, names, is_file):
     if not is_file:
         return part
     stem = COPY.sub("", ENDINGS.sub("", part))
-    for lesson in names.lessons:
-        stem = re.sub(rf"(^|[ _.-]+){lesson}([ _.-]+|$)", " ", stem, flags=re.IGNORECASE).strip()
+    for lesson in [one for one in names.lessons if re.search(one, stem, re.IGNORECASE)]:
+        ends = rf"(^|[ _.-]{{1,3}}){lesson}([ _.-]{{1,3}}|$)"
+        stem = re.sub(ends, " ", stem, flags=re.IGNORECASE).strip()
     return stem.strip(" _.-")
 
 
@@ -246,7 +275,7 @@ def _words(name):
 
 
 def _letters(text):
-    return re.sub(r"[\W\d_]", "", unicodedata.normalize("NFKD", _plain(text)))
+    return re.sub(r"[\W_]", "", unicodedata.normalize("NFKD", _plain(text)))
 
 
 def _safe(called):

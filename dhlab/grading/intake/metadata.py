@@ -40,14 +40,20 @@ def with_submitters(entries: Iterable[Entry], names: Names) -> list[Entry]:
     }
     found = []
     for entry in entries:
-        students = known.get((*entry.outer, entry.parts[0]), [])
-        owned = [entry._replace(parts=(student, *entry.parts)) for student in students]
+        folder, *rest = entry.parts
+        owned = [
+            # by a name alone it is only perhaps this student's: so is an id in a longer name
+            entry._replace(
+                parts=(student, *entry.parts) if sure else (f"{folder} {student}", *rest)
+            )
+            for student, sure in known.get((*entry.outer, folder), [])
+        ]
         found += owned or [entry]
     return found
 
 
 def _submitters(raw, names):
-    """The ids of the roster's students by folder."""
+    """(id of a student of the roster, whether that is sure) by folder."""
     blocks: dict[str, list[str]] = {}
     block, key = None, ""
     for line in raw.decode("utf-8", "replace").split("\n"):
@@ -62,7 +68,9 @@ def _submitters(raw, names):
 
 
 def _of_block(text, names):
-    """The ids of one submission's submitters; a block that cannot be read names nobody."""
+    """One submission's submitters, as :func:`_person` gives them; a block that cannot be read names
+    nobody.
+    """
     try:
         listed = plainyaml.parse(text, LIST).plain() if len(text) < LARGEST else None
     except ValueError:
@@ -72,8 +80,10 @@ def _of_block(text, names):
 
 
 def _person(told, names):
-    """A number goes before an address, and that before a name, which may be anybody's choice."""
+    """(id, whether that is sure), or None. A number goes before an address, and that before a name,
+    which may be anybody's choice and is not sure.
+    """
     sid, mail, name = (str(told.get(f":{key}") or "") for key in ("sid", "email", "name"))
-    return (
-        (sid and names.find(sid)) or (mail and names.find(mail)) or (name and names.by_name(name))
-    )
+    sure = (sid and names.find(sid)) or (mail and names.find(mail))
+    found = sure or (name and names.by_name(name))
+    return (found, bool(sure)) if found else None

@@ -12,7 +12,7 @@ from zoneinfo import ZoneInfo
 
 from ..shown import printable, some
 from .files import FILE_TIME, LARGEST, TIMESTAMP, Read
-from .layouts import Names, from_platform, student_of
+from .layouts import Names, from_platform, namesakes_of, student_of
 from .notebooks import Look, look
 from .roster import Student
 from .wrapping import entries_in, prefixes
@@ -105,7 +105,7 @@ def submissions(
         student_of(entry.parts, names, place.stem, entry.outer, begin.get(entry.outer, ""))
         for entry in entries
     ]
-    namesakes = _namesakes(owners)
+    namesakes = namesakes_of(owners)
     sure = {(entry.outer, o.student) for entry, o in zip(entries, owners) if o.known and o.sure}
     claimed = {student for _, student in sure}
     doubts: dict[str, list[str]] = {}
@@ -169,21 +169,8 @@ def voters(found: Mapping[str, Submission]) -> dict[str, Submission]:
     return known or handed_in
 
 
-def _namesakes(owners):
-    """The owners of a name that a platform has given to several of its own numbers at one place:
-    they are several people.
-    """
-    sure = {owner.student for owner in owners if owner.number and owner.sure}
-    numbers: dict[tuple[str, tuple[str, ...]], set[str]] = {}
-    for owner in owners:
-        if owner.number and (owner.sure or owner.student not in sure):
-            numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
-    several = {student for (student, _), found in numbers.items() if len(found) > 1}
-    return {owner for owner in owners if owner.number and owner.student in several}
-
-
 def _stamped(entries, zone, names):
-    """The files with the time that nbgrader noted beside them, in student/assignment/, for
+    """The files with the time that nbgrader noted of all that is in student/assignment/, for
     everybody; such a file elsewhere, in a zip, or that few of the class have, may be a student's
     own.
     """
@@ -212,7 +199,7 @@ def _stamped(entries, zone, names):
     return [
         (
             entry._replace(when=noted[folder], source=TIMESTAMP)
-            if (folder := (*entry.outer, *entry.parts[:-1])) in noted
+            if (folder := (*entry.outer, *entry.parts[:2])) in noted
             else entry
         )
         for entry in entries
