@@ -78,7 +78,7 @@ def _write_grades(as_csv, marks, out, roster, by_lesson):
     from ..formats import files
     from ..grading.exports.gradebooks import WITH_MARK, read_marks, settled
 
-    (found, waiting), students = settled(read_marks(marks)), class_of(roster)
+    (found, waiting, single), students = settled(read_marks(marks)), class_of(roster)
     files.write_text(out, as_csv(found, students, by_lesson))
     strangers = sorted(found.keys() - {student.student for student in students}) if students else []
     empty = sum(
@@ -96,5 +96,9 @@ def _write_grades(as_csv, marks, out, roster, by_lesson):
         + "".join(
             f" {exercise} does not count yet, for anybody: {count} to be marked in dhlab review."
             for exercise, count in waiting.items()
+        )
+        + "".join(
+            f" {exercise} is to be marked for {count} in dhlab review, without points until then."
+            for exercise, count in single.items()
         )
     )

@@ -27,6 +27,7 @@ OTHERS = {  # where pip, Debian, conda, pipx, and a program with a Python of its
     "pipx/venvs/tool/lib/python3.11/site-packages": "",
     "lib/sdk/platform/python/lib/python3.12/site-packages": "",
     "Lib/site-packages": "",
+    "src/kinematics": "",
 }  # and what is covered instead, where they are many
 NONE_OF_THEM = ("lib/python3.9/json", "share/doc/site-packages", "share/site-packages.txt")
 

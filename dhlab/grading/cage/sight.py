@@ -61,7 +61,20 @@ def packages_of_others() -> tuple[str, ...]:
     roots = {os.path.realpath(root) for root in readable()}
     tops = [root for root in roots if not any(str(p) in roots for p in Path(root).parents)]
     found = {folder for top in tops for folder in _packages_below(top)} - own
+    found |= {folder for root in roots for folder in _checked_out(root)}
     return tuple(sorted({_among_hundreds(folder, own | roots) for folder in found}))
+
+
+def _checked_out(root):
+    """What pip has fetched from repositories and installed where it stands, in src of a Python."""
+    with contextlib.suppress(OSError), os.scandir(os.path.join(root, "src")) as entries:
+        for entry in entries:
+            if entry.is_dir(follow_symlinks=False) and not _holds(entry.path, str(PACKAGE)):
+                yield entry.path
+
+
+def _holds(folder, path):
+    return path == folder or path.startswith(folder + os.sep)
 
 
 def _among_hundreds(folder, needed):

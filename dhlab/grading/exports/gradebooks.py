@@ -11,7 +11,17 @@ from pathlib import Path
 from ...formats.files import read_text
 from ..intake.roster import Student
 from ..results.csvtext import csv_text
-from ..results.marks import GRADED, HELD, NOT_ATTEMPTED, NOT_HANDED_IN, TIMED_OUT, TO_MARK, Graded
+from ..results.marks import (
+    GRADED,
+    HELD,
+    NOT_ATTEMPTED,
+    NOT_HANDED_IN,
+    RIGHT,
+    TIMED_OUT,
+    TO_MARK,
+    WRONG,
+    Graded,
+)
 from ..results.standing import lateness
 
 __all__ = ["read_marks", "settled", "canvas_csv", "moodle_csv"]
@@ -57,32 +67,37 @@ def _read(path):
         ) from None
 
 
-def settled(marks: Mapping[str, Graded]) -> tuple[dict[str, Graded], dict[str, int]]:
-    """(the marks without exercises that are still to be marked for somebody, how many each such
-    exercise waits for): what counts for one counts for all.
+def settled(
+    marks: Mapping[str, Graded],
+) -> tuple[dict[str, Graded], dict[str, int], dict[str, int]]:
+    """(the marks without exercises that a person is still to mark for somebody, how many each of
+    these waits for, and the same of exercises that programs mark): what counts for one counts for
+    all. Where programs mark, and letters of one student are left to the teacher, the others keep
+    what they have; who waits has no points for it yet.
 
     Examples
     --------
     >>> from dhlab.grading.results.marks import Graded, Mark
     >>> marks = Mark("05.1", "right", 1, 1), Mark("05.2", "marked", 2, 2)
     >>> ada = Graded("ada", "", "graded", marks)
-    >>> bo = Graded("bo", "", "graded", (Mark("05.2", "to be marked", 0, 2),))
-    >>> found, waiting = settled({"ada": ada, "bo": bo})
-    >>> found["ada"].total, found["ada"].of, waiting
-    (1.0, 1, {'05.2': 1})
+    >>> waits = Mark("05.1", "to be marked", 0, 1), Mark("05.2", "to be marked", 0, 2)
+    >>> found, waiting, single = settled({"ada": ada, "bo": Graded("bo", "", "graded", waits)})
+    >>> found["ada"].total, found["ada"].of, waiting, single
+    (1.0, 1, {'05.2': 1}, {'05.1': 1})
     """
-    waiting = Counter(
-        mark.exercise
-        for graded in marks.values()
-        for mark in graded.marks
-        if mark.status == TO_MARK and graded.status != HELD
-    )
-    if not waiting:
-        return dict(marks), {}
-    return {
-        student: _of_these(graded, [mark for mark in graded.marks if mark.exercise not in waiting])
+    every = [mark for graded in marks.values() if graded.status != HELD for mark in graded.marks]
+    waiting = Counter(mark.exercise for mark in every if mark.status == TO_MARK)
+    judged = {mark.exercise for mark in every if mark.status in (RIGHT, WRONG)}
+    open_ = waiting.keys() - judged
+    found = {
+        student: _of_these(graded, [mark for mark in graded.marks if mark.exercise not in open_])
         for student, graded in marks.items()
-    }, dict(waiting)
+    }
+    return (
+        found if open_ else dict(marks),
+        {key: count for key, count in waiting.items() if key in open_},
+        {key: count for key, count in waiting.items() if key in judged},
+    )
 
 
 def _of_these(graded, marks, bonus=None):
