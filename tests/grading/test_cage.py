@@ -28,6 +28,7 @@ from dhlab.course.exercises import exercises
 from dhlab.course.kinds import Function
 from dhlab.doctor.programs.running.calling import Called, CallFault, record
 from dhlab.grading.cage import cage, launch, levels, sight, stage
+from dhlab.grading.inside.book import Book
 from dhlab.grading.inside.clock import TimeLimit
 from dhlab.grading.inside.reading import demonstrations, notebook
 from dhlab.grading.inside.reading.cells import parsed
@@ -399,6 +400,16 @@ def test_whatever_stops_the_grader_in_a_submission_the_next_one_runs(monkeypatch
             with pytest.raises(ZeroDivisionError):
                 one.run(asked, _one_cell("x = 1"), 20)
         assert one.run(asked, _one_cell("x = 1"), 20).ended == "done"
+
+
+def test_of_notes_without_end_the_first_and_the_last_are_heard():
+    sent = []
+    noted = Book({}, [], sent.append)
+    for number in range(60):
+        noted.note("05.2", number)
+    noted.send_last()
+    noted.send_last()
+    assert [line["value"] for line in sent] == [*range(50), 59]
 
 
 def code(source, *ids):

@@ -30,6 +30,7 @@ def wrong(theta, d, a, alpha):
     [
         (asked_of(), None, "right", ""),
         (Asked(stopped="timed out"), None, "timed out", "too long"),
+        (Asked(stopped="no time"), None, "timed out", "was not called"),
         (asked_of(fault="of the part"), asked_of(), "right", ""),
         (asked_of(wrong), asked_of(), "right", ""),
         (asked_of(fault="of the part"), asked_of(fault="of all"), "wrong", "of all"),
@@ -45,3 +46,4 @@ def test_what_the_whole_notebook_gives_counts_where_it_is_no_worse(seen, whole, 
         exercises()["05.6"], lambda whole=False: (calls[whole], 7), Settings(partial=0.5), 1
     )
     assert found.status == status and words in found.headline
+    assert bool(found.note) == (status == "right" and whole is not None)

@@ -56,6 +56,15 @@ def test_without_numbers_what_is_right_in_one_order_alone_is_for_the_teacher(raw
     assert marked(QUESTION.correct, raw).status == "right", "no letter, but the option's own name"
 
 
+def test_of_a_copy_with_anothers_numbers_no_option_is_told():
+    """Whoever was sent the wrong folder wrote the letter of another option than in the own one."""
+    theirs = next(n for n in range(OWN + 1, OWN + 99) if letter(n) not in (letter(OWN), letter(0)))
+    found = marked(letter(theirs), f'{{"variant": {theirs}}}'.encode())
+    assert (found.status, found.points, found.chosen, found.mistake) == ("wrong", 0, (), None)
+    assert "another order" in found.headline and not found.why
+    assert marked("z", f'{{"variant": {theirs}}}'.encode()).headline.startswith("expected one of")
+
+
 def test_the_teachers_mark_stands_for_that_answer_alone():
     held = marked(letter(0), b"{}")
     given = Decisions({"ada": Student(exercises={QUESTION.id: Decided(1, answer=held.answer)})})

@@ -15,6 +15,8 @@ import pytest
 
 from dhlab.course import check
 from dhlab.course.exercises import exercises
+from dhlab.grading.handing_out import own_notebooks
+from dhlab.grading.intake.notebooks import numbers_of
 from dhlab.grading.own_items import Items, install, own_checks, read_items
 from dhlab.grading.settings import Settings
 
@@ -100,6 +102,16 @@ def _tip(q, length):
 
 def _exact(alpha):
     return {0: (1, 0), 90: (0, 1), -90: (0, -1)}[alpha]
+
+
+def test_a_copy_says_whose_numbers_it_has_in_its_cells_too(monkeypatch):
+    """Some programs keep nothing that stands beside the cells."""
+    monkeypatch.setattr(own_notebooks, "install", lambda items: None)
+    text = "EXERCISES = [Value(id='94.1', title='x', answer=lambda: 1)]"
+    items = Items("94.py", f"from dhlab.course.kinds import Value\n{text}")
+    (made,) = own_notebooks.notebooks_of(items, 2**32 + 7).values()
+    notebook = json.loads(made) | {"metadata": {}}
+    assert numbers_of(json.dumps(notebook).encode()) == {2**32 + 7}
 
 
 def test_a_student_is_told_only_that_it_is_noted():

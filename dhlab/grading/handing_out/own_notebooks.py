@@ -5,7 +5,7 @@ there only notes the answer. Grading does without this module, and without nbfor
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import nbformat
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ...course.kinds.exercise import Exercise
     from ..own_items import Items
 
-__all__ = ["notebooks_of"]
+__all__ = ["notebooks_of", "variant_cell"]
 
 
 def notebooks_of(items: Items, variant: int) -> dict[str, str]:
@@ -31,6 +31,8 @@ def notebooks_of(items: Items, variant: int) -> dict[str, str]:
     for lesson, asked in lessons.items():
         cells = [
             _text(f"# {lesson} {found['TITLE']}", f"{lesson}-title"),
+            # in a cell, since not every program keeps what stands beside the cells
+            *([variant_cell(lesson, variant)] if variant else []),
             _code("import numpy as np\nimport dhlab as dh\nfrom dhlab.course import check", lesson),
         ]
         for exercise in asked:
@@ -44,6 +46,18 @@ def notebooks_of(items: Items, variant: int) -> dict[str, str]:
         }
         made[f"{lesson}-own.ipynb"] = nbformat.writes(notebook) + "\n"
     return made
+
+
+def variant_cell(lesson: str, number: int) -> Any:
+    """The cell that says whose numbers a notebook draws."""
+    return _code(
+        f"from dhlab.course import set_variant\nset_variant({number})  # your own numbers: leave"
+        " this cell as it is",
+        f"{lesson}-variant",
+        deletable=False,
+        editable=False,
+        tags=["variant"],
+    )
 
 
 def _cells(items, exercise, text, variant):

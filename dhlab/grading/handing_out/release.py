@@ -18,7 +18,7 @@ from ...course.progress import MARKER
 from ...course.workspace import handed_out
 from ...formats.files import read_text, write_text
 from ..own_items import own_checks
-from .own_notebooks import notebooks_of
+from .own_notebooks import notebooks_of, variant_cell
 from .variants import new_key, read_key, variants, write_key
 
 if TYPE_CHECKING:
@@ -136,12 +136,7 @@ def with_variant(text: str, number: int) -> str:
     """
     notebook = nbformat.reads(text, as_version=4)
     first = next(i for i, cell in enumerate(notebook.cells) if cell.cell_type == "code")
-    cell = nbformat.v4.new_code_cell(
-        f"from dhlab.course import set_variant\nset_variant({number})  # your own numbers: leave"
-        " this cell as it is",
-        metadata={"deletable": False, "editable": False, "tags": ["variant"]},
-    )
-    cell["id"] = f"{notebook.metadata.dhlab.lesson}-variant"
+    cell = variant_cell(notebook.metadata.dhlab.lesson, number)
     for question in notebook.cells:
         asked = question_of(question)
         if asked:

@@ -15,7 +15,9 @@ __all__ = ["Book"]
 
 ONCE = Iterator, KeysView, ValuesView  # what can only be walked through, as for the check
 ENTRIES = 1000  # that are taken of such an answer
-MOST = 50  # notes of one exercise: who calls check in a loop is heard the first times
+# notes of one exercise that are sent as they come: of who calls check in a loop without end, then
+# only the last in a cell, since the last one counts
+MOST = 50
 
 
 class Book:
@@ -35,6 +37,7 @@ class Book:
         self.cell = 0
         self.noted: dict[str, int] = {}
         self._where: set[tuple[str, int]] = set()
+        self._last: dict[str, dict[str, Any]] = {}  # what is not sent yet
 
     def noted_in(self, cell: int) -> set[str]:
         """The exercises that were noted while a cell ran."""
@@ -42,11 +45,7 @@ class Book:
 
     def note(self, key: str, answer: Any) -> None:
         """Send one answer out."""
-        if (
-            not isinstance(key, str)
-            or self.noted.get(key, 0) >= MOST
-            or (self.only and key not in self.only)
-        ):
+        if not isinstance(key, str) or (self.only and key not in self.only):
             return
         self.noted[key] = self.noted.get(key, 0) + 1
         self._where.add((key, self.cell))
@@ -58,7 +57,17 @@ class Book:
                 if key in self.functions and callable(answer)
                 else {"value": encode(answer)}
             )
-            self.send({"check": key, "cell": self.cell, **line})
+            line = {"check": key, "cell": self.cell, **line}
+            if self.noted[key] <= MOST:
+                self.send(line)
+            else:
+                self._last[key] = line
+
+    def send_last(self) -> None:
+        """Send what was noted last of exercises that are noted without end; once a cell is over."""
+        for line in self._last.values():
+            self.send(line)
+        self._last.clear()
 
     @contextmanager
     def _on_time(self, key):

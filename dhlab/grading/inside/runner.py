@@ -142,6 +142,7 @@ class _Run:
             return
         name = f"<cell {number + 1}>"
         outcome = self._limited(lambda: run_cell(cell.source, name, self.space, self.showing))
+        self.book.send_last()
         if outcome:
             self.send({"cell": number, "ended": outcome[0], "message": outcome[1], "ids": cell.ids})
         for key in cell.answers:

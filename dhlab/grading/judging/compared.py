@@ -45,14 +45,10 @@ def compared(
     )
 
 
-def timed_out(exercise: Exercise, worth: float, note: str = "") -> Mark:
-    """The Mark of what did not come to an end."""
-    return Mark(
-        exercise.id,
-        TIMED_OUT,
-        0,
-        worth,
-        headline="this took too long and was stopped",
-        next="Look for a loop that never ends.",
-        note=note,
-    )
+def timed_out(exercise: Exercise, worth: float, begun: bool = True) -> Mark:
+    """The Mark of what did not come to an end, or was not ``begun`` any more."""
+    headline = "this took too long and was stopped"
+    if not begun:
+        headline = "this program was not called: those before it had taken all the time there is"
+    next_ = "Look for a loop that never ends."
+    return Mark(exercise.id, TIMED_OUT, 0, worth, headline=headline, next=next_)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from ...course.kinds import Function
+from ...course.kinds import UNDECIDED, Function
 from ...course.kinds.exercise import SHUFFLED
 from ...course.kinds.lettered import Lettered
 from ...course.verdict import NOT_ATTEMPTED, RIGHT, WRONG
@@ -36,6 +36,10 @@ __all__ = ["mark", "Answers"]
 WORD = 12  # letters; the longest text that a right answer has
 ENTRY = 3  # of a text in a list; else it is an option's id
 MOST_NUMBERS = 1000  # of an answer that is compared; right ones have a few dozen
+OTHERS_ORDER = (
+    "this copy of the lesson has numbers that are not your own, so its options stood in another"
+    " order than yours"
+)
 NO_ORDER = (
     "this copy of the lesson has no numbers of your own, so it does not say in which order its"
     " options stood"
@@ -126,7 +130,8 @@ def _in_letters(exercise, line, handed, variant, settings, worth):
         _judged(exercise, line, number, settings, worth) for number in (variant, variant % SHUFFLED)
     )
     if any(number >= SHUFFLED for number in handed.numbers):
-        return own
+        chosen = own.status == WRONG and own.chosen and UNDECIDED not in own.chosen
+        return _of_another(own) if chosen and variant not in handed.numbers else own
     if (own.status == RIGHT) == (for_all.status == RIGHT):
         return for_all
     right = own if own.status == RIGHT else for_all
@@ -140,6 +145,13 @@ def _in_letters(exercise, line, handed, variant, settings, worth):
         chosen=(),  # it would tell which option is right
         answer=named(line["value"]),
     )
+
+
+def _of_another(own):
+    """The Mark of a wrong letter in a copy with another's numbers: of which option it was the
+    letter there is another question.
+    """
+    return replace(own, mistake=None, headline=OTHERS_ORDER, why="", next="", chosen=())
 
 
 def _judged(exercise, line, variant, settings, worth):

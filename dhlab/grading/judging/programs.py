@@ -5,6 +5,7 @@ not right, with its whole notebook.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +23,7 @@ __all__ = ["READ", "program"]
 
 READ = "Run the notebook from top to bottom and read the last line of the message."
 NUMPY = "Write it with numpy alone."
+WITH_ALL = "right with its whole notebook, and not with what it is seen to depend on alone"
 
 
 def program(
@@ -41,6 +43,8 @@ def program(
     again = _called(exercise, whole, number, settings, worth)
     # of one that stops, what it wants of dhlab is the cause
     caused = found.status == NOT_ALLOWED and whole.called.fault
+    if again.status == RIGHT:
+        return replace(again, note=WITH_ALL)
     return found if found.points > again.points or (caused and not again.points) else again
 
 
@@ -56,8 +60,8 @@ def _same(asked, whole):
 
 def _called(exercise, asked, number, settings, worth):
     """The Mark of a program that was called."""
-    if asked.stopped == "timed out":
-        return timed_out(exercise, worth)
+    if asked.stopped in ("timed out", "no time"):
+        return timed_out(exercise, worth, begun=asked.stopped == "timed out")
     if asked.stopped == "stub":
         return Mark(exercise.id, NOT_ATTEMPTED, 0, worth)
     if asked.stopped == "crashed":

@@ -172,7 +172,7 @@ class _Programs:
         cage = cage_of(self.course, room)
         for _ in range(2):
             if self.left[asking["whole"]] <= 0:
-                return Asked(stopped="timed out")
+                return Asked(stopped="no time")
             asked = ask(cage, asking, *of)
             self.left[asking["whole"]] -= asked.seconds
             if asked.stopped != "timed out" or not cage.learnt:  # as in _run
