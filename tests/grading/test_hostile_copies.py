@@ -89,6 +89,9 @@ WAYS = {
         lambda s, key: f"check('{key}', '('); x = 2\n{s}"
     ),
     "as a text": lambda: answered_by(lambda s, key: f"exec({s!r})"),
+    "below a shell line that opens a bracket": lambda: answered_by(
+        lambda s, key: f"y = [0]\ny[0] = !echo (\n{s}"
+    ),
     "above a check of nothing": lambda: answered_by(lambda s, key: f"{s}\ncheck('77.7', 0)"),
     "above one in a comment": lambda: answered_by(lambda s, key: f"{s}\n# check('77.7')"),
     "above a guess's check": lambda: answered_by(lambda s, key: f"{s}\ncheck('00.P1', 'a')"),

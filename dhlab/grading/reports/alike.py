@@ -33,6 +33,7 @@ MOST = 20_000  # of all answers to one lesson; the longest lesson's have eight t
 APART = "\f"  # no letter of a program that means anything
 # comments, magics, and whatever else makes a cell longer and not another
 NO_CODE = re.compile(r"^[ \t]*(?:[#!%?][^\n]*)?(?:\n|\Z)|^[\w, \t]+=[ \t]*[!%][^\n]*", re.M)
+AGAIN = 10  # lines with an open bracket in a cell below which is read anew
 STRING = 40  # letters of a text that may be a program
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
 
@@ -215,13 +216,18 @@ def _tokens(code):
     """
     found: list[tuple[str, str]] = []
     for cell in code.split(APART):
+        again = AGAIN
         while cell:
-            cell = _read(cell, found)
+            cell, again = _read(cell, found, again), again - 1
     return found
 
 
-def _read(cell, found):
-    """Read the tokens of a cell into ``found``; what stands behind a line that cannot be read."""
+def _read(cell, found, again):
+    """Read the tokens of a cell into ``found``; what stands behind a line that cannot be read, or,
+    while there is still an ``again``, behind one with a bracket that nothing closes: within it the
+    lines would be read as one.
+    """
+    known, line = len(found), 0
     try:
         for token in tokenize.generate_tokens(io.StringIO(cell).readline):
             if token.type == tokenize.STRING and len(token.string) > STRING:
@@ -243,8 +249,13 @@ def _read(cell, found):
                 if layout
                 else ("name" if name else "text", token.string)
             )
+            if token.type == tokenize.NEWLINE:
+                known, line = len(found), token.end[0]
     except tokenize.TokenError as error:
-        return _below(cell, error.args[1][0])
+        if again <= 0 or "string" in error.args[0]:
+            return _below(cell, error.args[1][0])
+        del found[known:]
+        return _below(cell, line + 1)
     except SyntaxError as error:
         return _below(cell, error.lineno or 1)
     return ""
