@@ -125,7 +125,7 @@ def _at_one_level(below, names):
     elif len(several) < len(beside):  # a zip is called by its owner
         several = {part for part in several if not _is_zip(part)}
     # "Practical 2" beside "Practical 1", whoever is in it so far
-    likewise = {_without_number(part) for part in called | several}
+    likewise = set(map(_without_number, several))
     several |= {part for part in folders if part in nobodys and _without_number(part) in likewise}
     alone = len(beside) == 1 and beside[0] in nobodys and not called
     if alone and _is_only_around(beside[0], below[beside[0]], names):
