@@ -1,6 +1,4 @@
-"""Whose submission is it? Names of files and folders as learning platforms write them, matched with
-the roster.
-"""
+"""Whose submission is it? The names of files and folders, matched with the roster."""
 
 import hashlib
 import re
@@ -9,19 +7,11 @@ from collections.abc import Iterable, Sequence
 from statistics import median_low
 from typing import NamedTuple
 
+from .platforms import BLACKBOARD, CANVAS, from_platform, without_group, written
 from .roster import Student
 
-__all__ = ["Names", "Owner", "from_platform", "named_in", "namesakes_of", "student_of"]
+__all__ = ["Names", "Owner", "named_in", "namesakes_of", "student_of"]
 
-# what a platform wrote: first who, then what the student called it
-CANVAS = re.compile(
-    r"(?P<name>[^_]+)_(?P<late>LATE_)?(?P<number>\d+)_\d+_(?P<file>.+)", re.IGNORECASE
-)
-MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)")
-BRIGHTSPACE = re.compile(r"\d+-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M")
-BLACKBOARD = re.compile(r"(?P<name>.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)")
-GROUP = re.compile(r".*?(\d|\b\w)-(?P<name>.+)")  # Moodle's before a name; not Anna-Lena's Anna
-GRADESCOPE = re.compile(r"submission_\d+$")
 # of many signs a few: what is left is taken away as well, and a long row of them costs no time
 COPY = re.compile(
     r"([ _-]{0,3}(copy|version|final|v)[ ._-]?\d*|[ _-]{0,3}\(\d+\)|-\d+)$", re.IGNORECASE
@@ -31,10 +21,13 @@ ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 
 
 class Owner(NamedTuple):
-    """Whose a file seems to be: the student, whether the roster knows the student, and where a
-    learning platform's name told, the name, its number and the place. ``sure`` is False where an id
-    only stands somewhere in a longer name, which anybody may have given to a file. ``within``: of
-    whom a stranger's folder or zip speaks further inside, where all names are its owner's.
+    """Whose a file seems to be.
+
+    ``student`` is an id, and ``known`` says whether it is on the roster. Where a platform numbers
+    people, ``called``, ``number`` and ``place`` are the name and the number that it wrote, and the
+    folders around them. ``sure`` is False where the student's id is only part of a longer name,
+    which anybody may have chosen. ``within`` is the student whom a name further inside a stranger's
+    folder or zip mentions; all names in there are the stranger's own.
     """
 
     student: str
@@ -47,12 +40,12 @@ class Owner(NamedTuple):
 
 
 class Names:
-    """The roster's students by everything a platform may call them. An id is one person's; a name
-    may be chosen, and takes no id's place; an address takes neither's.
+    """The roster's students by everything a platform may call them: by id; where no id fits, by
+    name, which people may choose; where no name fits either, by address.
     """
 
     def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
-        self.lessons = [re.escape(name) for name in lessons]
+        self.lessons = tuple(lessons)
         self.ids = {_plain(student.student): student.student for student in roster}
         self._names: dict[str, set[str]] = {}
         self._letters: dict[str, set[str]] = {}  # Canvas writes "Lovelace, Ada" as lovelaceada
@@ -144,7 +137,7 @@ def student_of(
     """
     part = parts[0]
     known, sure = names.whose(part, prefix)
-    name, number, where = _numbered(part, outer) or ("", "", ())
+    name, number, where = _numbered(part, outer)
     given = bool(prefix) and (len(parts) > 1 or from_platform(part))  # not by its owner
     if known and (sure or not given):
         # an id is one person's, whatever numbers stand beside it
@@ -184,39 +177,20 @@ def named_in(parts: Sequence[str], names: Names) -> str:
     return next((known for part in parts if (known := names.whose(part)[0])), "")
 
 
-def from_platform(part: str) -> bool:
-    """Whether a name is one that a learning platform gives to what one person hands in.
-
-    Examples
-    --------
-    >>> from_platform("Ada Lovelace_771_assignsubmission_file_"), from_platform("ada")
-    (True, False)
-    """
-    return bool(_written(part) or GRADESCOPE.match(part))
-
-
-def _written(part):
-    """The match of the platform that wrote a name; None. Canvas's is asked first: a student's own
-    name of a file there may look like another platform's.
-    """
-    patterns = (CANVAS, MOODLE, BRIGHTSPACE, BLACKBOARD)
-    return next((match for pattern in patterns if (match := pattern.match(part))), None)
-
-
-def _numbered(part, place):
-    """(name, number, place) as a learning platform wrote them; nothing where it did not."""
-    written = _written(part)
-    number = written.groupdict().get("number") if written else None
-    return (_safe(written["name"]), number, place) if number else ()
+def _numbered(part, outer):
+    """(name, number, place) where a platform wrote a number for the person; else all empty."""
+    told = written(part)
+    return (_safe(told.name), told.number, outer) if told and told.number else ("", "", ())
 
 
 def _known(part, names, prefix):
     """(student or None, whether that is sure). Of a name that a platform wrote only what the
     platform put there counts; the rest is the student's own.
     """
-    written = _written(part)
-    if written:
-        return _known_to_platform(written, names, prefix)
+    if told := written(part):
+        if told.platform == BLACKBOARD:
+            return _known_to_blackboard(told.name, names, prefix)
+        return _known_to_platform(told, names)
     stem = ENDINGS.sub("", part)
     for called in (stem, _called(part, names, stem != part), stem.removeprefix(prefix)):
         if called and (found := names.find(called)):
@@ -225,37 +199,37 @@ def _known(part, names, prefix):
     return names.find(_called(part, names, True)) or names.within(stem), False
 
 
-def _known_to_platform(written, names, prefix):
-    called = written["name"]
-    if written.re is BLACKBOARD:  # the assignment, an underscore, and the person's id
-        own = called.removeprefix(prefix)
-        if own != called and (found := names.find(own)):
-            return found, True
-        # as much of it as is somebody's: an id may have underscores
-        ends = (called.split("_", k)[-1] for k in range(1, called.count("_") + 1))
-        return next((found for end in ends if (found := names.find(end))), None), False
-    # a number is the platform's, and may be somebody's id by chance; a name is its owner's choice,
-    # and may be another's id
-    numbered = names.ids.get(_plain(written["number"])) if written.re is CANVAS else None
-    if numbered and names.by_name(called) in (None, numbered):
-        return numbered, True
-    if numbered:
-        return None, False
-    if found := names.by_name(called):
+def _known_to_blackboard(called, names, prefix):
+    """As :func:`_known`, of a name that is the assignment, an underscore, and the person's id."""
+    own = called.removeprefix(prefix)
+    if own != called and (found := names.find(own)):
         return found, True
-    group = GROUP.fullmatch(called)
-    return names.find(called) or (group and names.by_name(group["name"])), False
+    # where the assignment ends is not known, and an id may have underscores: the longest that fits
+    ends = (called.split("_", k)[-1] for k in range(1, called.count("_") + 1))
+    return next((found for end in ends if (found := names.find(end))), None), False
+
+
+def _known_to_platform(told, names):
+    """As :func:`_known`. A number is the platform's own, and may be somebody's id by chance; a name
+    is the person's choice, and may be somebody else's id.
+    """
+    by_name = names.by_name(told.name)
+    numbered = names.ids.get(_plain(told.number)) if told.platform == CANVAS else None
+    if numbered:
+        return (numbered, True) if by_name in (None, numbered) else (None, False)
+    if by_name:
+        return by_name, True
+    return names.find(told.name) or names.by_name(without_group(told.name)), False
 
 
 def _called(part, names, is_file):
     """What is left of a name when everything that says lesson, platform and copy is taken away."""
-    written = _written(part)
-    if written:
-        return written["name"]
+    if told := written(part):
+        return told.name
     if not is_file:
         return part
     stem = COPY.sub("", ENDINGS.sub("", part))
-    for lesson in [one for one in names.lessons if re.search(one, stem, re.IGNORECASE)]:
+    for lesson in [re.escape(one) for one in names.lessons if one.lower() in stem.lower()]:
         ends = rf"(^|[ _.-]{{1,3}}){lesson}([ _.-]{{1,3}}|$)"
         stem = re.sub(ends, " ", stem, flags=re.IGNORECASE).strip()
     return stem.strip(" _.-")

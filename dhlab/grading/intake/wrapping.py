@@ -3,31 +3,40 @@ lesson. Within any other one all is the writing of the one person whom the platf
 """
 
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
 from datetime import tzinfo
 from pathlib import Path
 
 from .files import BROKEN, Entry, files_in, only_zip
-from .layouts import Names, from_platform, named_in
-from .metadata import with_submitters
+from .gradescope import with_submitters
+from .layouts import Names, named_in
+from .platforms import from_platform
 
 __all__ = ["entries_in", "prefixes"]
 
-# what a teacher calls a folder; a platform's has more in its name, which its owner may have chosen
+# what teachers call a folder of several people's work, a number or a letter after it
 TEACHERS = re.compile(
-    r"(late|resubmissions?|submissions|submitted|hand(ed)?[ _-]?in|class|section|lessons?|weeks?"
-    r"|units?|assignments?|homeworks?|hw|exercises?|problem[ _-]?set|ps|sheets?|labs?|abgaben?"
-    r"|übung(en)?|blatt|aufgaben?|woche|lektion|devoirs?|leçon|semaine|tareas?|semana|作业|迟交)"
-    r"[ _-]?(\d{1,2}|[a-z])?",
-    re.IGNORECASE,
+    r"""
+    ( late | resubmissions? | submissions | submitted | hand(ed)?[ _-]?in
+    | class | section | lessons? | weeks? | units? | labs?
+    | assignments? | homeworks? | hw | exercises? | problem[ _-]?set | ps | sheets?
+    | abgaben? | übung(en)? | aufgaben? | blatt | woche | lektion
+    | devoirs? | leçon | semaine
+    | tareas? | semana
+    | 作业 | 迟交
+    ) [ _-]? (\d{1,2} | [a-z])?
+    """,
+    re.IGNORECASE | re.VERBOSE,
 )
 
 
 def entries_in(place: Path, zone: tzinfo, names: Names) -> list[Entry]:
-    """Every file of a folder or a zip, with ``parts`` from its owner's folder or file on.
+    """Every file of a folder or a zip: ``parts`` begins with its owner's folder, zip or file, and
+    ``outer`` are the folders of several people around that.
 
-    One zip that stands alone in a folder, and holds files of several of the class, is a platform's
-    whole download, and is read as if it had been given itself.
+    A zip that is all there is in a folder, and that names several of the class, is taken for a
+    platform's download, and read as if the zip had been given in place of the folder.
 
     Parameters
     ----------
@@ -102,35 +111,31 @@ def _of_several(paths: Sequence[tuple[str, ...]], names: Names) -> set[tuple[str
 
 
 def _at_one_level(below, names):
-    """Which of the things that stand side by side hold several people's work; ``below``: for each
-    the paths in it.
+    """Which of the things that stand side by side hold several people's work.
+
+    ``below`` maps each thing to the paths in it: a file has the empty path alone.
     """
-    inside = [part for part, paths in below.items() if any(paths) and not from_platform(part)]
-    called = {
-        part
-        for part in inside
-        if not _is_zip(part) and _is_teachers(part, names) and not names.whose(part)[1]
-    }
-    nobodys = [part for part in inside if not names.whose(part)[0]]
-    beside = [
+    holders = {part for part, paths in below.items() if any(paths) and not from_platform(part)}
+    teachers = {part for part in holders if _is_teachers(part, names)}
+    beside = {
         part
         for part, paths in below.items()
-        if part not in called and (any(paths) or part.lower().endswith(".ipynb"))
-    ]
-    folders = [part for part in beside if any(below[part])]
-    several = {part for part in folders if part in nobodys and len(_named(below[part], names)) > 1}
-    # beside somebody's own thing, or among many of nobody's, a thing is one person's as well
-    if any(names.whose(part)[0] for part in beside) or 2 * len(several) < len(folders):
-        several = set()
-    elif len(several) < len(beside):  # a zip is called by its owner
+        if part not in teachers and (any(paths) or _is_notebook(part))
+    }
+    if any(names.whose(part)[0] for part in beside):
+        return teachers  # where one person's own things stand, the others are one person's too
+    alone = not teachers and len(beside) == 1 and beside <= holders
+    if alone and _is_wrapper(*beside, below, names):
+        return beside
+    several = {part for part in beside & holders if len(_named(below[part], names)) > 1}
+    if 2 * len(several) < sum(any(below[part]) for part in beside):
+        return teachers  # nor are a few what most are not
+    if several != beside:  # a zip among other things may be one person's, who chose its name
         several = {part for part in several if not _is_zip(part)}
     # "Practical 2" beside "Practical 1", whoever is in it so far
-    likewise = set(map(_without_number, several))
-    several |= {part for part in folders if part in nobodys and _without_number(part) in likewise}
-    alone = len(beside) == 1 and beside[0] in nobodys and not called
-    if alone and _is_only_around(beside[0], below[beside[0]], names):
-        several = {beside[0]}
-    return called | several
+    alike = set(map(_without_number, several))
+    more = {part for part in beside & holders if _without_number(part) in alike}
+    return teachers | several | more
 
 
 def _without_number(part):
@@ -141,30 +146,34 @@ def _is_zip(part):
     return part.lower().endswith(".zip")
 
 
+def _is_notebook(part):
+    return part.lower().endswith(".ipynb")
+
+
 def _is_teachers(part, names):
-    lessons = names.lessons
-    return bool(TEACHERS.fullmatch(part)) or any(re.fullmatch(one, part) for one in lessons)
+    """Whether a folder has a name that teachers give, which is nobody's id or name."""
+    named = TEACHERS.fullmatch(unicodedata.normalize("NFC", part)) or part in names.lessons
+    return bool(named) and not _is_zip(part) and not names.whose(part)[1]
 
 
-def _is_only_around(part, paths, names):
-    """Whether a folder that stands alone is around folders of several: two of which name somebody
-    of the class, or two of nobody's.
+def _is_wrapper(part, below, names):
+    """Whether the one folder that there is stands around those of several people: two things in it
+    name somebody of the class, or it holds nothing but folders that name nobody.
     """
-    naming = {path[0] for path in paths if path and names.whose(path[0])[0]}
-    folders = {path[0] for path in paths if len(path) > 1}
-    loose = any(len(path) == 1 and path[0].lower().endswith(".ipynb") for path in paths)
-    return not _is_zip(part) and (
-        len(naming) > 1 or (not naming and not loose and len(folders) > 1)
-    )
+    inside = {path[0]: len(path) > 1 for path in sorted(below[part], key=len) if path}
+    naming = sum(bool(names.whose(one)[0]) for one in inside)
+    loose = any(_is_notebook(one) and not is_folder for one, is_folder in inside.items())
+    unnamed = not naming and not loose and sum(inside.values()) > 1
+    return not _is_zip(part) and (naming > 1 or unnamed)
 
 
 def prefixes(entries: Iterable[Entry], names: Names) -> dict[tuple[str, ...], str]:
-    """What the names that stand side by side begin with, as that of an assignment, where somebody
-    of the class is called by what is left: by the folders around them.
+    """What all names in a folder begin with, such as that of the assignment in ``hw-5-ada``, by the
+    folders around them; only where what is left of one of them is somebody of the class.
     """
     beside: dict[tuple[str, ...], set[str]] = {}
     for entry in entries:
-        if len(entry.parts) > 1 or entry.parts[0].lower().endswith(".ipynb"):
+        if len(entry.parts) > 1 or _is_notebook(entry.parts[0]):
             beside.setdefault(entry.outer, set()).add(entry.parts[0])
     shared = {outer: _shared(parts) for outer, parts in beside.items() if len(parts) > 1}
     return {
@@ -175,13 +184,13 @@ def prefixes(entries: Iterable[Entry], names: Names) -> dict[tuple[str, ...], st
 
 
 def _shared(parts):
-    """As far as a sign that ends a word."""
+    """What names begin with alike, up to the end of a word."""
     begin = re.match(r".*[-_ ]", min(parts)[: _alike(parts)])
     return begin[0] if begin else ""
 
 
 def _alike(sequences):
-    """How far all begin alike: as far as the first and the last in their order."""
+    """How many entries all begin with alike: as many as the first and the last when sorted."""
     first, last = min(sequences), max(sequences)
     pairs = enumerate(zip(first, last))
     return next((k for k, (one, other) in pairs if one != other), min(len(first), len(last)))
