@@ -8,13 +8,13 @@ from datetime import UTC, datetime, tzinfo
 from functools import cached_property
 from itertools import count
 from pathlib import Path
-from zoneinfo import ZoneInfo
 
 from ..shown import printable, some
-from .files import FILE_TIME, LARGEST, TIMESTAMP, Read
-from .layouts import Names, from_platform, namesakes_of, student_of
+from .files import LARGEST, Entry, Read
+from .layouts import Names, Owner, namesakes_of, student_of
 from .notebooks import Look, look
 from .roster import Student
+from .timestamps import stamped
 from .wrapping import entries_in, prefixes
 
 __all__ = ["PASSED_OVER", "Notebook", "Submission", "submissions", "voters"]
@@ -98,48 +98,69 @@ def submissions(
     place = Path(place)
     names = Names(roster, lessons)
     found = {student.student: Submission(student.student) for student in roster}
-
-    entries = _stamped(entries_in(place, zone, names), zone, names)
-    begin = prefixes(entries, names)
-    owners = [
-        student_of(entry.parts, names, place.stem, entry.outer, begin.get(entry.outer, ""))
-        for entry in entries
-    ]
-    namesakes = namesakes_of(owners)
-    sure = {(entry.outer, o.student) for entry, o in zip(entries, owners) if o.known and o.sure}
-    claimed = {student for _, student in sure}
+    expected = set(found)
+    owned = _owned(stamped(entries_in(place, zone, names), zone, names), names, place.stem)
+    namesakes = namesakes_of(owner for _, owner in owned)
+    sure: dict[str, set[tuple[str, ...]]] = {}
+    for entry, owner in owned:
+        if owner.known and owner.sure:
+            sure.setdefault(owner.student, set()).add(entry.outer)
     doubts: dict[str, list[str]] = {}
-    for entry, owner in zip(entries, owners):
-        student, known = owner.student, owner.known
-        beside = any((entry.outer[:k], student) in sure for k in range(len(entry.outer)))
-        if owner in namesakes:
-            student, known = f"{owner.called} {owner.number}", False
-        elif beside or (not owner.sure and student in claimed):
-            # somebody else's file may be called so: it takes nothing away from who is sure
-            within = (*entry.outer, entry.parts[0])[0]
-            student, known = f"{printable(within)[:80]}, perhaps {student}", False
-            doubts.setdefault(owner.student, []).append(student)
-        mine = found.setdefault(student, Submission(student, on_roster=known or not roster))
+    for entry, owner in owned:
+        apart = f"{owner.called} {owner.number}" if owner in namesakes else ""
+        if not apart and _in_doubt(entry, owner, sure.get(owner.student, set())):
+            apart = f"{printable(_outermost(entry))[:80]}, perhaps {owner.student}"
+            doubts.setdefault(owner.student, []).append(apart)
+        on_roster = (owner.known and not apart) or not roster
+        student = apart or owner.student
+        mine = found.setdefault(student, Submission(student, on_roster=on_roster))
         mine.loose &= len(entry.parts) == 1
         mine.names |= {owner.within: None} if owner.within else {}
         _take(mine, entry)
     for mine in found.values():
         _settle(mine)
-    _tell_doubts(found, doubts, namesakes)
+    _tell_doubts(found, doubts)
+    _tell_namesakes(found, namesakes)
+    _tell_within(found)
     return {
         student: mine
         for student, mine in found.items()
-        if mine.notebooks or mine.notes or student in {s.student for s in roster}
+        if mine.notebooks or mine.notes or student in expected
     }
 
 
-def _tell_doubts(found, doubts, namesakes):
-    """Note at each student what is held apart that may be theirs."""
+def _owned(entries, names, folder) -> list[tuple[Entry, Owner]]:
+    """Each file with its owner."""
+    begin = prefixes(entries, names)
+    return [
+        (entry, student_of(entry.parts, names, folder, entry.outer, begin.get(entry.outer, "")))
+        for entry in entries
+    ]
+
+
+def _in_doubt(entry, owner, sure):
+    """Whether somebody else may have called a file like this student, where ``sure`` are the
+    folders in which the student's own things stand: the file takes nothing away from these.
+    """
+    further_in = any(entry.outer[:k] in sure for k in range(len(entry.outer)))
+    return further_in or bool(sure and not owner.sure)
+
+
+def _outermost(entry):
+    return (*entry.outer, entry.parts[0])[0]
+
+
+def _tell_doubts(found, doubts):
+    """Note at each student which files with the student's id are held apart."""
     for student, others in doubts.items():
         found[student].notes.append(
             f"{some(others)}: has this id in its name and is held apart; if it is this student's,"
             " move it to what is surely theirs, or give it the id alone as its name"
         )
+
+
+def _tell_namesakes(found, namesakes):
+    """Note at each student that several people of this name handed in."""
     for student in {owner.student for owner in namesakes if owner.known}:
         others = sorted(
             {f"{other.called} {other.number}" for other in namesakes if other.student == student}
@@ -148,6 +169,10 @@ def _tell_doubts(found, doubts, namesakes):
             f"several people of this name handed in ({', '.join(others)}): give the right file the"
             " student's id as its name"
         )
+
+
+def _tell_within(found):
+    """Note at each student who handed in nothing whose folder or zip has files in that name."""
     named_by: dict[str, list[str]] = {}
     for other, mine in found.items():
         for student in mine.names:
@@ -161,63 +186,13 @@ def _tell_doubts(found, doubts, namesakes):
 
 
 def voters(found: Mapping[str, Submission]) -> dict[str, Submission]:
-    """Who says what the class is: the students of the roster who handed in notebooks; all, where
-    none of it did or there is none.
+    """Those who decide what is true of the class, such as which lessons it was handed and whether
+    the key is right: the students of the roster who handed in notebooks; where there are none,
+    everybody who did.
     """
     handed_in = {student: mine for student, mine in found.items() if mine.notebooks}
     known = {student: mine for student, mine in handed_in.items() if mine.on_roster}
     return known or handed_in
-
-
-def _stamped(entries, zone, names):
-    """The files with the time that nbgrader noted of all that is in student/assignment/, for
-    everybody; such a file elsewhere, in a zip, or that few of the class have, may be a student's
-    own.
-    """
-    in_folders = [
-        entry
-        for entry in entries
-        if len(entry.parts) > 1
-        and entry.source == FILE_TIME
-        and not any(part.lower().endswith(".zip") for part in (*entry.outer, *entry.parts))
-        and not entry.fault
-        and not from_platform(entry.parts[0])
-    ]
-    written = [
-        entry for entry in in_folders if len(entry.parts) == 3 and entry.parts[-1] == TIMESTAMP
-    ]
-    folders = {entry.parts[0] for entry in in_folders}
-    ours = {part for part in folders if names.whose(part)[0]} or folders
-    having = {entry.parts[0] for entry in written} & ours
-    if 2 * len(having) < len(ours):
-        return entries
-    noted = {
-        (*entry.outer, *entry.parts[:-1]): when
-        for entry in written
-        if (when := _noted(entry.read(), zone))
-    }
-    return [
-        (
-            entry._replace(when=noted[folder], source=TIMESTAMP)
-            if (folder := (*entry.outer, *entry.parts[:2])) in noted
-            else entry
-        )
-        for entry in entries
-        if not (entry.parts[-1] == TIMESTAMP and (*entry.outer, *entry.parts[:-1]) in noted)
-    ]
-
-
-def _noted(raw, zone):
-    """The moment in an nbgrader timestamp.txt, such as ``2026-11-17 10:03:12.345 UTC``; None when
-    it cannot be read.
-    """
-    day, _, rest = raw.decode("utf-8", "replace").strip().partition(" ")
-    clock, _, name = rest.partition(" ")
-    try:
-        moment = datetime.fromisoformat(f"{day} {clock}".strip())
-        return moment if moment.tzinfo else moment.replace(tzinfo=ZoneInfo(name) if name else zone)
-    except (ValueError, KeyError, OSError):
-        return None
 
 
 def _take(mine, entry):
