@@ -129,7 +129,7 @@ def submissions(
     }
 
 
-def _owned(entries, names, folder) -> list[tuple[Entry, Owner]]:
+def _owned(entries: Sequence[Entry], names: Names, folder: str) -> list[tuple[Entry, Owner]]:
     """Each file with its owner."""
     begin = prefixes(entries, names)
     return [

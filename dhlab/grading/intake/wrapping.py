@@ -124,9 +124,10 @@ def _at_one_level(below, names):
     }
     if any(names.whose(part)[0] for part in beside):
         return teachers  # where one person's own things stand, the others are one person's too
-    alone = not teachers and len(beside) == 1 and beside <= holders
-    if alone and _is_wrapper(*beside, below, names):
-        return beside
+    if not teachers and len(beside) == 1 and beside <= holders:
+        (alone,) = beside
+        if _is_wrapper(alone, below[alone], names):
+            return beside
     several = {part for part in beside & holders if len(_named(below[part], names)) > 1}
     if 2 * len(several) < sum(any(below[part]) for part in beside):
         return teachers  # nor are a few what most are not
@@ -156,11 +157,11 @@ def _is_teachers(part, names):
     return bool(named) and not _is_zip(part) and not names.whose(part)[1]
 
 
-def _is_wrapper(part, below, names):
+def _is_wrapper(part, paths, names):
     """Whether the one folder that there is stands around those of several people: two things in it
     name somebody of the class, or it holds nothing but folders that name nobody.
     """
-    inside = {path[0]: len(path) > 1 for path in sorted(below[part], key=len) if path}
+    inside = {path[0]: len(path) > 1 for path in sorted(paths, key=len) if path}
     naming = sum(bool(names.whose(one)[0]) for one in inside)
     loose = any(_is_notebook(one) and not is_folder for one, is_folder in inside.items())
     unnamed = not naming and not loose and sum(inside.values()) > 1
