@@ -1,5 +1,5 @@
-"""Whose numbers does a notebook draw, and whose work may it be: what a key and a roster tell of
-what was handed in, before any of it is run.
+"""Whose numbers a notebook has, and whose work it may be: what the key and the roster tell of what
+was handed in, before any of it is run.
 """
 
 import difflib
@@ -13,7 +13,8 @@ from .submissions import Submission, voters
 __all__ = ["look_whose"]
 
 NEAR = 0.6  # how like a name of the roster a stranger's must be to be proposed
-NEARLY_ALL = 0.9  # of people whom no roster knows, who have numbers that are nobody's
+# where no roster knows anybody: when this share has numbers that are nobody's, the key is wrong
+NEARLY_ALL = 0.9
 
 
 def look_whose(
@@ -22,18 +23,18 @@ def look_whose(
     key: bytes | None,
     numbers: dict[str, int],
 ) -> list[str]:
-    """Note at each submission whose numbers its notebooks draw, when these are not the student's
-    own; nothing is given to anybody by that.
+    """Note at each submission whose numbers its notebooks have, when these are not the student's
+    own. The notes are for the teacher: they move nobody's file to anybody.
 
     Parameters
     ----------
     found : dict of str to Submission
-        ``notes`` and ``numbers_of`` are added to; ``numbers`` gets a stranger's when they are
-        somebody's of the roster.
+        ``notes`` is added to, and ``numbers_of`` set.
     roster : sequence of Student
     key : bytes or None
     numbers : dict of str to int
-        Each student's variant.
+        Each student's variant; a stranger gets that of the student of the roster whose numbers the
+        stranger's notebooks have.
 
     Returns
     -------
@@ -43,11 +44,12 @@ def look_whose(
     Raises
     ------
     ValueError
-        The numbers of most students are nobody's under this key; where no roster knows any of
-        them, of nearly all.
+        Most students of the roster have numbers that this key gives to nobody; where none of the
+        roster handed in, nearly all have.
     """
     names = {student.student: student.name for student in roster}
     owner = {variant(key, student): student for student in names or numbers} if key else {}
+    # by student the numbers in each notebook of the course
     drawn = {
         student: [
             (notebook.name, notebook.look.numbers)
@@ -60,21 +62,16 @@ def look_whose(
     on_it = bool(names) and any(mine.on_roster and mine.notebooks for mine in found.values())
     notes = _check_key(ours, owner, key, on_it)
     for student, mine in found.items():
-        others = {
-            owner[number] for _, given in drawn[student] for number in given if number in owner
-        } - {student}
-        mine.notes += (
-            _own_notes(student, drawn[student], numbers[student], owner, names)
-            if mine.on_roster
-            else []
-        )
+        given = {number for _, numbers_in in drawn[student] for number in numbers_in}
+        others = {owner[number] for number in given if number in owner} - {student}
         mine.numbers_of = min(others) if len(others) == 1 else None
-        if not mine.on_roster:
+        if mine.on_roster:
+            mine.notes += _own_notes(drawn[student], numbers[student], owner, names)
+        else:
             mine.notes.append(_stranger(student, mine, others, names))
             notes.append(f"{student}: {mine.notes[-1]}")
-            numbers[student] = (
-                numbers[mine.numbers_of] if mine.numbers_of in numbers else numbers[student]
-            )
+            if mine.numbers_of in numbers:
+                numbers[student] = numbers[mine.numbers_of]
     common = sum(not any(own) for own in ours)
     if key and 2 * common > len(ours):
         notes.append(
@@ -85,8 +82,10 @@ def look_whose(
 
 
 def _check_key(drawn, owner, key, on_roster):
-    """A doubt where most have numbers that are nobody's; ValueError where those are the class."""
-    # by student: one with many copies is still one
+    """Sentences for the teacher where more than half have numbers that are nobody's; ValueError
+    where these are students of the roster, or nearly all: then the key is the wrong one. ``drawn``
+    has an entry for each student, so that many copies of one notebook count once.
+    """
     foreign = sum(all(given and not given & owner.keys() for given in own) for own in drawn)
     if 2 * foreign <= len(drawn):
         return []
@@ -102,16 +101,20 @@ def _check_key(drawn, owner, key, on_roster):
     return [told]
 
 
-def _own_notes(student, drawn, number, owner, names):
-    """What the teacher should know of the numbers in a student's notebooks."""
+def _own_notes(drawn, number, owner, names):
+    """What the teacher should know of the numbers in the notebooks of a student, whose own number
+    is given; ``owner`` names the student of each number, and is empty without a key.
+    """
     for name, given in drawn:
         for other in sorted({owner[one] for one in given if one in owner and one != number}):
             yield f"{name}: has the numbers of {_called(other, names)}: look whose work it is"
         if given and not given & owner.keys():
             yield (
-                f"{name}: has numbers that"
-                f" {'this key gives to nobody' if owner else 'are not the same for all'}; marked"
-                f" with {'the own ones' if owner else 'those of all'}"
+                f"{name}: has numbers that this key gives to nobody; it is marked with this"
+                " student's own"
+                if owner
+                else f"{name}: has numbers of somebody's own; without a key it is marked with those"
+                " that are the same for all"
             )
         if owner and not given:
             yield (
@@ -122,7 +125,9 @@ def _own_notes(student, drawn, number, owner, names):
 
 
 def _stranger(student, mine, others, names):
-    """What is known of a submission that matches nobody of the roster."""
+    """What is known of a submission that matches nobody of the roster; ``others`` are the students
+    of the roster whose numbers it has.
+    """
     if mine.names and not others:
         return (
             "not on the roster, and held apart with its files in the names of"
@@ -131,31 +136,29 @@ def _stranger(student, mine, others, names):
             " and grade again"
         )
     if others:
-        proposal = (
-            "these are the numbers of"
-            f" {' and '.join(_called(other, names) for other in sorted(others))}"
-        )
+        told = " and ".join(_called(other, names) for other in sorted(others))
+        proposal = f"these are the numbers of {told}"
     else:
-        called = {
-            text.casefold(): one
-            for one, name in names.items()
-            for text in (one, name, *name.split())
-            if text
-        }
-        words = [student.casefold(), *student.casefold().split()]
-        near = dict.fromkeys(
-            called[match]
-            for word in words
-            for match in difflib.get_close_matches(word, called, 3, NEAR)
-        )
-        proposal = (
-            f"perhaps {' or '.join(_called(other, names) for other in list(near)[:3])}"
-            if near
-            else "nobody on it has a name like this"
-        )
+        near = " or ".join(_called(other, names) for other in _near(student, names))
+        proposal = f"perhaps {near}" if near else "nobody on it has a name like this"
     return (
         f"not on the roster; {proposal}: give the file its owner's id as its name and grade again"
     )
+
+
+def _near(called, names):
+    """The students, at most three, whose id or name is most like what somebody is called."""
+    known = {
+        text.casefold(): student
+        for student, name in names.items()
+        for text in (student, name, *name.split())
+        if text
+    }
+    words = [called.casefold(), *called.casefold().split()]
+    near = dict.fromkeys(
+        known[match] for word in words for match in difflib.get_close_matches(word, known, 3, NEAR)
+    )
+    return list(near)[:3]
 
 
 def _called(student, names):
