@@ -207,6 +207,6 @@ def _words(answer):
     if isinstance(answer, str):
         answer = answer.replace(",", "").replace(" ", "")
     entries = answer if np.iterable(answer) else [answer]
-    # what a member of an Enum of texts says of itself is its name
+    # str() of a member of an Enum of texts is its name, not the text
     texts = (entry if isinstance(entry, str) else str(entry) for entry in entries)
     return [text.strip().lower() for text in texts]

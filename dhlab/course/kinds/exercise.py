@@ -16,7 +16,7 @@ __all__ = ["SHUFFLED", "Exercise", "Known", "Mistakes", "Said", "listed", "no_dr
 
 GREEK = {"theta": "θ", "alpha": "α"}
 LETTERS = re.compile(r"(?<![\w.])(theta|alpha)(?![a-z])")
-ONCE = Iterator, KeysView, ValuesView  # what can only be walked through
+ONCE = Iterator, KeysView, ValuesView  # have no entries by number: they are walked through
 MOST = 1000  # entries that are taken of an answer that may have no end
 UNDECIDED = "?"  # "I don't know yet", an answer to every exercise
 # variants from here on, which only a released lesson has, show options in an order of their own
@@ -55,9 +55,9 @@ class Exercise:
     that a question of the post-test asks again. ``sparing``: what is to be found is the exercise,
     so :func:`dhlab.course.check` tells the kind of mistake first, the place at the second wrong
     answer and everything at the third. ``undecided`` is said of "?". ``practice``: it stands in its
-    lesson's section *More practice*, which a lesson is done without. ``in_lesson`` are wrong
-    answers that the lesson itself shows, programs or tables in degrees and metres: no work of a
-    learner's.
+    lesson's section *More practice*, which a lesson is done without. ``in_lesson`` are
+    programs, or tables in degrees and metres, that the lesson itself shows and that are wrong here:
+    handing one back is no work, and earns no share of the points.
     """
 
     id: str

@@ -1,6 +1,4 @@
-"""Whose submission is which folder of Gradescope's export: its own list beside the folders says it,
-and the folders are only numbered.
-"""
+"""Gradescope's export: its folders are only numbered, and a list beside them says whose each is."""
 
 import re
 from collections.abc import Iterable
@@ -18,8 +16,8 @@ LARGEST = 100_000  # letters about the submitters of one submission
 
 
 def with_submitters(entries: Iterable[Entry], names: Names) -> list[Entry]:
-    """The files, those of a numbered folder under the id of whom the list beside it names; of a
-    group under each one's.
+    """The files, with the id of its owner before each that stands in a numbered folder which the
+    list beside it knows; what a group handed in is there once for each member.
 
     Parameters
     ----------
@@ -40,20 +38,21 @@ def with_submitters(entries: Iterable[Entry], names: Names) -> list[Entry]:
     }
     found = []
     for entry in entries:
-        folder, *rest = entry.parts
-        owned = [
-            # by a name alone it is only perhaps this student's: so is an id in a longer name
-            entry._replace(
-                parts=(student, *entry.parts) if sure else (f"{folder} {student}", *rest)
-            )
-            for student, sure in known.get((*entry.outer, folder), [])
-        ]
-        found += owned or [entry]
+        submitters = known.get((*entry.outer, entry.parts[0]), [])
+        found += [_of(entry, *submitter) for submitter in submitters] or [entry]
     return found
 
 
+def _of(entry, student, sure):
+    """A file as that of a student. Where that is not sure, the id is only a part of the folder's
+    name, and is doubted like every id in a longer name.
+    """
+    folder, *rest = entry.parts
+    return entry._replace(parts=(student, *entry.parts) if sure else (f"{folder} {student}", *rest))
+
+
 def _submitters(raw, names):
-    """(id of a student of the roster, whether that is sure) by folder."""
+    """For each folder that the list names, its submitters as :func:`_person` gives them."""
     blocks: dict[str, list[str]] = {}
     block, key = None, ""
     for line in raw.decode("utf-8", "replace").split("\n"):
@@ -68,8 +67,8 @@ def _submitters(raw, names):
 
 
 def _of_block(text, names):
-    """One submission's submitters, as :func:`_person` gives them; a block that cannot be read names
-    nobody.
+    """The submitters in the YAML of one submission, as :func:`_person` gives them; none when it
+    cannot be read.
     """
     try:
         listed = plainyaml.parse(text, LIST).plain() if len(text) < LARGEST else None
@@ -80,8 +79,9 @@ def _of_block(text, names):
 
 
 def _person(told, names):
-    """(id, whether that is sure), or None. A number goes before an address, and that before a name,
-    which may be anybody's choice and is not sure.
+    """(id of one submitter, whether that is sure); None when not on the roster. The student's
+    number is looked for first, then the address. A name is looked for last and is never sure, since
+    anybody may choose it.
     """
     sid, mail, name = (str(told.get(f":{key}") or "") for key in ("sid", "email", "name"))
     sure = (sid and names.find(sid)) or (mail and names.find(mail))

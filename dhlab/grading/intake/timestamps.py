@@ -15,9 +15,9 @@ def stamped(entries: Sequence[Entry], zone: tzinfo, names: Names) -> list[Entry]
     """The files, with the time that nbgrader noted in place of their own.
 
     nbgrader writes ``student/assignment/timestamp.txt`` for everybody, and its time is that of all
-    that stands in or below this folder, since a student may set the time of a file. Elsewhere, in a zip, or
-    where fewer than half of the class have one, such a file may be a student's own, and is passed
-    over.
+    that stands in or below this folder, since a student may set the time of a file. Elsewhere, in
+    a zip, or where fewer than half of the class have one, such a file may be a student's own, and
+    is passed over.
 
     Parameters
     ----------

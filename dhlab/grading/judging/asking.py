@@ -13,7 +13,8 @@ from ..inside.wire import DECODED, decode, error_name, pack
 
 __all__ = ["Asked", "ask"]
 
-# what programs are written with, and the room for them may not have
+# packages that a program may be written with and that its room may lack; names that a submission
+# makes up are not repeated to its student
 PACKAGES = frozenset(
     """casadi control ikpy jax klampt mujoco pandas pinocchio pybullet pytransform3d roboticstoolbox
     scipy spatialmath sympy tensorflow torch transforms3d visual_kinematics""".split()
@@ -28,12 +29,23 @@ PARTS = frozenset(
 
 @dataclass(frozen=True)
 class Asked:
-    """What a program gave: the answers to every call, or the fault that stopped it; ``stopped`` is
-    "timed out" or "crashed" where it gave none, "stub" where it is still to be written, "nothing"
-    where there is no program; ``closed`` names what of dhlab was not there and was asked for by
-    the calls or, where these were not all answered, to make the program; ``right_with_library``
-    says that it is right where that is there; ``absent`` names the packages that the calls used
-    and that are not there.
+    """What a program gave.
+
+    Attributes
+    ----------
+    called : Called
+        The answers to every call, or the fault that stopped it.
+    stopped : str
+        Why there is neither: "timed out", "crashed", "stub" where the program is still to be
+        written, "nothing" where there is no program; else empty.
+    closed : tuple of str
+        The parts of dhlab that are closed in its room and that the calls asked for; where not
+        every call was answered, also those that were asked for while the program was made.
+    seconds : float
+    right_with_library : bool
+        Whether it is right where these parts are open.
+    absent : tuple of str
+        The packages that the calls used and that are not there.
     """
 
     called: Called = field(default_factory=Called)
@@ -80,16 +92,18 @@ def ask(
             line = talk.ask({"case": [pack(value) for value in case]})
             closed |= _closed(line)
             absent |= {name for name in _named(line, "absent") if name in PACKAGES}
-    given = Called(tuple(answers[:-1]), answers[-1]) if len(answers) > len(cases) else Called()
-    fault, stopped = line and line.get("fault"), ""
-    if isinstance(fault, dict):
-        given = _told(fault, exercise)
-    elif not given.answers:
-        word = next((word for word in ("stub", "nothing") if word in (line or ())), "timed out")
-        stopped = talk.stopped if line is None else word
-    wanted = closed if given.answers else closed | to_make_it
-    seconds = talk.seconds
-    return Asked(given, stopped, tuple(sorted(wanted)), seconds, absent=tuple(sorted(absent)))
+    complete = len(answers) > len(cases)
+    called, stopped = Called(), ""
+    if complete:
+        called = Called(tuple(answers[:-1]), answers[-1])
+    elif line is None:
+        stopped = talk.stopped
+    elif isinstance(line.get("fault"), dict):
+        called = _told(line["fault"], exercise)
+    else:
+        stopped = next((word for word in ("stub", "nothing") if word in line), "timed out")
+    wanted = closed if complete else closed | to_make_it
+    return Asked(called, stopped, tuple(sorted(wanted)), talk.seconds, absent=tuple(sorted(absent)))
 
 
 def _plain(sent):

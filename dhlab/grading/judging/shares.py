@@ -1,5 +1,5 @@
-"""What share of its points an answer earns: what is wrong earns some only where it is work, and the
-mistake in it one that was made.
+"""What share of its points an answer earns. A wrong one earns some (``partial`` in the settings)
+only for the student's own work, with one mistake that is recognised.
 """
 
 from __future__ import annotations
@@ -31,28 +31,28 @@ METRES_READ_AS_MM = np.array([1, 1000, 1000, 1])
 def share(
     exercise: Exercise, answer: Any, number: int, verdict: Verdict, settings: Settings
 ) -> float:
-    """The share of the points: all, none, or the teacher's share for a program or a table whose
-    mistake is recognised and that is work all the same.
+    """The share of the points: all, none, or ``settings.partial`` for a program or a table that is
+    the student's own work and whose mistake is recognised.
     """
     if verdict.status == RIGHT:
         return 1.0
     if verdict.status != WRONG or not verdict.mistake or not settings.partial:
         return 0.0
-    # what is to be repaired has a mistake that is recognised when it is handed out
+    # what is to be repaired is handed out with a mistake that is recognised
     if not isinstance(exercise, (Function, Table)) or exercise.handed_out:
         return 0.0
     if isinstance(exercise, Function):
-        # nbgrader calls a program itself: there only its mistake is known
+        # in nbgrader's cell the answer is the program itself: only its mistake is known there
         computes = not isinstance(answer, Called) or _computes(exercise, answer, number)
         work = computes and not only_seen(verdict.mistake)
     else:
-        work = _is_work(exercise, answer, number, verdict.mistake)
+        work = _is_own_table(exercise, answer, number, verdict.mistake)
     return settings.partial if work else 0.0
 
 
 def _computes(exercise, called, number):
-    """Whether a program gives what is asked for, and something of its own: not the same whatever
-    goes in, none of its arguments, and not what a program of the lesson gives.
+    """Whether a program gives results of the shape that is asked for, and computes them: they are
+    not all the same, none of its arguments, and not those of a program that the lesson shows.
     """
     given = called.answers
     if called.fault or any(as_numbers(one).shape != exercise.shape for one in given):
@@ -67,43 +67,46 @@ def _computes(exercise, called, number):
     )
 
 
-def _is_work(exercise, answer, number, mistake):
-    """Whether a table is in the convention that is asked, other numbers than those of the task or
-    of an arm of the library, and not one to be copied that has several numbers that are no more
-    than wrong. Where the mistake is what is to be found, no other is work.
-    """
+def _is_own_table(exercise, answer, number, mistake):
+    """Whether a wrong table is the student's own work."""
+    # where the mistake is what is to be found, the table was handed out; another-model is an arm of
+    # the library in the place of one's own
     if exercise.sparing or mistake == "another-model":
         return False
     right = exercise.right_arm(number)
     arm = exercise.arm_of(answer, right)
     if isinstance(arm, Verdict) or exercise.convention not in ("", arm.table.convention):
         return False
-    rows = arm.to(right.table.convention).table.rows
-    if _is_given(answer, rows, [*exercise.given(number).values(), *exercise.in_lesson]):
+    shown = [*exercise.given(number).values(), *exercise.in_lesson]
+    if _is_shown(answer, arm.to(right.table.convention).table.rows, shown):
         return False
-    if not isinstance(exercise, Copied) or not mistake.endswith("-value"):
-        return True
-    return bool(differing(arm.table.rows * IN_DEGREES, right.table.rows * IN_DEGREES).sum() <= 1)
+    if isinstance(exercise, Copied) and mistake.endswith("-value"):  # a number that is only wrong
+        wrong = differing(arm.table.rows * IN_DEGREES, right.table.rows * IN_DEGREES)
+        return bool(wrong.sum() <= 1)
+    return True
 
 
-def _is_given(answer, rows, given):
-    """Whether each number of a table, ``rows`` in rad and m, is that of the task in its place, or
-    0: so are the rows that the lesson's cell has filled in. A DHTable may say any unit of them.
+def _is_shown(answer, rows, shown):
+    """Whether a table is one that the task or the lesson shows: each of its numbers stands in that
+    one at the same place, or is 0, as in the row that the lesson's cell has filled in.
+
+    ``rows`` are those of the answer in rad and m. The units of a DHTable are the student's to name,
+    so its numbers are compared as if they had been read in any.
     """
     read = [rows * IN_DEGREES]
     if isinstance(answer, (DHTable, Arm)):
         read += [rows, *(numbers * METRES_READ_AS_MM for numbers in (rows, rows * IN_DEGREES))]
     return any(
         not (differing(numbers, one) & (numbers != 0)).any()
-        for one in _tables(given)
+        for one in _tables(shown)
         for numbers in read
         if one.shape == rows.shape
     )
 
 
-def _tables(given):
-    """What is given as arrays; a table also as it is shown, in degrees."""
-    for one in given:
+def _tables(shown):
+    """What is shown as arrays; a table of dhlab's in radians and in degrees."""
+    for one in shown:
         table = getattr(one, "table", one)
         if isinstance(table, DHTable):
             yield from (table.rows, table.rows * IN_DEGREES)

@@ -28,8 +28,8 @@ NEAR = 0.1  # of the largest number of the column: a rounded number is no furthe
 
 
 def differing(rows: NDArray, right: NDArray) -> NDArray[np.bool_]:
-    """The mask of the entries that differ; whole turns do not count, and what is too large for a
-    number differs from all.
+    """The mask of the entries that differ; whole turns do not count, and an entry that overflows
+    differs from any other.
     """
     return ~(np.abs(_apart(rows, right)) <= ALIKE)
 
