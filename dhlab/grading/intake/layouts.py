@@ -12,7 +12,7 @@ from .roster import Student
 
 __all__ = ["Names", "Owner", "named_in", "namesakes_of", "student_of"]
 
-# of many signs a few: what is left is taken away as well, and a long row of them costs no time
+# no more than three signs before it: a long row of them would take time; they are stripped later
 COPY = re.compile(
     r"([ _-]{0,3}(copy|version|final|v)[ ._-]?\d*|[ _-]{0,3}\(\d+\)|-\d+)$", re.IGNORECASE
 )
