@@ -18,8 +18,8 @@ from .settings import Settings
 __all__ = ["plan", "Plan"]
 
 
-# without a course.yaml a lesson counts when this share of the most common lesson's students handed
-# it in; where no roster knows who is one, half of them
+# without a course.yaml a lesson counts when so many handed it in, as a share of those who handed in
+# the most common lesson; where nobody is on a roster, files of strangers may be among them
 HANDED_IN, OF_STRANGERS = 0.2, 0.5
 
 

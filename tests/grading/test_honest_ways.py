@@ -108,7 +108,6 @@ OF_OTHER_TYPES = several(
     (
         "05.3",
         "from collections import deque\nclass Letter(str):\n    __str__ = None\n"
-        ""
         "order = deque([Letter(x) for x in order])",
     ),
     ("05.5", "origin = dict(enumerate(origin)).values()"),

@@ -62,7 +62,7 @@ def packages_of_others() -> tuple[str, ...]:
     tops = [root for root in roots if not any(str(p) in roots for p in Path(root).parents)]
     found = {folder for top in tops for folder in _packages_below(top)} - own
     found |= {folder for root in roots for folder in _checked_out(root)}
-    return tuple(sorted({_among_hundreds(folder, own | roots) for folder in found}))
+    return tuple(sorted({_covering(folder, own | roots) for folder in found}))
 
 
 def _checked_out(root):
@@ -77,9 +77,10 @@ def _holds(folder, path):
     return path == folder or path.startswith(folder + os.sep)
 
 
-def _among_hundreds(folder, needed):
-    """The folder in which conda has all its packages, or all its environments, where one of these
-    stands in it and nothing that is needed does; else the one itself. A cage covers no thousands.
+def _covering(folder, needed):
+    """What the cage covers so that a folder is out of sight: where conda has it among hundreds, in
+    ``pkgs`` or ``envs``, all of that at once, unless something that is needed stands there too. A
+    cage cannot cover thousands one by one.
     """
     for parent in map(str, reversed(Path(folder).parents)):
         if os.path.basename(parent) in ("pkgs", "envs") and not any(

@@ -71,8 +71,8 @@ class _Room:
             self.noted = answer
 
     def missed(self):
-        """What is not here and was asked for since this was called last: parts of dhlab and
-        packages.
+        """Which parts of dhlab and which packages were asked for and are not here; after each call
+        it begins anew.
         """
         closed: set[str] = getattr(sys.modules["dhlab"], "asked", set())
         found = {"closed": sorted(closed)[:20], "absent": sorted(Absent.used)[:20]}
@@ -98,7 +98,7 @@ class _Room:
         if not fits(found, self.request["names"]):
             return {"fault": {"kind": "signature"}}
         self.function = found
-        if self.request["whole"]:  # what other cells want the program need not
+        if self.request["whole"]:  # what other cells asked for is not told of this program
             self.missed()
         return {"ready": 1}
 
@@ -134,8 +134,8 @@ class _Room:
         return [one for one in found if id(one) in taken]
 
     def _own(self, found):
-        """All that the student wrote: the lesson's own cells matter as far as these read them, and
-        altogether where nobody sees what they read.
+        """All that the student wrote, without the cells that the lesson handed out; with these too
+        where what the student wrote does not show what it reads, as ``globals()`` does not.
         """
         untouched = set(self.request["untouched"])
         lesson = {

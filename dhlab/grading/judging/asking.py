@@ -36,8 +36,8 @@ class Asked:
     called : Called
         The answers to every call, or the fault that stopped it.
     stopped : str
-        Why there is neither: "timed out", "crashed", "stub" where the program is still to be
-        written, "nothing" where there is no program; else empty.
+        Why there is neither: "timed out", "crashed", "no time" where it was not called any more,
+        "stub" where it is still to be written, "nothing" where there is no program; else empty.
     closed : tuple of str
         The parts of dhlab that are closed in its room and that the calls asked for; where not
         every call was answered, also those that were asked for while the program was made.

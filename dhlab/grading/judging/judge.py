@@ -122,9 +122,11 @@ def mark(
 
 
 def _in_letters(exercise, line, handed, variant, settings, worth):
-    """The Mark of an answer in letters. A notebook without a student's own numbers, such as one
-    from the site, does not say in which order its options stood, the student's own or that for all:
-    what is right in one of them alone is for the teacher to look at.
+    """The Mark of an answer in letters.
+
+    A notebook without anybody's own numbers, such as one from the site, does not say whether its
+    options stood in the student's own order or in that for all: a letter that is right in one of
+    them alone is for the teacher to look at.
     """
     own, for_all = (
         _judged(exercise, line, number, settings, worth) for number in (variant, variant % SHUFFLED)
@@ -135,13 +137,13 @@ def _in_letters(exercise, line, handed, variant, settings, worth):
     if (own.status == RIGHT) == (for_all.status == RIGHT):
         return for_all
     right = own if own.status == RIGHT else for_all
-    note = "of this student's own copy" if right is own else "of the lesson for all"
+    whose = "of this student's own copy" if right is own else "of the lesson for all"
     return replace(
         right,
         status=TO_MARK,
         points=0,
         headline=NO_ORDER,
-        note=f"right by the letters {note} alone",
+        note=f"right by the letters {whose} alone",
         chosen=(),  # it would tell which option is right
         answer=named(line["value"]),
     )

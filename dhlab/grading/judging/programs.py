@@ -1,5 +1,5 @@
-"""The Mark of a program: called with what it depends on as far as reading tells and, where that is
-not right, with its whole notebook.
+"""The Mark of a program. It is called with the statements that it is seen to depend on and, where
+that is not right, with its whole notebook.
 """
 
 from __future__ import annotations
@@ -29,27 +29,31 @@ WITH_ALL = "right with its whole notebook, and not with what it is seen to depen
 def program(
     exercise: Function, ask: Callable[..., tuple[Asked, int]], settings: Settings, worth: float
 ) -> Mark:
-    """The Mark of a program; ``ask(whole=False)`` calls it and gives the seed of its inputs too.
-    Reading alone may miss what it depends on: one that is not right is called once more with its
-    whole notebook, and what that gives counts where it is no worse.
+    """The Mark of a program; ``ask(whole=False)`` calls it, and gives what it gave and the seed of
+    its inputs.
+
+    Reading alone may miss a statement on which it depends. So one that is not right is called once
+    more with its whole notebook, and what that gives counts where it is worth no less.
     """
     asked, number = ask()
     found = _called(exercise, asked, number, settings, worth)
     if found.status in (RIGHT, TIMED_OUT):
         return found
     whole, _ = ask(whole=True)
-    if whole.stopped or _same(asked, whole):
+    if whole.stopped or _gave_the_same(asked, whole):
         return found
     again = _called(exercise, whole, number, settings, worth)
-    # of one that stops, what it wants of dhlab is the cause
+    # of one that stops with the whole notebook too, the cause is what it wants of dhlab
     caused = found.status == NOT_ALLOWED and whole.called.fault
     if again.status == RIGHT:
         return replace(again, note=WITH_ALL)
     return found if found.points > again.points or (caused and not again.points) else again
 
 
-def _same(asked, whole):
-    """Whether two calls of a program gave the same, so that it is not explained twice."""
+def _gave_the_same(asked, whole):
+    """Whether a program gave the same both times; its mistake is then not looked for again, which
+    is slow.
+    """
     one, other = asked.called, whole.called
     if asked.stopped or one.fault or other.fault:
         return False
