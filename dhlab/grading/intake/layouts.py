@@ -154,22 +154,31 @@ def student_of(
 
 
 def namesakes_of(owners: Iterable[Owner]) -> set[Owner]:
-    """The owners of a name that a platform has given to several of its own numbers at one place:
-    they are several people.
+    """The owners of a name that several people have: a platform has written it at one place with
+    more numbers than a person has there.
     """
     owners = list(owners)
     sure = {owner.student for owner in owners if owner.number and owner.sure}
-    numbers: dict[tuple[str, tuple[str, ...]], set[str]] = {}
+    numbers: dict[tuple[str, ...], dict[str, set[str]]] = {}  # by place and student
     for owner in owners:
         if owner.number and (owner.sure or owner.student not in sure):
-            numbers.setdefault((owner.student, owner.place), set()).add(owner.number)
-    most: dict[tuple[str, ...], int] = {}
-    for place in {place for _, place in numbers}:
-        counts = [len(found) for (_, where), found in numbers.items() if where == place]
-        # where most have several, they are those of several assignments
-        most[place] = median_low(counts) if len(counts) > 2 else 1
-    several = {student for (student, place), found in numbers.items() if len(found) > most[place]}
+            here = numbers.setdefault(owner.place, {})
+            here.setdefault(owner.student, set()).add(owner.number)
+    several = {
+        student
+        for here in numbers.values()
+        for student, found in here.items()
+        if len(found) > _numbers_of_one(here)
+    }
     return {owner for owner in owners if owner.number and owner.student in several}
+
+
+def _numbers_of_one(here):
+    """How many numbers a person has at a place: one, or as many as most have there, which are those
+    of several assignments.
+    """
+    counts = list(map(len, here.values()))
+    return median_low(counts) if len(counts) > 2 else 1
 
 
 def named_in(parts: Sequence[str], names: Names) -> str:
