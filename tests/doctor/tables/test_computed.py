@@ -672,3 +672,30 @@ def test_prompts_and_parts_of_programs_are_read():
     assert len(statements_of(session)) == 2
     cut = "        self.a = [1, 2]\n\n    def where(self, q):\n        return q\n    def lost(self"
     assert [type(node).__name__ for node in statements_of("import numpy\n" + cut)]
+
+
+ARMS_OF_LINKS = """L(1) = Link('d', 0.4, 'a', 0.1, 'alpha', -pi/2);
+L(2) = Link('d', 0, 'a', 0.3, 'alpha', 0);
+{before}
+rob = SerialLink(L, 'name', 'two');
+{after}
+"""
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("L(2).d = 3;", ""),
+        ("L(2).offset = -pi/2;", ""),
+        ("L(2).d = k;", ""),
+        ("", "rob.links(2).d = 3;"),
+    ],
+)
+def test_what_is_set_of_a_link_later_is_not_passed_over(before, after):
+    plain = dh.recognise_table(ARMS_OF_LINKS.format(before="", after=""))
+    try:
+        found = dh.recognise_table(ARMS_OF_LINKS.format(before=before, after=after))
+    except ValueError:
+        return  # asked about, in a sentence
+    same = [np.array_equal(one.arm.table.rows, plain.arm.table.rows) for one in found.readings]
+    assert not all(same), str(found)

@@ -185,6 +185,8 @@ def _from_robots(runs):
     found = []
     for same in zip(*(run.robots for run in runs)):
         rows = {tuple(link.row for link in robot) for robot in same}
+        if any(None in row for row in rows):
+            return []
         if len(rows) == 1 and len(same[0]) >= FEWEST:
             found.append(_of_robot(same[0]))
     return found

@@ -24,6 +24,8 @@ ROLES = ("theta", "d", "a", "alpha")
 LONGEST, MOST_LINES = 12_000, 400
 IS_POSE = re.compile(r"_?(?:q|joint|angle|config|pose|servo|motor)", re.IGNORECASE)
 QUARTER = np.pi / 2
+# a number of a robot's that is set when the robot is made
+CHANGED_LATER = re.compile(r"\.(?:offset|links\b[^=\n]*)\s*=[^=]")
 WORDS = "as the program computes it"
 
 
@@ -56,6 +58,8 @@ def computed(text, length=None):
     if found is None:
         return None
     links, posed = found
+    if links.of_toolbox and CHANGED_LATER.search(text):
+        return None
     if any(_may_be_zeros(name, values) for name, values in posed):
         return None
     ends = ("base", "tool") if links.of_toolbox else links.ends

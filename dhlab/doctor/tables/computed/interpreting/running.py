@@ -23,7 +23,7 @@ from ..held.values import (
     plain,
 )  # fmt: skip
 from ..library.methods import attribute, from_library
-from ..library.toolbox import BESIDE, Link
+from ..library.toolbox import Link
 from .binding import bind
 from .expressions import evaluate
 from .products import OwnProducts
@@ -274,7 +274,9 @@ class Run:
         elif isinstance(held, Unknown):
             if is_number(value):
                 held.put(f".{name}", value)
-        elif not (isinstance(held, Link) and name in BESIDE):
+        elif isinstance(held, Link):
+            held.put(name, value)
+        else:
             raise Unsupported("no attribute")
 
 

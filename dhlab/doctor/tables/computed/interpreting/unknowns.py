@@ -5,6 +5,7 @@ import ast
 from ..held.budget import FAILURES
 from ..held.factors import is_known_pose
 from ..held.values import LOST, Instance, Unknown
+from ..library.toolbox import Link
 from .expressions import evaluate
 
 __all__ = ["spoiled"]
@@ -27,6 +28,8 @@ def spoiled(run, node, scope):
         if isinstance(owner, Instance):
             _spoil_products(run, owner.attributes.get(target.attr))
             owner.attributes[target.attr] = Unknown(path, run.samples)
+        elif isinstance(owner, Link):
+            owner.row = None
 
 
 def _spoil_products(run, value):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..held.budget import Unsupported
-from ..held.values import Unknown, number_of
+from ..held.values import Unknown, is_number, number_of
 
 __all__ = ["BESIDE", "LINKS", "Link", "keep_robot"]
 
@@ -12,16 +12,27 @@ BESIDE = ("qlim", "name", "I", "m", "r", "Jm", "G", "B", "Tc")  # no part of the
 SLIDING = ("theta", "a", "alpha", "offset")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Link:
-    """A link: its convention, the letter of its joint, its numbers, and whether it is turned
-    round.
+    """A link: its convention, the letter of its joint, its numbers, None where one of them was set
+    to something that is not known, and whether it is turned round.
     """
 
     convention: str
     letter: str
-    row: tuple  # theta, d, a, alpha
+    row: tuple | None  # theta, d, a, alpha
     sign: int = 1
+
+    def put(self, name, value):
+        """Let one of its numbers be another."""
+        if name in BESIDE:
+            return
+        place = {"theta": 0, "d": 1, "a": 2, "alpha": 3, "offset": int(self.letter == "P")}
+        row, self.row = self.row, None
+        if row is None or name not in place or not is_number(value) or isinstance(value, Unknown):
+            raise Unsupported("a number of a link that is not known")
+        at = place[name]
+        self.row = (*row[:at], float(number_of(value)), *row[at + 1 :])
 
 
 def _maker(convention, letter):

@@ -6,7 +6,7 @@ __all__ = ["NoMatlab", "expression", "split", "target", "tokens_of"]
 
 TOKEN = re.compile(
     r"(?P<space>[ \t]+)|(?P<number>\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)"
-    r"|(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)"
+    r"|(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)|(?P<field>\.[A-Za-z_]\w*)"
     r"|(?P<op>\.\*|\./|\.\^|\.'|&&|\|\||[~!=<>]=|\n|[-+*/^=<>(){},;:~!@&|\\]|\[|\])"
 )
 STRING = re.compile(r"\"(?:[^\"\n]|\"\")*\"|'(?:[^'\n]|'')*'")
@@ -96,12 +96,13 @@ def target(tokens):
     name = _name(tokens[0][1])
     if len(tokens) == 1:
         return name
-    if tokens[1][1] not in ("(", "{") or tokens[-1][1] != CLOSED[tokens[1][1]]:
+    if tokens[1][1] not in ("(", "{"):
         raise NoMatlab
     rows, at = _segments(tokens, 2, CLOSED[tokens[1][1]], True)
-    if at != len(tokens):
+    field = "".join(text for kind, text in tokens[at:] if kind == "field")
+    if at != len(tokens) - bool(field):
         raise NoMatlab
-    return f"{name}[{','.join(rows[0])}]"
+    return f"{name}[{','.join(rows[0])}]{field}"
 
 
 def _name(text):
@@ -165,7 +166,7 @@ def _segments(tokens, at, closer, is_index):
             last = "operand"
         else:
             spans[-1] += SAID.get(text, text)
-            last = "operand" if kind in ("number", "string", "turned") else ""
+            last = "operand" if kind in ("number", "string", "turned", "field") else ""
     if closer:
         raise NoMatlab
     finish()

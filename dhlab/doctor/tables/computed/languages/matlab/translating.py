@@ -83,7 +83,7 @@ def _statements(text):
             try:
                 tokens += [*tokens_of(line), ("op", "\n")]
             except NoMatlab:
-                tokens += [("name", "_lost"), ("op", "\n")]
+                tokens += [*_lost(line), ("op", "\n")]
     for part in split(tokens, (";", ",", "\n")):
         kept = part
         while kept and kept[0][0] == "space":
@@ -139,6 +139,8 @@ class _Writer:
 
     def statement(self, tokens):
         """Write one statement."""
+        if tokens[-1][0] == "lost":
+            raise NoMatlab
         word = tokens[0][1] if tokens[0][0] == "name" else ""
         rest = tokens[1:]
         if ENDS.match(word) and len(tokens) == 1:
@@ -220,6 +222,13 @@ class _Writer:
         self.put(f"{name}={value}")
         if "properties" in self.blocks:
             self.put(f"SELF__{name}={name}")
+
+
+def _lost(line):
+    """The tokens of a line that cannot be read: what it is about, which is not known from there."""
+    name = re.match(r"\s*([A-Za-z_]\w*)", line)
+    known = name and name[1] not in OPENERS and not ENDS.match(name[1])
+    return [("name", name[1]), ("lost", "")] if known else [("name", "_lost")]
 
 
 def _bare(tokens):
