@@ -253,7 +253,8 @@ RESOURCES = [
         ),
         FULL,
     ),
-    ("many answers", first("for i in range(20_000): check('05.9', i)"), {"05.9"}),
+    # the last check of an exercise counts, which is the honest one below
+    ("many answers", first("for i in range(20_000): check('05.9', i)"), FULL),
     ("a huge answer", answer("05.9", "A_3 = np.ones(10**6)"), {"05.9"}),
     (
         "a deep answer",
