@@ -127,8 +127,31 @@ DECORATED = several(
         "def dh_closed(theta, d, a, alpha): return form(theta, d, a, alpha)",
     ),
 )
+
+
+def with_magics(notebook, facts):
+    first(f"%%writefile kin.py\nimport numpy as np\n{LINK}")(notebook, facts)
+    several(
+        (
+            "05.1",
+            "with open('mine.py', 'w') as file:\n    file.write('def same(x): return x')\n"
+            "import mine\ndef rot_x(alpha):\n    c, s = mine.same(np.cos(alpha)), np.sin(alpha)\n"
+            "    return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])",
+        ),
+        (
+            "05.4",
+            "%%capture kept\n%matplotlib inline\n!echo begun\n"
+            f"{LINK}t = %timeit -o -n 1 -r 1 form(0, 0, 0, 0)\ndef dh_transform(*row):\n"
+            "    return form(*row)",
+        ),
+        ("05.6", "import kin\ndef dh_closed(*row): return kin.form(*row)"),
+        ("05.7", "%run kin.py\ndef dh_from_a_blog(*row): return form(*row)"),
+    )(notebook, facts)
+
+
 WAYS = {
     "changed by a helper": ADDED,
+    "with magics and modules": with_magics,
     "of other types": OF_OTHER_TYPES,
     "decorated by what is not there": DECORATED,
     "a register": closed(

@@ -6,6 +6,7 @@ import __future__
 
 import ast
 import builtins
+import importlib
 import sys
 from collections.abc import Collection, Iterable
 from types import FunctionType
@@ -19,6 +20,7 @@ __all__ = ["Absent", "run_cell", "run_statement"]
 
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 LINE_RUNS = ("time", "prun")
+FILE_WRITTEN = ("writefile", "file")
 # what the library works out for a reader, and what could do more than that in its arguments
 SHOWN = ("diagnose", "diagnose_axes", "diagnose_function", "equivalent", "compare")
 ACTING = (ast.Call, ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom)
@@ -74,7 +76,7 @@ class Absent:
 
 class Shell:
     """What ``get_ipython()`` gives: magics do nothing, but for those that time or capture Python,
-    which is run.
+    which is run, and those that write a file and run it.
     """
 
     def __init__(self, name, space):
@@ -84,11 +86,21 @@ class Shell:
         """A line such as ``%matplotlib inline``."""
         if magic in LINE_RUNS:
             run_cell(line, self.name, self.space)
+        elif magic == "run" and line:
+            with open(line.split()[0], encoding="utf-8") as file:
+                run_cell(file.read(), self.name, self.space)
 
     def run_cell_magic(self, magic, line, cell):
         """A cell that begins with ``%%``."""
         if magic in BODY_RUNS:
             run_cell(cell, self.name, self.space)
+        elif magic in FILE_WRITTEN and line:
+            *options, file_name = line.split()
+            with open(
+                file_name.strip("\"'"), "a" if "-a" in options else "w", encoding="utf-8"
+            ) as file:
+                file.write(cell)
+            importlib.invalidate_caches()
 
     def getoutput(self, command, **options):
         """``x = !command``: nothing comes back."""

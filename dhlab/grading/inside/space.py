@@ -1,6 +1,7 @@
 """The names that a notebook's cells begin with, as they stand after every lesson's first cell."""
 
 import builtins
+import os
 import sys
 import types
 from collections.abc import Collection
@@ -20,6 +21,8 @@ def space(book: Any) -> dict[str, Any]:
     from dhlab import course, view
 
     course.book = book  # type: ignore[attr-defined]  # the one that stands in
+    if (here := os.getcwd()) not in sys.path:  # for modules that a notebook writes itself
+        sys.path.append(here)
     module = types.ModuleType("__main__")
     sys.modules["__main__"] = module
     module.__dict__.update(

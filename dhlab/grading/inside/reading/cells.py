@@ -22,7 +22,9 @@ def _nodes(source):
 
 
 def _unpacked(node):
-    """The statements below a cell magic that runs them, such as ``%%time``; else the node."""
+    """The statements below a cell magic that runs them, such as ``%%time``, in which other magics
+    may stand; else the node.
+    """
     match node:
         case ast.Expr(
             ast.Call(
@@ -30,7 +32,8 @@ def _unpacked(node):
                 [ast.Constant(magic), _, ast.Constant(str(body))],
             )
         ) if magic in BODY_RUNS:
-            return ast.parse(body, "<cell>").body
+            inner = ast.parse(plain(body), "<cell>").body
+            return [one for node in inner for one in _unpacked(node)]
     return [node]
 
 
