@@ -2,6 +2,8 @@
 sentence fits the answer that it is said of.
 """
 
+from functools import partial
+
 import numpy as np
 import pytest
 from claims import programs
@@ -410,3 +412,21 @@ def test_dots_that_choose_entries_are_no_gap():
 @pytest.mark.parametrize("key, f", [(key, f) for key, f, *_ in JACOBIANS + SOLVERS + MOVES])
 def test_reasons_and_next_steps_hold(key, f):
     assert not [*unfounded(E[key], E[key].judge(f, 1), f, 1)]
+
+
+class Compiled:
+    """A function as numba's ``njit`` gives it back: called, with the code of the one it wraps."""
+
+    def __init__(self, f):
+        self.__wrapped__, self.__code__ = f, f.__code__
+
+    def __call__(self, *args):
+        return self.__wrapped__(*args)
+
+
+def test_compiled_programs_are_judged_as_what_they_compute():
+    right = Compiled(lambda alpha: rot_x(alpha))
+    wrong = Compiled(lambda alpha: rot_x(-alpha))
+    for f, status in ((right, "right"), (wrong, "wrong")):
+        for program in (f, lambda alpha, f=f: f(alpha), partial(f)):
+            assert E["05.1"].judge(program, 0).status == status

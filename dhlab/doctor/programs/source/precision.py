@@ -1,6 +1,7 @@
 """Whether a program computes in single precision: its answers do, or its text says so."""
 
 import ast
+import inspect
 import linecache
 import sys
 from functools import lru_cache
@@ -34,6 +35,8 @@ def single_precision(f, answers):
 
 def _read(f, deep=DEEP):
     """The nodes of a function's text and of those that it calls, each with the names around it."""
+    # what numba compiles wraps the function whose text it is
+    f = inspect.unwrap(f) if callable(f) and not hasattr(f, "__globals__") else f
     definition = _definition(f)
     if definition is None:
         return
@@ -51,7 +54,7 @@ def _read(f, deep=DEEP):
 def _definition(f):
     """The node that defines a function; None where its text cannot be had."""
     code = getattr(f, "__code__", None)
-    if code is None:
+    if code is None or not hasattr(f, "__globals__"):
         return None
     lines = linecache.getlines(code.co_filename, f.__globals__)
     return _definitions("".join(lines)).get(code.co_firstlineno)

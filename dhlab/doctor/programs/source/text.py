@@ -251,7 +251,7 @@ def text_of(f):
     f = inspect.unwrap(f) if callable(f) else f
     called = f if hasattr(f, "__code__") else getattr(type(f), "__call__", None)  # noqa: B004
     code = getattr(called, "__code__", None)
-    if code is None:
+    if code is None or not hasattr(called, "__globals__"):
         return None
     linecache.checkcache(code.co_filename)  # it may have been written anew
     lines = linecache.getlines(code.co_filename, called.__globals__)
