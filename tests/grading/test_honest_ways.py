@@ -17,6 +17,7 @@ from judging import marks_of
 
 from dhlab.grading.grade import grade
 from dhlab.grading.inside.reading.slices import needed, statement
+from dhlab.grading.judging.programs import ABSENT
 from dhlab.grading.settings import Settings
 
 FORM = "".join(f"    {line}\n" for line in RIGHT_FORM.splitlines())
@@ -228,11 +229,14 @@ def test_who_is_wrong_is_told_what_a_plain_run_tells(tmp_path):
 @pytest.mark.cage
 def test_who_uses_a_package_that_is_not_there_is_told(tmp_path):
     missing = several(
+        ("05.1", "import robotlib\nrot_x = robotlib.turn"),
+        ("05.2", "del rule\nnp.eye(4) @ robotlib.link(0, 0, 0, 0)"),
         (
             "05.4",
             "import roboticstoolbox as rtb\ndef dh_transform(theta, d, a, alpha):\n"
             "    return rtb.RevoluteDH(d=d, a=a, alpha=alpha).A(theta).A",
         ),
+        ("05.5", "from robotlib import origin"),
         ("05.6", "def dh_closed(*row):\n    import roboticstoolbox\n    return 0"),
         ("05.7", "def dh_from_a_blog(*row):\n    for _ in bar([0]):\n        return np.eye(3)"),
     )
@@ -246,6 +250,9 @@ def test_who_uses_a_package_that_is_not_there_is_told(tmp_path):
     said = {mark.exercise: mark for mark in found.marks if mark.points < mark.of}
     assert "is not there where it is graded (roboticstoolbox)" in said["05.4"].headline
     assert "is not there where it is graded" in said["05.6"].next
+    assert "what a module gives that is not there where it is graded" in said["05.1"].headline
+    assert {said[key].next for key in ("05.1", "05.2")} == {ABSENT}
+    assert "module_that_is_not_there" in str(said["05.5"])
     assert said["05.7"].headline == "the answer has the shape 3×3, expected 4×4"
 
 

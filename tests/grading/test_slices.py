@@ -84,3 +84,20 @@ def test_only_the_calls_whose_answer_nobody_takes_are_left_out():
     source = "shows(1); x = shows(2); other(3); print(shows(4)); shows(other(5)); y = [shows(6)]"
     run_cell(source, "<cell>", space, {"shows"})
     assert seen == [2, 3, 5, None, 6]  # what is printed alone nobody takes either
+
+
+def test_what_a_cell_shows_at_its_end_is_kept_as_jupyter_keeps_it():
+    space = {}
+    for source in (
+        "x = 3\nx + 1",
+        "y = _",
+        "print(5)",
+        "9;",
+        "x = 2",
+        "z = _",
+        "_ = 5",
+        "8",
+        "own = _",
+    ):
+        run_cell(source, "<cell>", space)
+    assert (space["y"], space["z"], space["own"]) == (4, 4, 5)

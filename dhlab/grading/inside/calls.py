@@ -159,7 +159,9 @@ class _Room:
         def act():
             nonlocal line
             try:
-                line = {"value": encode(call(self.function, case))}
+                found = call(self.function, case)
+                absent = isinstance(found, Absent)
+                line = {"fault": {"kind": "absent"}} if absent else {"value": encode(found)}
             except Fault as fault:
                 error = type(fault.error).__name__
                 line = {"fault": {"kind": fault.kind, "error": error, "line": fault.line}}

@@ -3,8 +3,8 @@ Nothing that is wanted here is a secret.
 
 Every line is an object: ``{"slim": ...}``, the notebook's code, before any of it runs; ``{"cell":
 3, "ids": [...]}`` when a cell begins, ``{"cell": 3, "ended": "error", ...}`` when it ends badly,
-``{"check": "05.1", ...}`` for an answer, ``{"done": ...}`` at the end, ``{"unreadable": ...}`` when
-there is nothing to run.
+with ``absent`` where it used a module that is not there, ``{"check": "05.1", ...}`` for an answer,
+``{"done": ...}`` at the end, ``{"unreadable": ...}`` when there is nothing to run.
 """
 
 import ast
@@ -20,7 +20,7 @@ from .book import Book
 from .clock import limited
 from .reading import notebook as notebooks
 from .reading.demonstrations import showing, skippable
-from .shell import run_cell
+from .shell import Absent, run_cell
 from .space import loaded, space
 from .wire import decode
 
@@ -141,10 +141,12 @@ class _Run:
         if number in self.request["skip"] or number in self.shown:
             return
         name = f"<cell {number + 1}>"
+        Absent.used.clear()
         outcome = self._limited(lambda: run_cell(cell.source, name, self.space, self.showing))
         self.book.send_last()
         if outcome:
-            self.send({"cell": number, "ended": outcome[0], "message": outcome[1], "ids": cell.ids})
+            line = {"cell": number, "ended": outcome[0], "message": outcome[1], "ids": cell.ids}
+            self.send(line | {"absent": bool(Absent.used)})
         for key in cell.answers:
             if key not in self.book.noted_in(number):
                 self._fallback(key)

@@ -18,9 +18,11 @@ from .reading.cells import BODY_RUNS, parsed
 
 __all__ = ["Absent", "run_cell", "run_statement"]
 
+MISSING = "module_that_is_not_there"  # its type, to who is told of an answer
 FLAGS = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
 LINE_RUNS = ("time", "prun")
 FILE_WRITTEN = ("writefile", "file")
+VALUE, LAST = "_value_of_cell", "_last_value"  # names that no notebook has
 # what the library works out for a reader, and what could do more than that in its arguments
 SHOWN = ("diagnose", "diagnose_axes", "diagnose_function", "equivalent", "compare")
 ACTING = (ast.Call, ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom)
@@ -74,6 +76,9 @@ class Absent:
         return False
 
 
+Absent.__name__ = MISSING
+
+
 class Shell:
     """What ``get_ipython()`` gives: magics do nothing, but for those that time or capture Python,
     which is run, and those that write a file and run it.
@@ -114,9 +119,25 @@ def run_cell(source: str, name: str, space: dict[str, Any], showing: Collection[
     """Run the source of a cell in a namespace; raises what it raises. Of the functions ``showing``
     no answer is wanted.
     """
-    for statement in parsed(source, name):
-        if not _only_shows(statement, space, showing):
+    nodes = parsed(source, name)
+    for number, statement in enumerate(nodes, 1):
+        if _only_shows(statement, space, showing):
+            continue
+        if number == len(nodes) and isinstance(statement, ast.Expr) and source.rstrip()[-1] != ";":
+            _run_last(statement, name, space)
+        else:
             run_statement(statement, name, space)
+
+
+def _run_last(statement, name, space):
+    """Run the expression at the end of a cell, which Jupyter shows: its value is ``_`` in the cells
+    below, unless the notebook has bound a ``_`` of its own.
+    """
+    node = ast.copy_location(ast.Assign([ast.Name(VALUE, ast.Store())], statement.value), statement)
+    run_statement(ast.fix_missing_locations(node), name, space)
+    value = space.pop(VALUE, None)
+    if value is not None and space.get("_") is space.get(LAST):
+        space["_"] = space[LAST] = value
 
 
 def _only_shows(statement, space, showing=()):

@@ -10,6 +10,7 @@ from ...course.kinds import Function
 from ...doctor.programs.running.calling import Called, CallFault
 from ..cage.cage import Cage
 from ..inside.wire import DECODED, decode, error_name, pack
+from .programs import ABSENT
 
 __all__ = ["Asked", "ask"]
 
@@ -99,7 +100,7 @@ def ask(
     elif line is None:
         stopped = talk.stopped
     elif isinstance(line.get("fault"), dict):
-        called = _told(line["fault"], exercise)
+        called = _told(line["fault"], exercise, lacking=any(_named(line, "absent")))
     else:
         stopped = next((word for word in ("stub", "nothing") if word in line), "timed out")
     wanted = closed if complete else closed | to_make_it
@@ -123,8 +124,10 @@ def _named(line, what):
     return map(str, named) if isinstance(named, list) else ()
 
 
-def _told(fault, exercise):
-    """What stopped a program, as the course says it."""
+def _told(fault, exercise, lacking):
+    """What stopped a program, as the course says it; ``lacking`` where it used a module that is not
+    there.
+    """
     names = ", ".join(exercise.names)
     said: dict[Any, Callable[[], CallFault]] = {
         "signature": lambda: CallFault(
@@ -136,19 +139,23 @@ def _told(fault, exercise):
             next="Work on a copy, or write x = x + … in place of x += …",
             mistake="inputs-changed",
         ),
+        "absent": lambda: CallFault(
+            "the function returns what a module gives that is not there where it is graded",
+            next=ABSENT,
+        ),
     }
     make = said.get(fault.get("kind") if isinstance(fault.get("kind"), str) else None)
-    return Called(fault=make() if make else _stopped(fault))
+    return Called(fault=make() if make else _stopped(fault, lacking))
 
 
-def _stopped(fault):
+def _stopped(fault, lacking):
     line = fault.get("line")
     known = type(line) is int and 0 < line < 10_000
     error = error_name(fault.get("error"))
     return CallFault(
         f"the function stops with {error}",
         f"line {line} of the function" if known else "",
-        "A package that it imports is not there where it is graded: write it with numpy alone."
-        if error == "ModuleNotFoundError"
+        ABSENT
+        if lacking or error == "ModuleNotFoundError"
         else "Call it yourself and read the last line of the message.",
     )

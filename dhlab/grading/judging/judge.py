@@ -19,7 +19,7 @@ from ..results.marks import ERROR, TO_MARK, Mark
 from ..shown import readable
 from .compared import TEXT, compared, timed_out
 from .explained import named
-from .programs import READ, program
+from .programs import ABSENT, READ, program
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -53,7 +53,7 @@ class Answers:
 
     def __init__(self) -> None:
         self.notes: dict[str, deque[tuple[dict[str, Any], Handed]]] = {}
-        self.troubles: dict[str, tuple[str, str]] = {}
+        self.troubles: dict[str, tuple[str, str, str]] = {}
         self.ids: dict[int, list[str]] = {}
         # how the last run of a notebook ended, when that was before its end
         self.cut: str | None = None
@@ -71,18 +71,18 @@ class Answers:
                 else []
             )
             if line.get("ended") in ("error", "timed out"):
-                self._trouble(ids, line["ended"], line.get("message"))
+                next_ = ABSENT if line.get("absent") is True else READ
+                self._trouble(ids, line["ended"], line.get("message"), next_)
             elif "cell" in line and isinstance(line["cell"], int):
                 self.ids[line["cell"]] = ids
         self.cut = None if run.ended == "done" else run.ended
         if self.cut and run.cell is not None:
             self._trouble(self.ids.get(run.cell, ()), run.ended, "")
 
-    def _trouble(self, ids, kind, message):
+    def _trouble(self, ids, kind, message, next_=READ):
+        message = readable(message[:TEXT]) if isinstance(message, str) else ""
         for key in ids:
-            self.troubles.setdefault(
-                key, (kind, readable(message[:TEXT]) if isinstance(message, str) else "")
-            )
+            self.troubles.setdefault(key, (kind, message, next_))
 
 
 def mark(
@@ -203,10 +203,8 @@ def _short(answer, known, most=WORD):
 
 def _without_answer(exercise, answers, worth):
     """The mark of an exercise for which no attempt was noted."""
-    kind, message = answers.troubles.get(
-        exercise.id,
-        (answers.cut, "the notebook ended before this exercise was reached" if answers.cut else ""),
-    )
+    ended = "the notebook ended before this exercise was reached" if answers.cut else ""
+    kind, message, next_ = answers.troubles.get(exercise.id, (answers.cut, ended, READ))
     if kind == "timed out":
         return timed_out(exercise, worth)
     if kind is None:
@@ -217,7 +215,7 @@ def _without_answer(exercise, answers, worth):
         headline = f"the cell stops with {error_name(message.partition(':')[0])}"
     else:
         headline = "the notebook's program ended itself in this cell"
-    return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=READ, note=message[:TEXT])
+    return Mark(exercise.id, ERROR, 0, worth, headline=headline, next=next_, note=message[:TEXT])
 
 
 def without_marks(course: Course, status: str) -> tuple[Mark, ...]:

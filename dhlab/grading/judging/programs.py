@@ -19,10 +19,14 @@ if TYPE_CHECKING:
     from ..settings import Settings
     from .asking import Asked
 
-__all__ = ["READ", "program"]
+__all__ = ["ABSENT", "READ", "program"]
 
 READ = "Run the notebook from top to bottom and read the last line of the message."
 NUMPY = "Write it with numpy alone."
+ABSENT = (
+    "A module that it imports is not there where it is graded: write it with numpy alone, and put "
+    "functions of your own into the notebook."
+)
 WITH_ALL = "right with its whole notebook, and not with what it is seen to depend on alone"
 
 

@@ -13,6 +13,7 @@ from .slices import UNREADABLE, statements
 __all__ = ["print_of", "showing", "skippable"]
 
 BUILTINS = frozenset(dir(builtins))
+LAST_VALUE = "_"  # what the cell above showed, whichever that is
 
 
 def print_of(source: str) -> str:
@@ -42,7 +43,7 @@ def skippable(
     modules = {name for found in read for one in found or () if one.imports for name in one.writes}
     settled = {n for n, cell in enumerate(cells) if print_of(cell.source) in untouched}
     own = (one for n, found in enumerate(read) if n not in settled for one in found or ())
-    if any(one.reads & UNREADABLE for one in own):
+    if any(one.reads & {*UNREADABLE, LAST_VALUE} for one in own):
         return set()  # nobody sees what an answer uses
     run = {
         number
