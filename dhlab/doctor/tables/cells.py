@@ -20,6 +20,10 @@ NAMED_NUMBER = re.compile(  # L_ARM (0.146), d1 (290 mm), and no element L(2)
     r"([LDAHR]\w*)(?:\s*\(\s*([-+]?\d*\.\d+\s*(?:mm|cm|m)?)\s*\)|\s+\(\s*([-+]?\d{2,}\s*(?:mm|cm|m)?)\s*\))",
     re.IGNORECASE,
 )
+RANGE = re.compile(  # theta1 (-120, 120); atan2(0.1, 0.2) is another thing
+    r"^((?:theta|th|q)_?\d+\*?)\s*\(\s*[-+]?\d[\d.]*°?\s*[,;~]\s*[-+]?\d[\d.]*°?\s*\)$"
+)
+MEASURED = re.compile(r"[LDAH]_?[A-Za-z]{1,12}\s*=\s*(?=[-+]?\d*\.?\d+\s*(?:mm|cm|m)$)")
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
     ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
@@ -152,6 +156,7 @@ def _trimmed(text):
     bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
     text = next(part for part in bold.groups() if part) if bold else text
     text = re.sub(r"(?<=\w)\s*[(\[]\s*±[^()\[\]]*[)\]]$", "", text)  # theta1 (±180°)
+    text = RANGE.sub(r"\1", text)
     text = re.sub(rf"^{BESIDE.pattern}$", r"\1 + (\2)", text)
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
@@ -160,4 +165,5 @@ def _trimmed(text):
     named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)
     if named and kind_of_letter(named[1].replace("_", "")) in ("d", "a", "alpha", "length"):
         text = text[named.end() :]  # d1 = 0.5 in a cell is 0.5
+    text = MEASURED.sub("", text)  # L_hh = 0.0255 m
     return re.sub(r"^=\s*", "", text)

@@ -33,6 +33,11 @@ OF_ANGLE = re.compile(
     r"\b(?:cos|sin)[dfl]?\s*\(\s*[A-Za-z_]", re.IGNORECASE
 )  # cos_alpha = cos(alpha)
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
+REVERSED = re.compile(  # reverse_rotation_direction: true
+    r"(?:is_?)?(?:flip(?:ped)?|revers(?:e|ed)|invert(?:ed)?)"
+    r"(?:_?(?:rotation|joint|axis|motor|direction|sense))*",
+    re.IGNORECASE,
+)
 LABELS = ("name", "joint", "link", "label", "id", "frame")
 
 
@@ -161,6 +166,8 @@ def in_groups(source):
                 row[role] = cell_of(value, pair[1])
             elif pair and (kind := kind_said("type" if role == "type" else pair[0], pair[1])):
                 row["type"] = kind
+            elif pair and REVERSED.fullmatch(pair[0]):
+                row["sign"] = -1 if pair[1].strip("'\"").lower() in ("true", "1", "-1") else 1
             elif pair and pair[0].lower() in LABELS:
                 row["label"] = pair[1].strip("'\"")
         wanted = 3 if own_class else 2  # somebody's own class, with all parameters by name
@@ -179,9 +186,9 @@ def in_groups(source):
         ]
     kinds = [row.pop("type", "") for row in rows]
     labels = [row.pop("label") for row in rows]
+    signs = [row.pop("sign", 1) for row in rows]
     return from_rows(
-        [Row(row, kind, label) for row, kind, label in zip(rows, kinds, labels)],
-        why="as their names say",
+        [Row(*one) for one in zip(rows, kinds, labels, signs)], why="as their names say"
     )
 
 

@@ -22,6 +22,7 @@ MATRIX = re.compile(  # tool_transform = np.array([[
     re.IGNORECASE,
 )
 VECTOR = re.compile(r"['\"]?\b(tool|base)\b['\"]?\s*[,=]\s*(\[[^\[\]\n]*[1-9][^\[\]\n]*\])")
+MODEL = re.compile(r"^[ \t]*(\w+)[ \t]*=[ \t]*(?:\w+\.)*models\.\w[\w.]*\(", re.MULTILINE)
 BY_THREE = re.compile(r"(?:SE3(?:\.Trans)?|transl|trans|translation)$", re.IGNORECASE)
 
 
@@ -31,9 +32,10 @@ def with_ends(table, source):
     A translation along x and z is a row without a joint; of anything else a note says that it is
     not in the rows.
     """
+    code = _of_the_arm(source.code)
     found = [
         (end, made, f"{inside}){more.strip()}" if more else inside)
-        for end, made, inside, more in SET.findall(source.code) if table.form
+        for end, made, inside, more in SET.findall(code) if table.form
     ]  # fmt: skip
     last = {end: k for k, (end, *_) in enumerate(found)}  # a program may set an end again
     found = [found[k] for k in last.values() if not found[k][1].lower().startswith("eye")]
@@ -55,6 +57,18 @@ def with_ends(table, source):
             held = {"a": cell_of(values[0]), "d": cell_of(values[2])}
             table = _with_row(table, tuple(held.get(role, Cell(0.0)) for role in table.roles), end)
     return table
+
+
+def _of_the_arm(code):
+    """The code before the arm's name is given to a model of the toolbox: what is set behind that
+    is set for the model.
+    """
+    models = re.finditer(MODEL, code)
+    again = (
+        m for m in models if re.search(rf"^\s*{m[1]}\s*=(?!=)", code[: m.start()], re.MULTILINE)
+    )
+    first = next(again, None)
+    return code[: first.start()] if first else code
 
 
 def _with_row(table, row, end):

@@ -87,13 +87,38 @@ def assigned_in(text):
             again = re.compile(rf"\b{re.escape(name)}\b")
             if not again.search(said):
                 known.setdefault(key(name), said)
-            elif key(name) in known and not re.search(r"[-+]", said):  # a1 = a1 / 1000
+            elif key(name) in known and (
+                not re.search(r"[-+]", said) or _again_before_use(name, text)
+            ):  # a1 = a1 / 1000; d1 = d1 + h
                 known[key(name)] = again.sub(f"({known[key(name)]})", said)
             break
     for name, items in LISTED.findall(text):
         for k, item in enumerate(cells_in(items)):
             known.setdefault(key(f"{name}[{k}]"), item.strip())
     return known
+
+
+def _again_before_use(name, text):
+    """Whether a program gives a name its number, adds something to it once in the same block, and
+    uses it below only: ``d1 = 0.1``, then ``d1 = d1 + h``.
+
+    Examples
+    --------
+    >>> _again_before_use("d", "d = 1\\nd = d + h\\n[0 d]")
+    True
+    >>> _again_before_use("d", "d = 1\\n[0 d]\\nd = d + h")
+    False
+    """
+    given = re.compile(rf"[ \t]*{re.escape(name)}\s*=(?!=)")
+    lines = text.split("\n")
+    named = [
+        k for k, line in enumerate(lines) if re.search(rf"(?<![\w.]){re.escape(name)}\b", line)
+    ]
+    if [k for k in named if given.match(lines[k])] != named[:2] or len(named) < 2:
+        return False
+    first, second = named[:2]
+    depths = {len(lines[k]) - len(lines[k].lstrip()) for k in (first, second)}
+    return len(depths) == 1 and not any(BEGINS.match(line) for line in lines[first + 1 : second])
 
 
 def listed_in(text):

@@ -21,7 +21,8 @@ POSTFIX = re.compile(
 )
 PI = re.compile(
     r":math\.pi(?:\(\))?|(?:\b\w+::)+pi(?:_v)?(?:\s*<\s*\w+\s*>)?(?:\(\))?(?!\w)"
-    r"|(?<![\w)\]])\.pi\b|%pi\b|\bpi\s*<\s*\w+\s*>\s*\(\)|\bM_PIl?\b(?!_)",
+    r"|(?<![\w)\]])\.pi\b|%pi\b|\bpi\s*<\s*\w+\s*>\s*\(\)|\bM_PIl?\b(?!_)"
+    r"|\b[A-Z]{2,8}_PI\b(?=\s*/\s*180)",  # KIN_PI / 180; HALF_PI is another number
     re.IGNORECASE,
 )
 CAST = re.compile(r"\((?:float|double|real|int|long double|f32|f64|number)\)\s*(?=[-+\d.(A-Za-z])")
