@@ -75,3 +75,36 @@ def test_pi_may_carry_the_mark_of_a_header():
         float alpha[2] = {-90.0f * KIN_PI / 180.0f, 0.0f};
         float d[2] = {0.1f, 0.0f};""")
     assert found.arm.table.alpha == pytest.approx([-np.pi / 2, 0])
+
+
+LENGTHS = {
+    "fields of a class": """
+class Arm:
+    L1: float = 0.4
+    L2: float = 0.3  # fore
+""",
+    "a list": "params = [0.4, 0.3]\nL1 = params[0]; L2 = params[1]\n",
+    "a remark in brackets": "Links: L1 = 0.4, L2 = 0.3 (default in metres)\n",
+}
+
+
+@pytest.mark.parametrize("said", LENGTHS.values(), ids=LENGTHS)
+def test_lengths_are_found_where_the_text_has_them(said):
+    table = "Standard DH, m\n| theta | d | a | alpha |\n|--|--|--|--|\n"
+    rows = "| q1 | 0 | L1 | 0 |\n| q2 | 0 | L2 | 0 |\n"
+    found = recognise_table(f"{said}\n{table}{rows}")
+    assert found.arm.table.a == pytest.approx([0.4, 0.3])
+
+
+def test_a_type_of_the_language_is_no_row():
+    found = recognise_table("""Standard DH, m
+        export type Link = {
+          a: number
+          alpha: number
+          d: number
+        }
+        export const ARM = [
+          { a: 0, alpha: Math.PI / 2, d: 0.4 },
+          { a: 0.3, alpha: 0, d: 0 },
+        ]""")
+    assert len(found.arm) == 2 and found.arm.table.d == pytest.approx([0.4, 0])

@@ -38,6 +38,7 @@ REVERSED = re.compile(  # reverse_rotation_direction: true
     r"(?:_?(?:rotation|joint|axis|motor|direction|sense))*",
     re.IGNORECASE,
 )
+TYPES = "number", "float", "double", "real"  # type Link = { a: number }
 LABELS = ("name", "joint", "link", "label", "id", "frame")
 
 
@@ -132,6 +133,8 @@ def _pairs(line, source):
         value = source.value(said + (f" {match[4]}" if match[4] else ""))
         if value is None:  # without what follows it: a unit, or a remark in brackets
             value = source.value(re.sub(r"\s*\([^()]*[a-z]{3}[^()]*\)\s*$", "", match[3]))
+        if said.strip().lower() in TYPES:
+            value = None
         if role in NAMES and value is not None and role not in found:
             found[role] = cell_of(value, match[3].strip())
             found["index"] = match[2]
@@ -159,7 +162,7 @@ def in_groups(source):
             role = role_of(pair[0])[0] if pair else None
             value = (
                 source.value(pair[1])
-                if pair and role in ("theta", "d", "a", "alpha", "r", "offset")
+                if role in NAMES and pair[1].strip().lower() not in TYPES
                 else None
             )
             if value is not None:

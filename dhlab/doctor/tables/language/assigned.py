@@ -19,7 +19,7 @@ __all__ = [
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
     r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
-    r"((?:[^=;\n,|{}\[\]:'\"()]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
+    r"((?:[^=;\n,|{}\[\]:'\"()]|(?<=\w)\[\d\]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
 )
 # the cells of a table that says what letters are
 LETTER = re.compile(r"(?:alpha|theta|[adlhr])_?\{?\d+\}?", re.IGNORECASE)
@@ -147,6 +147,7 @@ def _shorter(value):
     if measure:
         yield measure[0]
     yield value.partition("≈")[0]
+    yield re.split(r"\s+\((?=[A-Za-z]{3,}\s)", value)[0]  # 0.1 (default in metres)
     yield re.split(r"\s+(?:and|with|where|is|the|for|from)\b|\s{2,}", value)[0]
     yield re.split(r"(?<=[\w)])\s+(?=[A-Za-z])", value.strip())[0]
 

@@ -73,7 +73,7 @@ LABELS = (
     "i j k n no # link joint row name frame axis linki frames links joints transformation"
     " gelenk achse glied nr articulation liaison axe articulacion eje giunto 关节 轴 连杆 关节号"
     " bemerkung kommentar beschreibung remark remarks note notes comment comments description"
-    " observaciones remarque 备注 说明 звено сустав 備考 序号 關節 軸 関節 リンク".split()
+    " observaciones remarque 备注 说明 звено сустав 備考 序号 khop 關節 軸 関節 リンク".split()
 )
 KINDS_BY_FLAG = {  # what True says, and False
     "fixed": ("fixed", ""),

@@ -13,6 +13,7 @@ __all__ = ["unwrapped"]
 FIELDS = re.compile(  # theta: float, as a class has it
     r"(?:^[ \t]+\w+[ \t]*:[ \t]*(?:float|int|str|bool)\b[^\n]*(?:\n|$))+", re.MULTILINE
 )
+LENGTH = re.compile(r"[ \t]+[A-Za-z]\w*\d[ \t]*:[ \t]*\w+[ \t]*=[ \t]*-?[\d.]+[ \t]*(?:#.*)?")
 RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
 DRAWN = re.compile(rf"^{RULE}\n((?:[ \t]*\|.*\n)+)(?={RULE}$)", re.MULTILINE)
 
@@ -45,6 +46,9 @@ def unwrapped(text):
 
 
 def _as_comment(match):
+    """The names of fields; the lengths of a class, ``L1: float = 0.1``, as they are."""
+    if all(LENGTH.fullmatch(line) for line in match[0].splitlines()):
+        return match[0]
     names = re.findall(r"^[ \t]+(\w+)[ \t]*:", match[0], re.MULTILINE)
     return f"# {', '.join(names)}" + "\n" * match[0].count("\n")
 
