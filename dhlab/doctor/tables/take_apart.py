@@ -57,6 +57,8 @@ OTHERS = re.compile(  # four numbers each, and no links
     r"way_?p|point|traj|path|target|goal|test|vert|obstacle|colou?r|box|face", re.IGNORECASE
 )
 FEWEST = 3  # rows of a second arm
+# of all links: robot.offset = [0 1]
+OFFSETS = re.compile(r"^\s*\w+\.offset\s*=\s*\[", re.MULTILINE)
 
 
 def take_apart(given, values=None, nominal=None, length=None):
@@ -155,7 +157,8 @@ def _completed(found, read, source):
         others = (one for one in _tables(later, source) if len(one.rows) in n)
         found = next((one for one in others if not _lacks_values(one)), found)
     table = with_words(found, source)
-    if read not in LISTS_READ and table.form != calls.ROBOTICS_TOOLBOX:
+    listed = table.form != calls.ROBOTICS_TOOLBOX or OFFSETS.search(source.code)
+    if read not in LISTS_READ and listed:
         table = with_lists(table, source)
     table = with_sigma(with_types(with_made_joints(table, source), source), source)
     table = with_ends(with_turns(with_added(table, source), source), source)

@@ -108,3 +108,12 @@ def test_a_type_of_the_language_is_no_row():
           { a: 0.3, alpha: 0, d: 0 },
         ]""")
     assert len(found.arm) == 2 and found.arm.table.d == pytest.approx([0.4, 0])
+
+
+def test_zeros_that_a_robot_of_the_toolbox_is_given_are_its_links():
+    found = recognise_table("""
+        L(1) = Link([0 0.1 0 pi/2]);
+        L(2) = Link([0 0 0.3 0]);
+        rob = SerialLink(L);
+        rob.offset = [0 pi/4];""")
+    assert found.arm.table.theta == pytest.approx([0, np.pi / 4])
