@@ -233,7 +233,7 @@ def half_the_points_for_nothing(top):
         if isinstance(exercise, Function):
             cases = exercise.cases(5)
             shape = exercise.shape
-            tries = [_told({"kind": "changed"}, exercise)]
+            tries = [_told({"kind": "changed"}, exercise, False)]
             constants = [
                 np.zeros(shape),
                 np.ones(shape),
