@@ -24,7 +24,7 @@ ROLES = ("theta", "d", "a", "alpha")
 LONGEST, MOST_LINES = 12_000, 400
 IS_POSE = re.compile(r"_?(?:q|joint|angle|config|pose|servo|motor)", re.IGNORECASE)
 QUARTER = np.pi / 2
-# a number of a robot's that is set when the robot is made
+# sets numbers of a robot that is made already, which is kept as it was; the words tell of these
 CHANGED_LATER = re.compile(r"\.(?:offset|links\b[^=\n]*)\s*=[^=]")
 WORDS = "as the program computes it"
 

@@ -21,8 +21,11 @@ LIBRARY_WORDS = {
 }  # fmt: skip
 
 
-def body(run, statements, scope):
+def body(run, statements, scope, within=False):
     """Carry out statements; one that is not understood leaves what it would have changed unknown.
+
+    ``within`` says that they stand in a loop or a branch: where one may lead out of it and fails,
+    the whole does.
 
     Returns
     -------
@@ -36,31 +39,12 @@ def body(run, statements, scope):
             with run.budget:
                 ended = carry_out(run, node, scope)
         except FAILURES:
+            if within and any(isinstance(one, LEADING_OUT) for one in ast.walk(node)):
+                raise
             run.back_to(mark)
             spoiled(run, node, scope)
             if isinstance(node, ast.Return):
                 return ("return", run.unknown("result"))
-            continue
-        if ended:
-            return ended
-    return None
-
-
-def inner(run, statements, scope):
-    """Carry out the statements of a loop or a branch; where one may lead out of it and fails, the
-    whole does.
-    """
-    for node in statements:
-        run.budget.step()
-        mark = run.marked()
-        try:
-            with run.budget:
-                ended = carry_out(run, node, scope)
-        except FAILURES:
-            if any(isinstance(one, LEADING_OUT) for one in ast.walk(node)):
-                raise
-            run.back_to(mark)
-            spoiled(run, node, scope)
             continue
         if ended:
             return ended
@@ -140,7 +124,7 @@ def _if(run, node, scope):
     if _is_main(node.test):
         return body(run, node.body, scope)
     held = truth(evaluate(run, node.test, scope))
-    return inner(run, node.body if held else node.orelse, scope)
+    return body(run, node.body if held else node.orelse, scope, within=True)
 
 
 def _is_main(test):
@@ -155,12 +139,12 @@ def _for(run, node, scope):
     for item in run.over(evaluate(run, node.iter, scope)):
         run.budget.step()
         assign(run, node.target, item, scope)
-        ended = inner(run, node.body, scope)
+        ended = body(run, node.body, scope, within=True)
         if ended and ended[0] == "return":
             return ended
         if ended and ended[0] == "break":
             return None
-    return inner(run, node.orelse, scope)
+    return body(run, node.orelse, scope, within=True)
 
 
 def _while(run, node, scope):
@@ -169,7 +153,7 @@ def _while(run, node, scope):
     for turn in range(MOST_TURNS):
         if not truth(evaluate(run, node.test, scope)) or (forever and turn and not breaks):
             return None
-        ended = inner(run, node.body, scope)
+        ended = body(run, node.body, scope, within=True)
         if ended and ended[0] == "return":
             return ended
         if ended and ended[0] == "break":

@@ -1,6 +1,7 @@
 """Declarations and assignments of the languages with braces, without their types."""
 
-from .tokens import NoProgram, expression, split
+from ..brackets import deeper, split
+from .tokens import NoProgram, expression
 
 __all__ = [
     "NO_TYPES", "assignment", "behind", "closing", "declared", "parameters", "step", "without_type",
@@ -123,10 +124,7 @@ def closing_or_none(tokens, at):
     """The place of the bracket that closes another; None without one."""
     depth = 0
     for k in range(at, len(tokens)):
-        kind, text = tokens[k]
-        depth += (kind == "op" and text in ("(", "[", "{")) - (
-            kind == "op" and text in (")", "]", "}")
-        )
+        depth += deeper(tokens[k])
         if depth <= 0:
             return k if k > at else None
     return None
@@ -136,12 +134,9 @@ def behind(tokens, at):
     """The place behind the semicolon that ends a statement."""
     depth = 0
     for k in range(at, len(tokens)):
-        kind, text = tokens[k]
-        depth += (kind == "op" and text in ("(", "[", "{")) - (
-            kind == "op" and text in (")", "]", "}")
-        )
+        depth += deeper(tokens[k])
         if depth < 0:
             return k
-        if depth == 0 and (kind, text) == ("op", ";"):
+        if depth == 0 and tokens[k] == ("op", ";"):
             return k + 1
     return len(tokens)

@@ -2,7 +2,9 @@
 
 import re
 
-__all__ = ["NoProgram", "expression", "split", "tokens_of"]
+from ..brackets import CLOSED, deeper, split
+
+__all__ = ["NoProgram", "expression", "tokens_of"]
 
 TOKEN = re.compile(
     r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fFlLuUdD]*(?!\w)"
@@ -17,7 +19,6 @@ WORDS = {"true": "True", "false": "False", "null": "None", "nullptr": "None", "t
 KEPT = ("lambda", "def", "class", "in", "is", "not", "and", "or", "None", "from", "import", "pass",
         "del", "raise", "with", "as", "assert", "yield", "except", "elif", "nonlocal")  # fmt: skip
 MOST_CHOICES = 12  # a ? b : c in one expression
-OPENED = {"(": ")", "[": "]", "{": "}"}
 TYPES = r"(?:const\s+)?(?:unsigned\s+)?(?:double|float|int|long|size_t|real_t|T|Scalar|f64|f32)"
 CAST = re.compile(rf"\(\s*{TYPES}\s*\)\s*(?=[\w(.-])")
 TEMPLATE = re.compile(
@@ -61,19 +62,6 @@ def tokens_of(text):
     return found
 
 
-def split(tokens, mark):
-    """The tokens, cut at a mark that stands in no bracket."""
-    parts: list = [[]]
-    depth = 0
-    for kind, text in tokens:
-        depth += (text in OPENED and kind == "op") - (text in (")", "]", "}") and kind == "op")
-        if kind == "op" and text == mark and depth == 0:
-            parts.append([])
-        else:
-            parts[-1].append((kind, text))
-    return parts
-
-
 def expression(tokens):
     """Tokens as an expression of Python's grammar.
 
@@ -96,7 +84,7 @@ def expression(tokens):
     at = 0
     while at < len(tokens):
         kind, text = tokens[at]
-        if kind == "op" and text in OPENED:
+        if kind == "op" and text in CLOSED:
             inside, at = _inside(tokens, at)
             parts = [part for part in split(inside, ",") if part]
             if text == "{" and parts and all(_is_named(part) for part in parts):
@@ -105,7 +93,7 @@ def expression(tokens):
             items = ",".join(expression(part) for part in parts)
             if text == "{" and found and (found[-1].isidentifier() or found[-1] == "]"):
                 _drop_maker(found)
-            found.append(f"{SAID.get(text, text)}{items}{SAID.get(OPENED[text], OPENED[text])}")
+            found.append(f"{SAID.get(text, text)}{items}{SAID.get(CLOSED[text], CLOSED[text])}")
             continue
         at += 1
         if kind == "op" and text == "::":
@@ -151,8 +139,7 @@ def _inside(tokens, at):
     """(The tokens in a bracket, the place behind it)."""
     depth = 0
     for end in range(at, len(tokens)):
-        kind, text = tokens[end]
-        depth += (kind == "op" and text in OPENED) - (kind == "op" and text in (")", "]", "}"))
+        depth += deeper(tokens[end])
         if depth == 0:
             return tokens[at + 1 : end], end + 1
     raise NoProgram

@@ -2,6 +2,7 @@
 
 import re
 
+from ..brackets import split
 from .declarations import (
     NO_TYPES,
     assignment,
@@ -12,7 +13,7 @@ from .declarations import (
     step,
     without_type,
 )  # fmt: skip
-from .tokens import NoProgram, expression, simplified, split, tokens_of
+from .tokens import NoProgram, expression, simplified, tokens_of
 
 __all__ = ["as_python", "is_clike"]
 

@@ -2,7 +2,9 @@
 
 import re
 
-__all__ = ["NoMatlab", "expression", "split", "target", "tokens_of"]
+from ..brackets import CLOSED
+
+__all__ = ["NoMatlab", "expression", "target", "tokens_of"]
 
 TOKEN = re.compile(
     r"(?P<space>[ \t]+)|(?P<number>\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)"
@@ -18,7 +20,6 @@ OWNERS = ("obj", "self", "this", "app", "robot_obj")
 KEPT = ("lambda", "def", "class", "in", "is", "not", "and", "or", "None", "from", "import", "pass",
         "del", "raise", "with", "as", "assert", "yield", "async", "await", "except", "finally",
         "elif", "True", "False", "nonlocal")  # fmt: skip
-CLOSED = {"(": ")", "[": "]", "{": "}"}
 
 
 class NoMatlab(Exception):
@@ -56,22 +57,6 @@ def tokens_of(text):
         found.append((kind, ".T" if kind == "turned" else match[0]))
         at = match.end()
     return found
-
-
-def split(tokens, marks):
-    """The tokens, cut at marks that stand in no bracket."""
-    parts: list = [[]]
-    depth = 0
-    for kind, text in tokens:
-        if kind == "op" and text in CLOSED:
-            depth += 1
-        elif kind == "op" and text in (")", "]", "}"):
-            depth -= 1
-        if kind == "op" and text in marks and depth <= 0:
-            parts.append([])
-        else:
-            parts[-1].append((kind, text))
-    return parts
 
 
 def expression(tokens):

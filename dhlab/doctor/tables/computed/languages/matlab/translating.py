@@ -2,7 +2,8 @@
 
 import re
 
-from .tokens import NoMatlab, expression, split, target, tokens_of
+from ..brackets import split
+from .tokens import NoMatlab, expression, target, tokens_of
 
 __all__ = ["as_python", "is_matlab"]
 
@@ -84,7 +85,7 @@ def _statements(text):
                 tokens += [*tokens_of(line), ("op", "\n")]
             except NoMatlab:
                 tokens += [*_lost(line), ("op", "\n")]
-    for part in split(tokens, (";", ",", "\n")):
+    for part in split(tokens, ";", ",", "\n"):
         kept = part
         while kept and kept[0][0] == "space":
             kept = kept[1:]
@@ -148,7 +149,7 @@ class _Writer:
         elif word == "function":
             self.function("".join(text for _, text in tokens))
         elif word in ("for", "parfor"):
-            name, values = split(_bare(rest), ("=",))[:2]
+            name, values = split(_bare(rest), "=")[:2]
             self.open("for", f"for {target(name)} in {expression(values)}:")
         elif word in ("while", "if"):
             self.open(word, f"{word} {expression(rest)}:")
@@ -198,7 +199,7 @@ class _Writer:
 
     def assignment(self, tokens):
         """Write an assignment, or an expression."""
-        parts = split(tokens, ("=",))
+        parts = split(tokens, "=")
         if len(parts) == 1:
             self.put(expression(tokens))
             return
@@ -208,7 +209,7 @@ class _Writer:
         if kept and kept[0][1] == "[":
             names = split(
                 [("op", ",") if one[0] == "space" else one for one in left if one[1] not in "[]"],
-                (",",),
+                ",",
             )
             left_side = [target(one) if one[0][1] != "~" else "_" for one in names if one]
             self.put(f"{', '.join(left_side)}{',' if len(left_side) == 1 else ''} = {value}")
@@ -234,6 +235,6 @@ def _lost(line):
 def _bare(tokens):
     """Tokens without the brackets around all of them: for (i = 1:n)."""
     kept = [one for one in tokens if one[0] != "space"]
-    if kept and kept[0][1] == "(" and kept[-1][1] == ")" and len(split(kept, ("=",))) == 1:
+    if kept and kept[0][1] == "(" and kept[-1][1] == ")" and len(split(kept, "=")) == 1:
         return kept[1:-1]
     return tokens
