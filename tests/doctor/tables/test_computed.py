@@ -6,6 +6,7 @@ import pytest
 import dhlab as dh
 from dhlab.doctor.tables.computed.chains import chain_of
 from dhlab.doctor.tables.computed.languages.python import statements_of
+from tests.oracles import shift, turn
 
 STANDARD = """
 def link(th, d, a, al):
@@ -21,18 +22,6 @@ QUARTER = np.pi / 2
 BENT = [(0.0, 0.31, 0.0, QUARTER), (-QUARTER, 0.0, 0.27, 0.0), (0.3, 0.12, 0.05, -QUARTER)]
 
 
-def turn(angle, i, j):
-    T = np.eye(4)
-    T[[i, i, j, j], [i, j, i, j]] = np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)
-    return T
-
-
-def move(length, i):
-    T = np.eye(4)
-    T[i, 3] = length
-    return T
-
-
 def pose(rows, q, convention="standard", letters=None, signs=None):
     """The product of rows theta, d, a, alpha at joint values, out of elementary moves."""
     T = np.eye(4)
@@ -40,7 +29,7 @@ def pose(rows, q, convention="standard", letters=None, signs=None):
         step = (signs or [1] * len(rows))[k] * q[k]
         slides = letters is not None and letters[k] == "P"
         theta, d = (theta, d + step) if slides else (theta + step, d)
-        z, x = turn(theta, 0, 1) @ move(d, 2), move(a, 0) @ turn(alpha, 1, 2)
+        z, x = turn([0, 0, theta]) @ shift([0, 0, d]), shift([a, 0, 0]) @ turn([alpha, 0, 0])
         T = T @ (z @ x if convention == "standard" else x @ z)
     return T
 

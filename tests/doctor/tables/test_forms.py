@@ -9,23 +9,12 @@ import pytest
 import yaml
 
 import dhlab as dh
+from tests.oracles import shift, turn
 
 # by libyaml where it is there: every process of a run reads it
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 FORMS = yaml.load(Path(__file__).with_name("forms.yaml").read_text(encoding="utf-8"), LOADER)
 MARKS = list("()[]{},;:=|&\\\n\t 0123456789.-+*/°πθα'\"#%<>q")
-
-
-def turned(angle, i, j):
-    T = np.eye(4)
-    T[[i, i, j, j], [i, j, i, j]] = np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)
-    return T
-
-
-def moved(length, i):
-    T = np.eye(4)
-    T[i, 3] = length
-    return T
 
 
 def pose(form, q):
@@ -34,7 +23,10 @@ def pose(form, q):
     for (theta, d, a, alpha), joint, sign in zip(form["rows"], form["joints"], form["sign"]):
         step = 0 if joint == "F" else sign * next(values)
         theta, d = (theta, d + step) if joint == "P" else (theta + step, d)
-        along, across = turned(theta, 0, 1) @ moved(d, 2), moved(a, 0) @ turned(alpha, 1, 2)
+        along, across = (
+            turn([0, 0, theta]) @ shift([0, 0, d]),
+            shift([a, 0, 0]) @ turn([alpha, 0, 0]),
+        )
         T = T @ (along @ across if form["convention"] == "standard" else across @ along)
     return T
 
