@@ -55,7 +55,7 @@ def test_an_arrow_with_its_zero(variant):
         "last 0" in said("01.1", T[:, 0], variant).headline
         and "last 0" in said("01.1", T[:, [0]], variant).headline
     )
-    assert "one below the other" in said("01.1", T[:3, [0]], variant).headline
+    assert EXERCISES["01.1"].judge(T[:3, [0]], variant).status == "right"
     for row in (T[0], T[0, :3], T[[0], :]):
         assert said("01.1", row, variant).mistake == "rotation-transposed"
     assert said("01.1", T[:, 1], variant).headline == "expected 3 numbers, found 4 numbers"
@@ -83,8 +83,8 @@ def test_a_point_of_the_second_plate(variant):
     for answer in (T @ [*p, 1], T @ np.array([[*p, 1]]).T):
         assert "1 at the end" in said("01.3", answer, variant).headline
     assert said("01.3", T @ [*p, 0], variant).mistake == "product-stops-early"
-    assert "one below the other" in said("01.3", (T @ trans(p))[:3, [3]], variant).headline
-    assert EXERCISES["01.3"].judge((T @ [*p, 1])[:3], variant).status == "right"
+    for right in ((T @ trans(p))[:3, [3]], (T @ [*p, 1])[:3]):
+        assert EXERCISES["01.3"].judge(right, variant).status == "right"
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
@@ -102,7 +102,6 @@ def test_the_tip_of_the_gripper(variant):
         "the way to the flange was taken away": R @ t - p,
         "1 at the end": (A @ B)[:, 3],
         "whole pose": A @ B,
-        "one below the other": (A @ B)[:3, [3]],
     }
     for headline, answer in words.items():
         told = said("01.7", answer, variant).headline

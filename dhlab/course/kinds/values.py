@@ -20,14 +20,6 @@ from .wrong.units import FACTORS, LOOSELY, Group, in_other_units, of_places
 __all__ = ["LAST_ROW", "Value"]
 
 ROW = ("deg", "m", "m", "deg")  # theta, d, a, alpha of one link
-STANDING = Said(
-    "the right numbers, but one below the other",
-    next="They are asked in a row: np.ravel(…) around them makes one row of them.",
-)
-NESTED = Said(
-    "the right numbers, in more brackets than one pair",
-    next="One pair of brackets is asked: take the others away, or put np.ravel(…) around them.",
-)
 CUT_OFF = Said(
     "these are the right numbers with their decimals cut off",
     next="An array of whole numbers cuts off what is written into it: say dtype=float.",
@@ -82,8 +74,6 @@ class Value(Exercise):
 
     def compare(self, answer: Any, variant: int) -> Verdict:
         given, expected = self.given(variant), self.expected(variant)
-        if isinstance(answer, np.matrix) and expected.ndim < 2:
-            answer = np.asarray(answer).reshape(-1 if expected.ndim else ())
         known = self.misshapen(answer, **given)
         if known:
             return self.told(*known)
@@ -96,13 +86,9 @@ class Value(Exercise):
             )
         if array.size == expected.size == 1:
             array = array.reshape(expected.shape)  # one number in a list is that number
+        if expected.ndim == 1 and max(array.shape, default=0) == array.size:
+            array = array.ravel()  # a column n×1, or a row 1×n, is a vector
         if array.shape != expected.shape:
-            if (
-                expected.ndim == 1
-                and array.size == expected.size
-                and self.is_right(array.ravel(), expected, given)
-            ):
-                return self.told(None, STANDING if len(array) == array.size else NESTED)
             return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")

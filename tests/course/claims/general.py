@@ -158,14 +158,6 @@ BOTH = (
     r" (?P<more_unit>[^;]+); degrees and metres are asked"
 )
 GENERAL = [
-    (
-        r"the right numbers, but one below the other",
-        lambda a, g, f: np.shape(a) == (np.size(a), 1) and near(np.ravel(a), right_of(g)),
-    ),
-    (
-        r"the right numbers, in more brackets than one pair",
-        lambda a, g, f: np.ndim(a) > 1 and len(a) == 1 and near(np.ravel(a), right_of(g)),
-    ),
     (BOTH, in_units),
     (r"in other units: (?P<what>.+?) in (?P<unit>[^;]+); .+ are asked", in_units),
     (
