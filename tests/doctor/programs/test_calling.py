@@ -212,6 +212,14 @@ def one_number_functions(rows, q):
     return link(math.cos(q), 0, 0, 0)
 
 
+def of_a_length(rows, q):
+    len = 0.35
+    T = np.eye(4)
+    for i in range(len(q)):
+        T = T @ link(rows[i][0] + q[i] + len, *rows[i][1:])
+    return T
+
+
 @pytest.mark.parametrize(
     "f, kind, words",
     [
@@ -220,6 +228,7 @@ def one_number_functions(rows, q):
         (no_comma, "dh_transform", "a comma"),
         (from_one, "forward_kinematics", "counts from 0"),
         (three_by_four, "forward_kinematics", "0 0 0 1"),
+        (of_a_length, "forward_kinematics", "len(…) is a function of Python's"),
         (by_name, "forward_kinematics", "not by a name"),
         (one_number_functions, "forward_kinematics", "np.cos"),
         (lambda *row: link(*row) + 1j, "dh_transform", "complex"),

@@ -2,12 +2,18 @@
 poses stops.
 """
 
+import builtins
 import re
+import traceback
 
 __all__ = ["in_words"]
 
 COMMA = "a comma, or a * between two factors, is missing there: (…) (…) and […] […] are no lists."
 FOUR = "A row holds four numbers in this order: θ offset, d, a, α."
+WRITTEN_OVER = (
+    "{0}(…) is a function of Python's, and {0} is a number or a list in this program: give that"
+    " another name; in a notebook, restart the kernel then."
+)
 OF_VECTORS = "np.dot and @ of two vectors give one number, np.cross gives three."
 # (kind of error, what its message holds, what to do): the first that fits is told
 _WORDS = (
@@ -155,6 +161,9 @@ def in_words(error):
     ''
     """
     kind, message = type(error).__name__, str(error)
+    over = _written_over(error) if message.endswith("object is not callable") else None
+    if over:
+        return WRITTEN_OVER.format(over)
     return next(
         (
             words
@@ -162,4 +171,25 @@ def in_words(error):
             if kind in kinds.split("|") and re.search(pattern, message)
         ),
         "",
+    )
+
+
+def _written_over(error):
+    """Which of Python's functions, called in the line that stopped, has its name given to something
+    else there; None.
+    """
+    steps = list(traceback.walk_tb(error.__traceback__))
+    if not steps:
+        return None
+    frame = steps[-1][0]
+    names = {**frame.f_globals, **frame.f_locals}
+    line = traceback.extract_tb(error.__traceback__)[-1].line or ""
+    called = re.findall(r"(?<![\w.])([a-z]+)\s*\(", line)
+    return next(
+        (
+            name
+            for name in called
+            if callable(getattr(builtins, name, None)) and not callable(names.get(name, print))
+        ),
+        None,
     )
