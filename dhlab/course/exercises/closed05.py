@@ -1,7 +1,7 @@
 """What lesson 05 says of a link matrix: of its entries and columns, and of its moves."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,9 @@ OF_OTHERS = Said(
     "the right matrix, made by calling functions that make matrices; its entries are asked",
     next="Write the sixteen entries in this function, and call nothing but sines and cosines.",
 )
+OF_OTHERS_MENDED = replace(
+    OF_OTHERS, next="Change entries of the program as you got it, and call no other one."
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,7 +50,7 @@ class ClosedForm(Function):
         verdict = super().compare(answer, variant)
         if verdict.status != RIGHT or len(matrices_made(answer, self.cases(variant)[0])) < 2:
             return verdict
-        return self.told(None, OF_OTHERS)
+        return self.told(None, OF_OTHERS_MENDED if self.handed_out else OF_OTHERS)
 
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]
