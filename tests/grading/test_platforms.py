@@ -247,3 +247,14 @@ def test_a_folder_that_cannot_be_looked_into_is_told(tmp_path, monkeypatch):
     found = submissions(tmp_path, CLASS)
     assert found["ada_l"].refused and "permissions" in found["ada_l"].notes[0]
     assert found["bo"].notebooks and not found["bo"].notes
+
+
+def test_an_accent_makes_another_person(tmp_path):
+    put(tmp_path / "Bo Müller_12_assignsubmission_file_/05.ipynb")
+    put(tmp_path / "Bo Muller_13_assignsubmission_file_/05.ipynb")
+    roster = (Student("b1", "Bo Müller"), Student("b2", "Bo Muller"))
+    assert {name: len(files) for name, files in taken(tmp_path, roster).items()} == {
+        "b1": 1,
+        "b2": 1,
+    }
+    assert set(taken(tmp_path, roster[:1])) == set(), "of one of them they may be both"

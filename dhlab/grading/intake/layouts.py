@@ -71,11 +71,13 @@ class Names:
         return known or _only(self._so_called(called) or self._mails.get(plain, ()))
 
     def _so_called(self, called):
-        return {
-            *self._names.get(_plain(called), ()),
-            *self._names.get(_plain(_words(called)), ()),
-            *self._letters.get(_letters(called), ()),
-        }
+        """The students of this name; those whose name has the same letters, whatever their accents,
+        only where nobody has the name itself: an accent makes another person.
+        """
+        for plain in (_plain(called), _plain(_words(called))):
+            if plain in self._names:
+                return self._names[plain]
+        return self._letters.get(_letters(called), set())
 
     def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
