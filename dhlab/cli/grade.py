@@ -174,7 +174,7 @@ def _when(mine, course):
     """When each notebook was handed in, how that is known, and how late it is for each of its
     lessons that is graded.
     """
-    from ..grading.judging.work import handed_in
+    from ..grading.intake.timestamps import handed_in
     from ..grading.reports.pages import duration, words
 
     told = []

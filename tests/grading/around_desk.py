@@ -32,7 +32,7 @@ def desk(top, students=("ada", "mallory")):
             book.write(graded)
             cells = [{"source": SCRIPT}, {"source": 'check("05.2", x)'}]
             notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
-            keep_answers(graded, {"a": own_answers(notebook)}, top)
+            keep_answers(graded, {("a", ""): own_answers(notebook)}, top)
     server, address = serve(Desk(top, [Student("mallory", SCRIPT)]))
     crashed = []  # who hangs up is no error of the server's
     server.handle_error = lambda *_: crashed.append(sys.exception())

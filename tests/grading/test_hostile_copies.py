@@ -175,7 +175,7 @@ def test_the_review_shows_what_is_there(tmp_path):
     with book.alone():
         book.write(graded)
     hidden = "rule = 'a' # \u202e 'b' = elur \u2066\u200b\x9b2J"
-    keep_answers(graded, {"a": {"05.2": Answer(hidden)}}, tmp_path)
+    keep_answers(graded, {("a", ""): {"05.2": Answer(hidden)}}, tmp_path)
     ((text, _),) = Desk(tmp_path).answers("m").values()
     assert text == readable(hidden) and text.isprintable() and "·" in text
 

@@ -58,7 +58,7 @@ def graded_folder(tmp_path_factory):
             book.write(graded)
             cells = [{"source": f"{HOSTILE}x = {k}"}, {"source": 'check("05.4", x)'}]
             notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
-            keep_answers(graded, {"a.ipynb": own_answers(notebook)}, top)
+            keep_answers(graded, {("a.ipynb", ""): own_answers(notebook)}, top)
     return top
 
 
@@ -97,6 +97,33 @@ def test_a_decision_changes_nothing_else_in_the_file(tmp_path):
     hold(path, "ada", "we have to talk")
     assert read_decisions(path).students["ada"].hold == "we have to talk"
     assert "# a friend" in path.read_text(encoding="utf-8")
+
+
+def test_ids_and_exercises_may_stand_without_quotes(tmp_path):
+    path = tmp_path / "decisions.yaml"
+    written = "students:\n  0123:\n    bonus: 1\n    exercises:\n      05.4: {points: 2.0}\n"
+    path.write_text(written, encoding="utf-8")
+    decide(path, "0123", "05.2", {"points": 0.5, "ticks": [1, 2]})
+    assert path.read_text(encoding="utf-8").startswith(written)
+    decide(path, "0123", "05.4", {"points": 1.0})
+    (mine,) = read_decisions(path).students.values()
+    points = {key: decided.points for key, decided in mine.exercises.items()}
+    assert (mine.bonus, points) == (1, {"05.4": 1, "05.2": 0.5})
+    assert mine.exercises["05.2"].ticks == (1, 2)
+
+
+def test_next_weeks_file_of_the_same_name_leaves_this_weeks_answers(tmp_path):
+    weeks = "2026-11-01 10:00, zip", "2026-11-08 10:00, zip"
+    marks = [
+        Mark(key, "right", 1, 1, file="a.ipynb", handed_in=when)
+        for key, when in zip(("05.2", "06.2"), weeks)
+    ]
+    for k, mark in enumerate(marks):
+        cells = {"source": "x = 1"}, {"source": f'check("{mark.exercise}", x)'}
+        own = own_answers({"cells": [{"cell_type": "code", **cell} for cell in cells]})
+        graded = Graded("ada", "a.ipynb", "graded", tuple(marks[: k + 1]))
+        keep_answers(graded, {("a.ipynb", mark.handed_in): own}, tmp_path)
+    assert set(read_answers("ada", tmp_path)) == {"05.2", "06.2"}
 
 
 def test_a_file_that_grading_refuses_is_left_as_it_is(tmp_path):
@@ -182,7 +209,7 @@ def test_answers_of_students_who_are_called_like_a_part_of_an_object(tmp_path, b
             book.write(graded)
             cells = [{"source": f"x = {k}"}, {"source": 'check("05.4", x)'}]
             notebook = {"cells": [{"cell_type": "code", **cell} for cell in cells]}
-            keep_answers(graded, {"a": own_answers(notebook)}, tmp_path)
+            keep_answers(graded, {("a", ""): own_answers(notebook)}, tmp_path)
     server, address = serve(Desk(tmp_path, [Student(name) for name in names]))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     page, outside = shown(browser, address)

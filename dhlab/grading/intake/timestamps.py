@@ -1,4 +1,4 @@
-"""When a notebook came, as nbgrader noted it in a ``timestamp.txt``."""
+"""When a notebook came: as nbgrader noted it in a ``timestamp.txt``, and in words."""
 
 from collections.abc import Sequence
 from datetime import datetime, tzinfo
@@ -8,7 +8,7 @@ from .files import FILE_TIME, TIMESTAMP, Entry
 from .layouts import Names
 from .platforms import from_platform
 
-__all__ = ["stamped"]
+__all__ = ["handed_in", "stamped"]
 
 
 def stamped(entries: Sequence[Entry], zone: tzinfo, names: Names) -> list[Entry]:
@@ -76,3 +76,10 @@ def _moment(raw, zone):
         return moment if moment.tzinfo else moment.replace(tzinfo=ZoneInfo(name) if name else zone)
     except (ValueError, KeyError, OSError):
         return None
+
+
+def handed_in(when: datetime | None, source: str, zone: tzinfo) -> str:
+    """When a file came, in words: in the course's time zone, and how it is known; empty when it is
+    not.
+    """
+    return f"{when.astimezone(zone):%Y-%m-%d %H:%M}, {source}" if when else ""

@@ -6,12 +6,13 @@ import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from datetime import datetime, tzinfo
+from datetime import datetime
 from functools import cached_property
 
 from ...course.kinds import Explain
 from ..cage.sight import OPEN, OWN
 from ..intake.notebooks import lessons_of, numbers_of
+from ..intake.timestamps import handed_in
 from ..own_items import install
 from ..results.marks import (
     ERROR,
@@ -31,7 +32,7 @@ from .judge import mark, without_marks
 from .questions import Course, call_request, handed_out_checks
 from .running import cage_of, run_all
 
-__all__ = ["Handed", "Task", "work", "handed_in"]
+__all__ = ["Handed", "Task", "work"]
 
 AGAIN = 0.5  # of the seconds of a notebook, for programs that are called a second time
 _lock = threading.Lock()
@@ -195,13 +196,6 @@ def _mark(exercise, answers, variant, settings, ask_program, said):
         late_days=days,
         penalty=penalty,
     )
-
-
-def handed_in(when: datetime | None, source: str, zone: tzinfo) -> str:
-    """When a file came, in words: in the course's time zone, and how it is known; empty when it is
-    not.
-    """
-    return f"{when.astimezone(zone):%Y-%m-%d %H:%M}, {source}" if when else ""
 
 
 def _sittings(lesson):

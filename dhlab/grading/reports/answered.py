@@ -126,7 +126,7 @@ def _handed_out_cells():
 
 
 def keep_answers(
-    graded: Graded, codes: Mapping[str, Mapping[str, Answer]], out: str | Path
+    graded: Graded, codes: Mapping[tuple[str, str], Mapping[str, Answer]], out: str | Path
 ) -> None:
     """Write ``answers/<student>.json``: for each mark the answer in the notebook it comes from.
     Where that notebook is not among what is graded now, what was kept before stands.
@@ -135,12 +135,16 @@ def keep_answers(
     ----------
     graded : Graded
     codes : mapping
-        For the name of each file, as in the marks, what :func:`own_answers` finds in it.
+        For the name of each file and when it came, as in the marks, what :func:`own_answers` finds
+        in it: next week's file may have the same name.
     out : str or path
         The folder of the marks.
     """
     before = read_answers(graded.student, out)
-    kept = {mark.exercise: codes.get(mark.file, before).get(mark.exercise) for mark in graded.marks}
+    kept = {
+        mark.exercise: codes.get((mark.file, mark.handed_in), before).get(mark.exercise)
+        for mark in graded.marks
+    }
     found = {key: _slim(key, answer) for key, answer in kept.items() if answer}
     if found != before:
         path = _path(graded.student, out)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ...course.workspace import handed_out
 from ..intake.notebooks import LARGEST, parsed
 from ..intake.roster import Student
+from ..intake.timestamps import handed_in
 from ..results.marks import NOT_ATTEMPTED, Graded
 from .alike import alike, answers, is_cut
 from .answered import keep_answers, own_answers, read_answers
@@ -51,10 +52,11 @@ def publish(
         mine = planned.found.get(graded.student)
         if mine is not None:
             notebooks = dict(_read(mine.notebooks))
-            own = {name: own_answers(notebook) for name, notebook in notebooks.items()}
+            zone = planned.course.settings.zone
+            came = {one.name: handed_in(one.when, one.source, zone) for one in mine.notebooks}
+            own = {(name, came[name]): own_answers(one) for name, one in notebooks.items()}
             keep_answers(graded, own, out)
-            names = {one.name for one in mine.notebooks}
-            unseen = (*_unseen(graded, own, names), *_uncompared(graded, notebooks))
+            unseen = (*_unseen(graded, own, came.items()), *_uncompared(graded, notebooks))
             graded = replace(graded, notes=(*graded.notes, *unseen))
             if mine.notebooks:
                 codes[graded.student] = _compared(graded, notebooks)
@@ -90,17 +92,20 @@ def _uncompared(graded, notebooks):
             yield f"{name}: longer than is compared with others: look at the file"
 
 
-def _unseen(graded, own, names):
-    """A sentence on each file that earns marks and of whose answers less than half are found here:
-    what is not read is compared with nobody's.
+def _unseen(graded, own, files):
+    """A sentence on each file, a name and when it came, that earns marks and of whose answers less
+    than half are found here: what is not read is compared with nobody's.
     """
-    marked: dict[str, set[str]] = {}
+    marked: dict[tuple[str, str], set[str]] = {}
     for mark in graded.marks:
-        if mark.file in names and mark.status != NOT_ATTEMPTED:
-            marked.setdefault(mark.file, set()).add(mark.exercise)
-    for name, keys in marked.items():
-        if 2 * len(keys & own.get(name, {}).keys()) < len(keys):
-            yield f"{name}: most of its answers are not found here: not compared, look at the file"
+        file = mark.file, mark.handed_in
+        if file in files and mark.status != NOT_ATTEMPTED:
+            marked.setdefault(file, set()).add(mark.exercise)
+    for file, keys in marked.items():
+        if 2 * len(keys & own.get(file, {}).keys()) < len(keys):
+            yield (
+                f"{file[0]}: most of its answers are not found here: not compared, look at the file"
+            )
 
 
 def _read(notebooks):

@@ -7,6 +7,7 @@ from typing import Any
 
 from ruamel.yaml import YAML
 from ruamel.yaml.comments import CommentedMap, CommentedSeq
+from ruamel.yaml.nodes import ScalarNode
 from ruamel.yaml.resolver import VersionedResolver
 from ruamel.yaml.scalarstring import DoubleQuotedScalarString
 from ruamel.yaml.util import load_yaml_guess_indent
@@ -18,11 +19,14 @@ __all__ = ["decide", "hold"]
 
 
 class _Plain(VersionedResolver):
-    """Dates stay the texts that they are."""
+    """Everything that is written there stays the text that it is: dates and numbers, and a key such
+    as ``05.4`` or ``1001``, which is an exercise or a student.
+    """
 
     def resolve(self, kind, value, implicit):
         tag = super().resolve(kind, value, implicit)
-        return super().resolve(kind, "text", implicit) if str(tag).endswith(":timestamp") else tag
+        as_it_is = kind is not ScalarNode or str(tag).endswith(":null")
+        return tag if as_it_is else super().resolve(kind, "text", implicit)
 
 
 def decide(
@@ -97,12 +101,12 @@ def _key(key):
 
 def _value(value):
     if isinstance(value, list):
-        listed = CommentedSeq(value)
+        listed = CommentedSeq(map(str, value))
         listed.fa.set_flow_style()  # [1, 3]
         return listed
     if isinstance(value, str):
         return DoubleQuotedScalarString(value)
-    return int(value) if value == int(value) else value
+    return str(int(value) if value == int(value) else value)
 
 
 def _write(path, text):
