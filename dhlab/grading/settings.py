@@ -92,7 +92,8 @@ class Settings:
 
     def late_after(self, due: datetime, when: datetime) -> tuple[float, float]:
         """The same, for a due date of one student's own."""
-        days = (when - due).total_seconds() / 86400
+        # two times of one zone would be subtracted as the clocks show them, summer time or not
+        days = (when.astimezone(UTC) - due.astimezone(UTC)).total_seconds() / 86400
         if days <= self.grace_hours / 24:
             return 0.0, 0.0
         percent = min(self.percent_per_day * math.ceil(days), 100 - self.floor)

@@ -88,6 +88,19 @@ def test_lateness(tmp_path, hours, days, penalty):
     )
 
 
+def test_days_are_as_long_as_they_are_when_summer_time_ends(tmp_path):
+    course = read(tmp_path, WHOLE.replace("2026-11-20", "2026-10-24"))
+    due = course.lessons["05"].due
+    for when in (datetime(2026, 10, 25, 23, 30, tzinfo=due.tzinfo), due + timedelta(hours=24)):
+        at = when.astimezone(UTC)
+        hours = (at - due.astimezone(UTC)).total_seconds() / 3600
+        assert (
+            course.late_after(due, when)
+            == course.lateness("05", at)
+            == (round(hours / 24, 4), 0.1 if hours <= 24 else 0.2)
+        )
+
+
 def test_an_empty_file_is_the_default(tmp_path):
     assert read(tmp_path, "{}") == Settings()
 
