@@ -10,6 +10,8 @@ from datetime import UTC, datetime
 import pytest
 
 from dhlab.grading.exports.gradescope import export_gradescope
+from dhlab.grading.intake import layouts
+from dhlab.grading.intake.layouts import Names
 from dhlab.grading.intake.roster import Student, read_roster
 from dhlab.grading.intake.submissions import submissions
 from dhlab.grading.results.gradebook import Gradebook
@@ -124,6 +126,32 @@ def test_folders_in_folders_of_somebody_unknown_cost_little(tmp_path, monkeypatc
             archive.writestr("/".join([f"d{number}"] * 39) + "/x.txt", b"")
     submissions(tmp_path, roster)
     assert len(searches) < 10_000  # there were sixty million
+
+
+@pytest.mark.parametrize("between", ["", " "])
+def test_names_full_of_ids_cost_little(monkeypatch, between):
+    looked = []
+    monkeypatch.setattr(layouts, "_is_set_off", lambda *given: looked.append(1) or True)
+    names = Names([Student(str(number)) for number in range(100, 1000)], ())
+    name = between.join(str(number) for number in range(300, 360))
+    assert names.within(name) is None
+    assert len(looked) <= 60
+
+
+@pytest.mark.parametrize(
+    "text, student",
+    [
+        ("hw_ada.l final", "ada.l"),
+        ("ada.l-b", "ada.l"),
+        ("xada.l", None),
+        ("ada.l2", "ada"),
+        ("2ada, ada!", "ada"),
+        ("ada and bo_", None),
+    ],
+)
+def test_an_id_in_a_longer_name_is_set_off(text, student):
+    names = Names([Student("ada"), Student("ada.l"), Student("bo_")], ())
+    assert names.within(text) == student
 
 
 def test_two_students_of_one_address_are_told(tmp_path):

@@ -16,6 +16,9 @@ __all__ = ["Names", "Owner", "named_in", "namesakes_of", "student_of"]
 COPY = re.compile(
     r"([ _-]{0,3}(copy|version|final|v)[ ._-]?\d*|[ _-]{0,3}\(\d+\)|-\d+)$", re.IGNORECASE
 )
+SPACED = re.compile(r"[\s,_]")  # what stands between words
+RUN = re.compile(r"[^\W_]+")  # letters and digits
+SIGNS = "_.-@+"  # what else an id may have
 LONGEST = 100  # bytes of a name that was read off a file
 ENDINGS = re.compile(r"(\.(ipynb|json|txt|zip))+$", re.IGNORECASE)
 
@@ -47,6 +50,10 @@ class Names:
     def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
         self.lessons = tuple(lessons)
         self.ids = {_plain(student.student): student.student for student in roster}
+        self._cores: dict[str, list[str]] = {}  # ids from their first letter or digit to the last
+        for key in self.ids:
+            self._cores.setdefault(key.strip(SIGNS), []).append(key)
+        self._most_runs = max((len(RUN.findall(key)) for key in self.ids), default=0)
         self._names: dict[str, set[str]] = {}
         self._letters: dict[str, set[str]] = {}  # Canvas writes "Lovelace, Ada" as lovelaceada
         self._mails: dict[str, set[str]] = {}
@@ -71,29 +78,28 @@ class Names:
         return known or _only(self._so_called(called) or self._mails.get(plain, ()))
 
     def _so_called(self, called):
-        """The students of this name; those whose name has the same letters, whatever their accents,
-        only where nobody has the name itself: an accent makes another person.
+        """The students of this name. An accent makes another person: those whose names have the
+        same letters count beside only where it is one word, which Canvas may have made of several.
         """
-        for plain in (_plain(called), _plain(_words(called))):
-            if plain in self._names:
-                return self._names[plain]
-        return self._letters.get(_letters(called), set())
+        own = self._names.get(_plain(called)) or self._names.get(_plain(_words(called)), set())
+        if own and SPACED.search(called.strip()):
+            return own
+        return own | self._letters.get(_letters(called), set())
 
     def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
         plain = _plain(text)
-        found = {
-            student
-            for key, student in self.ids.items()
-            if key in plain  # patterns are slow, and a class has many ids
-            and re.search(rf"(?<![^\W_]){re.escape(key)}(?![^\W_])", plain)
+        runs = list(RUN.finditer(plain))
+        # looked up, since a class has many ids, and each may stand in a name that is made for it
+        parts = {
+            plain[first.start() : last.end()]
+            for k, first in enumerate(runs)
+            for last in runs[k : k + self._most_runs]
         }
-        longest = {
-            student
-            for student in found
-            if not any(student != other and _plain(student) in _plain(other) for other in found)
-        }
-        return longest.pop() if len(longest) == 1 else None
+        known = (key for part in parts & self._cores.keys() for key in self._cores[part])
+        found = {key for key in known if _is_set_off(key, plain)}
+        longest = max(found, key=len, default="")
+        return self.ids[longest] if found and all(key in longest for key in found) else None
 
     def whose(self, part: str, prefix: str = "") -> tuple[str | None, bool]:
         """(student or None, whether that is sure) of one file or folder, where all beside it begin
@@ -103,6 +109,17 @@ class Names:
         if key not in self._whose:
             self._whose[key] = _known(part, self, prefix)
         return self._whose[key]
+
+
+def _is_set_off(key, plain):
+    """Whether a key stands in a text with no letter or digit beside it."""
+    start = plain.find(key)
+    while start >= 0:
+        end = start + len(key)
+        if not (plain[max(0, start - 1) : start].isalnum() or plain[end : end + 1].isalnum()):
+            return True
+        start = plain.find(key, start + 1)
+    return False
 
 
 def _only(found):
@@ -254,7 +271,7 @@ def _words(name):
     """A name's words in one order, so that "Lovelace, Ada" is "Ada Lovelace"."""
     return (
         " ".join(sorted(re.findall(r"[^\s,_]+", _plain(name))))
-        if re.search(r"[\s,_]", name.strip())
+        if SPACED.search(name.strip())
         else name
     )
 
