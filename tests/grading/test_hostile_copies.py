@@ -14,9 +14,10 @@ from corpus import code
 
 from dhlab.course.workspace import handed_out
 from dhlab.grading.own_items import YOUR_NUMBERS
-from dhlab.grading.reports.alike import _tokens, alike, answers, is_cut
+from dhlab.grading.reports.alike import alike, answers, is_cut, tokens_of
 from dhlab.grading.reports.answered import Answer, keep_answers, own_answers
 from dhlab.grading.reports.cells import written
+from dhlab.grading.reports.made import made_while_running
 from dhlab.grading.reports.publish import _compared
 from dhlab.grading.results.gradebook import Gradebook
 from dhlab.grading.results.marks import GRADED, Graded, Mark
@@ -182,4 +183,44 @@ def test_the_review_shows_what_is_there(tmp_path):
 
 def test_lines_that_cannot_be_read_cost_themselves_alone():
     broken = "\n".join(f"{' ' * (9 - k % 9)}x{k} = 1" for k in range(900))
-    assert {("name", f"x{k}") for k in range(0, 900, 9)} <= set(_tokens(broken))
+    assert {("name", f"x{k}") for k in range(0, 900, 9)} <= set(tokens_of(broken))
+
+
+# ada's program, so that nobody sees what runs
+BURIED = {
+    "in short texts": lambda text: f"exec({' '.join(map(repr, chopped(text)))})",
+    "in base64": lambda text: f"import base64\nexec(base64.b64decode({text.encode()!r}))",
+    "as bytes": lambda text: f"import marshal, types\nexec(marshal.loads({text.encode()!r}))",
+    "in comments": lambda text: (
+        "\n".join(f"# {line}" for line in text.splitlines()) + "\nimport linecache\n"
+    ),
+    "in a file": lambda text: (
+        "f = open('m.py', 'w')\n"
+        + "\n".join(f"f.write({part!r})" for part in chopped(text))
+        + "\nf.close()\nfrom m import *"
+    ),
+}
+
+
+def chopped(text):
+    return [text[k : k + 20] for k in range(0, len(text), 20)]
+
+
+@pytest.mark.parametrize("bury", BURIED.values(), ids=BURIED)
+def test_a_program_that_is_made_while_it_runs_is_told(bury):
+    notebook = answered_by(lambda source, key: bury(source) if key == "05.6" else source)
+    assert made_while_running(answers(notebook)) == ["05.6"]
+
+
+def test_an_honest_notebook_makes_no_program_while_it_runs():
+    for path in sorted((corpus.ROOT / "solutions").glob("*.ipynb")):
+        assert made_while_running(answers(json.loads(path.read_text(encoding="utf-8")))) == []
+    saved = "import re, helpers\np = re.compile('exec')\nmodel.eval()\nprint('exec(x)')"
+    assert made_while_running({"05.4": saved, "05.6": "open('table.csv')"}) == ["05.4", "05.6"]
+    assert made_while_running({"05.4": saved, "05.6": "df.to_csv('table.csv')"}) == []
+
+
+def test_what_python_says_of_a_students_texts_is_not_told_on_the_teachers_screen(recwarn):
+    text = "The angle \\alpha of the link and \\\x9b2J, which is a sign that moves a cursor"
+    assert tokens_of(f"x = '{text}'")
+    assert not recwarn

@@ -11,6 +11,7 @@ import io
 import keyword
 import re
 import tokenize
+import warnings
 from collections import Counter, defaultdict
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -19,7 +20,7 @@ from typing import Any
 
 from .cells import written
 
-__all__ = ["Pair", "alike", "answers", "is_cut"]
+__all__ = ["APART", "Pair", "alike", "answers", "is_cut", "tokens_of"]
 
 RUN = 12  # tokens: about a line of a formula
 # a run that more than this share of the class, or this many, wrote is how one writes it, no copy:
@@ -206,11 +207,11 @@ def _without_sinks(pairs):
 
 def runs(code):
     """The fingerprints of a program: each run of tokens with its names numbered, as a hash."""
-    tokens = _tokens(code)
+    tokens = tokens_of(code)
     return {hash(_numbered(tokens[i : i + RUN])) for i in range(len(tokens) - RUN + 1)}
 
 
-def _tokens(code):
+def tokens_of(code: str) -> list[tuple[str, str]]:
     """(kind, text) of each token that means something, of a program that is a text too; a line that
     cannot be read costs neither its cell's rest nor the next cell.
     """
@@ -268,11 +269,13 @@ def _below(cell, line):
 def _tokens_of_text(text):
     """The tokens of a program in quotes, which somebody may run; none of another text."""
     try:
-        inner = ast.literal_eval(text)
-        program = isinstance(inner, str) and ast.parse(inner).body
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # a "\\alpha" of the student's, told to the teacher
+            inner = ast.literal_eval(text)
+            program = isinstance(inner, str) and ast.parse(inner).body
     except (ValueError, SyntaxError, RecursionError, MemoryError):
         return []
-    return _tokens(inner) if program else []
+    return tokens_of(inner) if program else []
 
 
 def _numbered(tokens):

@@ -3,6 +3,7 @@
 import ast
 import json
 import re
+import warnings
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -91,7 +92,9 @@ def _is_given(code):
     if len(code) > MOST or code.count("\n") > YOUR_NUMBERS.count("\n"):
         return False  # what we write is short, and one line
     try:
-        (task,) = ast.parse(code).body
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            (task,) = ast.parse(code).body
     except (ValueError, SyntaxError, RecursionError, MemoryError):
         return False
     return isinstance(task, ast.Assign) and all(map(_is_number, ast.walk(task.value)))

@@ -14,10 +14,12 @@ from ..intake.notebooks import LARGEST, parsed
 from ..intake.roster import Student
 from ..intake.timestamps import handed_in
 from ..results.marks import NOT_ATTEMPTED, Graded
+from ..shown import some
 from .alike import alike, answers, is_cut
 from .answered import keep_answers, own_answers, read_answers
 from .classreport import write_class_report
 from .feedback import write_feedback
+from .made import made_while_running
 
 if TYPE_CHECKING:
     from ..plan import Plan
@@ -57,9 +59,10 @@ def publish(
             own = {(name, came[name]): own_answers(one) for name, one in notebooks.items()}
             keep_answers(graded, own, out)
             unseen = (*_unseen(graded, own, came.items()), *_uncompared(graded, notebooks))
-            graded = replace(graded, notes=(*graded.notes, *unseen))
+            code = _compared(graded, notebooks)
+            graded = replace(graded, notes=(*graded.notes, *unseen, *_made(code)))
             if mine.notebooks:
-                codes[graded.student] = _compared(graded, notebooks)
+                codes[graded.student] = code
         shown.append(graded)
         student = known.get(graded.student, Student(graded.student))
         write_feedback(graded, student, folder, read_answers(graded.student, out))
@@ -90,6 +93,15 @@ def _uncompared(graded, notebooks):
     for name, one in _used(graded, notebooks).items():
         if is_cut(one):
             yield f"{name}: longer than is compared with others: look at the file"
+
+
+def _made(code):
+    """A sentence on the answers of which nobody can see what ran."""
+    if found := made_while_running(code):
+        yield (
+            f"{some(found, len(found))}: made while it runs, from a text, bytes or a file, and not"
+            " compared: look at the answer"
+        )
 
 
 def _unseen(graded, own, files):
