@@ -508,3 +508,22 @@ def test_gradescope_asks_for_the_key_or_for_same(tmp_path):
         ).returncode
         == 0
     )
+
+
+@pytest.mark.parametrize(
+    "name", ["no file was found", "lesson 05: no file was found", "they stand"]
+)
+def test_a_files_name_takes_no_note_away(name):
+    note = f"ada/{name}: has the numbers of bo: look whose work it is"
+    ends = f"lesson 05: 2 files; the answers are those of {name}"
+    marks = Mark("05.4", "right", 2, 2, file=name), Mark("06.2", "right", 2, 2)
+    before = Graded("ada", name, "graded", marks, notes=(note, ends, f"{name}: {note}"))
+    new = Graded("ada", "", "graded", (Mark("05.4", "not handed in", 0, 2),))
+    for _ in range(2):
+        before = together(before, new)
+    assert before.notes == (
+        note,
+        ends,
+        f"{name}: {note}",
+        "lesson 05: no file this time; the marks of before stand",
+    )

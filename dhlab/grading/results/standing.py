@@ -2,6 +2,7 @@
 graded now. No mark is ever lost.
 """
 
+import re
 from collections.abc import Collection
 from dataclasses import replace
 
@@ -10,8 +11,10 @@ from .marks import GRADED, MISSING, NOT_HANDED_IN, TIMED_OUT, UNREADABLE, Graded
 
 __all__ = ["together", "left_standing", "lateness"]
 
-STAND = "stand"  # how the notes end that are written anew each time
 NO_FILE = "no file was found"
+# notes that are written anew each time, all of them: the name of a file may have words of theirs
+STAND = re.compile(r"lesson \w+: [a-z ]+; the marks of (before|[0-9-]+) stand")
+LACKING = re.compile(rf"lesson \w+: {NO_FILE}")
 
 
 def together(before: Graded | None, new: Graded, only: str = "") -> Graded:
@@ -66,9 +69,9 @@ def _notes(before, new, lost):
     """What both runs noted, without what no longer holds, and which lessons' earlier marks stand;
     ``lost`` holds the earlier marks of what could not be graded this time.
     """
-    notes = [note for note in before.notes if not note.endswith(STAND) and NO_FILE not in note]
-    lessons = {mark.lesson for mark in lost.values()}
-    notes += [note for note in new.notes if not (NO_FILE in note and note[7:9] in lessons)]
+    notes = [note for note in _lasting(before.notes) if not LACKING.fullmatch(note)]
+    told = {f"lesson {mark.lesson}: {NO_FILE}" for mark in lost.values()}
+    notes += [note for note in new.notes if note not in told]
     why = "the file cannot be read" if new.status == UNREADABLE else "no file this time"
     if new.status == UNREADABLE and not lost:
         notes.append("the file handed in this time cannot be read")
@@ -78,8 +81,11 @@ def _notes(before, new, lost):
 def left_standing(before: Graded) -> Graded:
     """The Graded of somebody who is not among what is graded now: as it was, with a note."""
     marks = [mark for mark in before.marks if mark.status != NOT_HANDED_IN]
-    notes = [note for note in before.notes if not note.endswith(STAND)]
-    return replace(before, notes=(*notes, *_standing(marks, "no file this time")))
+    return replace(before, notes=(*_lasting(before.notes), *_standing(marks, "no file this time")))
+
+
+def _lasting(notes):
+    return [note for note in notes if not STAND.fullmatch(note)]
 
 
 def lateness(marks: Collection[Mark]) -> tuple[float, float]:
@@ -104,4 +110,4 @@ def _standing(marks, why):
     """A sentence for each lesson whose earlier marks stand."""
     for lesson in sorted({mark.lesson for mark in marks}):
         dates = [mark.handed_in[:10] for mark in marks if mark.lesson == lesson and mark.handed_in]
-        yield f"lesson {lesson}: {why}; the marks of {max(dates) if dates else 'before'} {STAND}"
+        yield f"lesson {lesson}: {why}; the marks of {max(dates) if dates else 'before'} stand"
