@@ -35,7 +35,7 @@ def review(
         flush=True,
     )
     if not no_browser:
-        webbrowser.open(address)
+        webbrowser.open(server.once)
     try:
         server.serve_forever()
     except KeyboardInterrupt:

@@ -144,6 +144,21 @@ def test_an_answer_is_what_its_student_wrote_and_stands_when_the_file_is_gone(fo
     assert [own_answers(notebook) for notebook in odd] == [{}] * 4
 
 
+def test_what_a_browser_is_started_with_leads_in_once(folder):
+    server, address = serve(Desk(folder))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        assert urlsplit(server.once).path != urlsplit(address).path
+        assert asked(server.once, Host="evil.example")[0] == 404
+        status, _, headers = asked(server.once)
+        assert (status, headers["Location"]) == (303, urlsplit(address).path)
+        assert asked(server.once)[0] == 404
+        assert asked(address)[0] == asked(address)[0] == 200
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
 def test_nobody_gets_in_without_the_token_or_from_another_site(address):
     parts = urlsplit(address)
     save = json.dumps({"student": "s000", "hold": "x"})

@@ -7,13 +7,13 @@ import threading
 from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 from urllib.parse import unquote
 
 from ..reports.answered import MOST_PICTURES
 from .desk import Desk
 
-__all__ = ["serve"]
+__all__ = ["Server", "serve"]
 
 HERE = Path(__file__).parent
 PAGES = {
@@ -35,9 +35,10 @@ HEADERS = {
 }
 
 
-def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
+def serve(desk: Desk, port: int = 0) -> tuple["Server", str]:
     """(the server, the address to open): bound to this machine, with a token in the address that
-    nobody can guess. The caller runs ``serve_forever``.
+    nobody can guess. The caller runs ``serve_forever``, and gives a browser ``once`` of the server:
+    others on the machine may read what a program is started with, and that address works one time.
 
     Parameters
     ----------
@@ -55,14 +56,18 @@ def serve(desk: Desk, port: int = 0) -> tuple[ThreadingHTTPServer, str]:
 
     Handler.token = token
     try:
-        server = _Server(("127.0.0.1", port), Handler)
+        server = Server(("127.0.0.1", port), Handler)
     except OSError as error:
         raise ValueError(
             f"review: expected a free port, found {port} in use ({error.strerror}); leave --port"
             " out"
         ) from None
     Handler.hosts = frozenset(f"{name}:{server.server_port}" for name in ("127.0.0.1", "localhost"))
-    return server, f"http://127.0.0.1:{server.server_port}/{token}/"
+    door = f"/{secrets.token_urlsafe(24)}/"
+    Handler.doors = {door}
+    here = f"http://127.0.0.1:{server.server_port}"
+    server.once = f"{here}{door}"
+    return server, f"{here}/{token}/"
 
 
 def _answer(desk, name, given):
@@ -78,7 +83,12 @@ def _answer(desk, name, given):
     return desk.answers(student) if kind == "answers" and student in desk.marks else None
 
 
-class _Server(ThreadingHTTPServer):
+class Server(ThreadingHTTPServer):
+    """Serves the review; ``once`` is an address that leads to the page, the first time it is
+    opened.
+    """
+
+    once = ""
     daemon_threads = True
     request_queue_size = 128  # the teacher does not wait behind others
 
@@ -86,11 +96,15 @@ class _Server(ThreadingHTTPServer):
 class _Handler(BaseHTTPRequestHandler):
     token = ""
     hosts: frozenset[str] = frozenset()
+    doors: ClassVar[set[str]] = set()
     answer: Callable[..., Any]
     timeout = 60
     server_version, sys_version = "dhlab", ""
 
     def do_GET(self) -> None:
+        if self._opens():
+            self._send(303, b"", Location=f"/{self.token}/")
+            return
         name = self._name()
         if name in PAGES:
             file, kind = PAGES[name]
@@ -115,6 +129,16 @@ class _Handler(BaseHTTPRequestHandler):
         raw = self.rfile.read(int(length))
         self._say(lambda: self.answer(name, json.loads(raw)))
 
+    def _opens(self):
+        """Whether this is the address that works once, and the first time."""
+        if self.path not in self.doors or self.headers.get("Host") not in self.hosts:
+            return False
+        try:
+            self.doors.remove(self.path)
+        except KeyError:  # another was quicker
+            return False
+        return True
+
     def _name(self):
         """What is asked for; None, and an answer, where the address is not this page's: another
         site's page may know the port, and neither the token nor this machine's name.
@@ -138,9 +162,10 @@ class _Handler(BaseHTTPRequestHandler):
         status = 404 if told is None else 200
         self._send(status, json.dumps(told).encode())
 
-    def _send(self, status, data, kind="application/json"):
+    def _send(self, status, data, kind="application/json", **more):
         self.send_response(status)
-        for name, value in {**HEADERS, "Content-Type": kind, "Content-Length": len(data)}.items():
+        told = {**HEADERS, "Content-Type": kind, "Content-Length": len(data), **more}
+        for name, value in told.items():
             self.send_header(name, str(value))
         self.end_headers()
         self.wfile.write(data)
