@@ -257,4 +257,13 @@ def test_an_accent_makes_another_person(tmp_path):
         "b1": 1,
         "b2": 1,
     }
-    assert set(taken(tmp_path, roster[:1])) == set(), "of one of them they may be both"
+    alone = taken(tmp_path, roster[:1])
+    assert alone == {"b1": ["Bo Müller_12_assignsubmission_file_/05.ipynb"]}
+
+
+@pytest.mark.parametrize("name", ["Àda Lovelace", "Ada Love lace", "Ada\u200b Lovelace"])
+def test_a_strangers_name_of_the_same_letters_takes_nothing_away(tmp_path, name):
+    put(tmp_path / f"{name}_13_assignsubmission_file_/05.ipynb", day=9)
+    assert set(taken(tmp_path, CLASS)) == {"ada_l"}, "as when the roster has no accents"
+    put(tmp_path / "Ada Lovelace_11_assignsubmission_file_/05.ipynb")
+    assert taken(tmp_path, CLASS) == {"ada_l": ["Ada Lovelace_11_assignsubmission_file_/05.ipynb"]}

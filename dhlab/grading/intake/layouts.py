@@ -81,10 +81,14 @@ class Names:
         """The students of this name. An accent makes another person: those whose names have the
         same letters count beside only where it is one word, which Canvas may have made of several.
         """
-        own = self._names.get(_plain(called)) or self._names.get(_plain(_words(called)), set())
+        own = self.exactly(called)
         if own and SPACED.search(called.strip()):
             return own
         return own | self._letters.get(_letters(called), set())
+
+    def exactly(self, called: str) -> set[str]:
+        """The students who have this name itself, its words in whatever order."""
+        return self._names.get(_plain(called)) or self._names.get(_plain(_words(called)), set())
 
     def within(self, text: str) -> str | None:
         """The one student whose id stands in a longer name, set off by signs."""
@@ -246,7 +250,7 @@ def _known_to_platform(told, names):
     if numbered:
         return (numbered, True) if by_name in (None, numbered) else (None, False)
     if by_name:
-        return by_name, True
+        return by_name, told.platform == CANVAS or by_name in names.exactly(told.name)
     return names.find(told.name) or names.by_name(without_group(told.name)), False
 
 
