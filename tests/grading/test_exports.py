@@ -22,7 +22,7 @@ from dhlab.course.exercises import exercises
 from dhlab.grading.cage.cage import Cage
 from dhlab.grading.exports.gradebooks import canvas_csv, moodle_csv, read_marks
 from dhlab.grading.exports.gradescope import export_gradescope
-from dhlab.grading.exports.gradescope_run import main, results
+from dhlab.grading.exports.gradescope_run import _student, main, results
 from dhlab.grading.exports.nbgrader import export_nbgrader
 from dhlab.grading.exports.nbgrader_cell import graded_check
 from dhlab.grading.grade import grade
@@ -425,6 +425,18 @@ def test_gradescope_shows_no_test_and_survives_a_stranger(tmp_path, monkeypatch)
     assert sorted(rooms) == ["open", "own"]  # none is started only to see that it works
     assert "seen at" not in json.dumps(found)
     assert sum(test["score"] for test in found["tests"]) == 0.5
+
+
+@pytest.mark.parametrize(
+    "users", [[{"email": None}], None, [{"email": None}, {"email": "Bo@x.org"}]]
+)
+def test_gradescope_knows_accounts_without_an_address(tmp_path, users):
+    (tmp_path / "source").mkdir()
+    (tmp_path / "source" / "variants.json").write_text('{"bo@x.org": 7}', encoding="utf-8")
+    told = json.dumps({"users": users})
+    (tmp_path / "submission_metadata.json").write_text(told, encoding="utf-8")
+    known = ("bo@x.org", 7) if len(users or ()) > 1 else ("unknown", 0)
+    assert _student(tmp_path) == known
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Gradescope runs Linux")

@@ -267,3 +267,10 @@ def test_a_strangers_name_of_the_same_letters_takes_nothing_away(tmp_path, name)
     assert set(taken(tmp_path, CLASS)) == {"ada_l"}, "as when the roster has no accents"
     put(tmp_path / "Ada Lovelace_11_assignsubmission_file_/05.ipynb")
     assert taken(tmp_path, CLASS) == {"ada_l": ["Ada Lovelace_11_assignsubmission_file_/05.ipynb"]}
+
+
+@pytest.mark.parametrize("name", ["李小龙", "小龙 李", "李, 小龙"])
+def test_a_name_is_itself_with_its_words_run_together(tmp_path, name):
+    put(tmp_path / "li" / "05.ipynb")
+    put(tmp_path / f"{name}_13_assignsubmission_file_/05.ipynb", day=9)
+    assert len(taken(tmp_path, CLASS)["li"]) == 2

@@ -103,7 +103,9 @@ def _student(root):
     """(address, variant) of who handed in; of a group, the first whose numbers are known."""
     known = json.loads(_variants(root).read_text(encoding="utf-8"))
     metadata = json.loads((root / "submission_metadata.json").read_text(encoding="utf-8"))
-    emails = [user.get("email", "").casefold() for user in metadata.get("users", [])] or ["unknown"]
+    users = metadata.get("users") or []
+    # of an account without an address it is null
+    emails = [(user.get("email") or "unknown").casefold() for user in users] or ["unknown"]
     email = next((email for email in emails if email in known), emails[0])
     return email, known.get(email, 0)
 

@@ -62,8 +62,9 @@ class Names:
             name = _plain(_words(student.name))
             _add(self._names, name, student)
             if " " in name:
-                for words in (name, " ".join(reversed(name.split()))):
-                    _add(self._letters, _letters(words), student)
+                for words in (name.split(), name.split()[::-1]):
+                    _add(self._names, "".join(words), student)
+                    _add(self._letters, _letters("".join(words)), student)
             for mail in (student.email, student.email.partition("@")[0]):
                 _add(self._mails, _plain(mail), student)
 
@@ -87,7 +88,7 @@ class Names:
         return own | self._letters.get(_letters(called), set())
 
     def exactly(self, called: str) -> set[str]:
-        """The students who have this name itself, its words in whatever order."""
+        """The students who have this name itself, its words in whatever order or run together."""
         return self._names.get(_plain(called)) or self._names.get(_plain(_words(called)), set())
 
     def within(self, text: str) -> str | None:

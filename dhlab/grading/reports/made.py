@@ -17,6 +17,8 @@ MAKERS = frozenset(
     import_module runpy run_path run_module linecache ctypes builtins __builtins__ get_ipython
     _getframe codeop""".split()
 )
+# the same of whatever it is an attribute
+INNER = frozenset("__code__ __globals__ __subclasses__ __builtins__ allow_pickle modules".split())
 WRITERS = frozenset("open Path write_text write_bytes tofile savetxt dump".split())
 IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\w+)|import[ \t]+([^\n#]+))", re.MULTILINE)
 # beside Python's own
@@ -45,7 +47,7 @@ def made_while_running(codes: Mapping[str, str]) -> list[str]:
     makes = {
         exercise
         for exercise, found in read.items()
-        if any(kind == "name" and text in MAKERS for kind, text in found)
+        if any(text in INNER or (kind == "name" and text in MAKERS) for kind, text in found)
     }
     writes = {
         exercise
