@@ -4,7 +4,6 @@ that hides least.
 All coordinates here are page points from the panel's lower left corner.
 """
 
-import itertools
 from typing import Any
 
 import numpy as np
@@ -109,11 +108,11 @@ def _along(path):
     """A path (k, 2) filled with points so near each other that no letter fits between."""
     if len(path) == 1:
         return path
-    pieces = [
-        np.linspace(start, end, max(2, int(np.ceil(np.hypot(*(end - start)) / SPACING)) + 1))
-        for start, end in itertools.pairwise(path)
-    ]
-    return np.vstack(pieces)
+    pieces = np.diff(path, axis=0)
+    parts = np.maximum(1, np.ceil(np.hypot(*pieces.T) / SPACING).astype(int))
+    piece = np.repeat(np.arange(len(pieces)), parts + 1)
+    step = np.arange(len(piece)) - np.repeat(np.cumsum(parts + 1) - parts - 1, parts + 1)
+    return path[piece] + step[:, None] * (pieces / parts[:, None])[piece]
 
 
 def _own_points(label, panel):
@@ -187,7 +186,8 @@ def _hidden(boxes, ink, page):
     """The price of the lines that each box (k, 4) would cover, and of what of it lies beyond the
     panel.
     """
-    x, y, weight = ink.T
+    within = (ink[:, :2] > boxes[:, :2].min(axis=0)) & (ink[:, :2] < boxes[:, 2:].max(axis=0))
+    x, y, weight = ink[within.all(axis=1)].T
     inside = (x > boxes[:, :1]) & (x < boxes[:, 2:3]) & (y > boxes[:, 1:2]) & (y < boxes[:, 3:])
     outside = np.clip(2 - boxes[:, :2], 0, None).sum(axis=1) + np.clip(
         boxes[:, 2:] - page + 2, 0, None
@@ -211,6 +211,6 @@ def _put(label, text, box, panel, doubtful):
     distance = np.hypot(*(nearest - anchor))
     if label.far and (distance > 11 or (doubtful and distance > 3)):
         ends = panel.from_page(np.array([anchor, nearest]))
-        panel.axes.add_line(
+        panel.axes.add_artist(
             Line2D(*ends.T, color=QUIET, linewidth=0.7, zorder=LAYERS["mark"] + 0.5)
         )
