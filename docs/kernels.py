@@ -85,8 +85,10 @@ def _forked(*how):
 @cache
 def _warm():
     """The warm process, which ends with this one."""
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-    return subprocess.Popen([sys.executable, __file__], text=True, start_new_session=True, **pipes)
+    settings = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "start_new_session": True}
+    # two kernels at a time: threads in products of matrices would take the cores from each other
+    settings["env"] = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
+    return subprocess.Popen([sys.executable, __file__], text=True, **settings)
 
 
 # ---- in the warm process
@@ -95,13 +97,18 @@ def _warm():
 def main():
     """Fork a kernel for each line from the build; end with the build, and all kernels with both."""
     import dhlab as dh
-    import dhlab.course
+    import dhlab.view.explorer.widget
+    import dhlab.view.turnable
     from dhlab import view
+    from dhlab.course.exercises import exercises
     from dhlab.doctor import budget
 
     budget.SILENT = math.inf  # what a search says on its way depends on how fast the machine is
-    for picture in (view.sketch("right hand"), view.arm(dh.load("ur5e"))):
+    arm = dh.load("ur5e")
+    for picture in (view.sketch("right hand"), view.arm(arm)):
         picture._repr_mimebundle_()
+    arm.solve(arm.forward([0.3] * 6))
+    exercises()
     signal.signal(signal.SIGCHLD, wait)
     for line in sys.stdin:
         pid = os.fork()

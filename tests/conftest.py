@@ -19,6 +19,9 @@ from hypothesis.database import DirectoryBasedExampleDatabase
 # numba joins in once batches have kept a process busy, and differs by rounding: when that is would
 # depend on which tests ran before
 os.environ.setdefault("DHLAB_NUMBA", "0")
+# a test for each core: threads in products of matrices would wait for work in turns that the other
+# tests need; read by the workers and by all that a test starts
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 HERE = Path(__file__).parent
 FOUND = HERE.parent / ".fuzz"  # where ``make fuzz`` keeps what it finds
