@@ -15,6 +15,8 @@ NEEDED = {
     "gcc": ("gcc", "generated C compiled"),
     "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe"),
 }
+# also installed where apt has it: in it the same pages take a third less of the processor
+WINDOWLESS = "chromium-headless-shell"
 
 
 def found(program):
@@ -23,6 +25,14 @@ def found(program):
         ["chromium", "chromium-browser", "google-chrome"] if program == "chromium" else [program]
     )
     return any(shutil.which(name) for name in names)
+
+
+def spared():
+    """Whether apt, by the lists that it has, could install the Chromium without windows."""
+    if shutil.which(WINDOWLESS) or shutil.which("apt-cache") is None:
+        return False
+    known = subprocess.run(["apt-cache", "show", WINDOWLESS], capture_output=True)
+    return known.returncode == 0
 
 
 def install(packages):
@@ -39,17 +49,20 @@ def install(packages):
     ):
         return
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    for command in (
-        ["apt-get", "update", "-qq"],
-        ["apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages],
-    ):
-        subprocess.call([*prefix, *command], env=environment, stdout=subprocess.DEVNULL)
+
+    def apt(*command):
+        command = [*prefix, "apt-get", *command]
+        subprocess.call(command, env=environment, stdout=subprocess.DEVNULL)
+
+    apt("update", "-qq")
+    more = [WINDOWLESS] if spared() else []
+    apt("install", "-y", "-qq", "--no-install-recommends", *packages, *more)
 
 
 def main():
     """Install what is missing, then name what still is."""
     missing = [program for program in NEEDED if not found(program)]
-    if missing:
+    if missing or spared():
         install([NEEDED[program][0] for program in missing])
     still = [program for program in missing if not found(program)]
     for program in still:

@@ -18,6 +18,12 @@ SEEN = """p => { const { stage } = document.querySelector('.dhlab-explorer, main
     return [box.left + x, box.top + y, stage.camera.scale]; }"""
 
 
+@pytest.fixture(scope="session")
+def chromium(whole_chromium):
+    """Here what is pointed at goes dark when the pointer leaves it."""
+    return whole_chromium
+
+
 def shown(page):
     """Every matrix on the page, by its caption."""
     found = page.evaluate(
