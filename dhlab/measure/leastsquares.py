@@ -54,8 +54,8 @@ def least_squares(
             step = _steps(r, jacobian(x))
             damping = max(LEAST, damping * max(1 / 3, 1 - (2 * gain / foretold - 1) ** 3))
             more = 2.0
-        elif small or damping > LOST:
-            break
+        elif small or damping > LOST or foretold <= CLOSE * (r @ r):
+            break  # what is left to gain is rounding
         else:
             damping, more = damping * more, 2 * more
     return x

@@ -78,11 +78,15 @@ class OffsetModel:
 
     def base(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """W (4, 4)."""
+        if not self.n_base:
+            return np.eye(4)
         t, w, _, _ = self._split(x)
         return _pose(from_rotation_vectors(w), t)
 
     def tool(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """E (4, 4)."""
+        if not self.n_tool:
+            return np.eye(4)
         _, _, u, e = self._split(x)
         return _pose(from_rotation_vectors(e), u)
 
