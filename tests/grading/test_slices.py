@@ -7,8 +7,9 @@ import json
 import pytest
 
 from dhlab.course.workspace import handed_out
-from dhlab.grading.inside.reading.cells import parsed
+from dhlab.grading.inside.reading.cells import parsed, plain
 from dhlab.grading.inside.reading.demonstrations import print_of, showing
+from dhlab.grading.inside.reading.magics import without_magics
 from dhlab.grading.inside.reading.notebook import Cell
 from dhlab.grading.inside.reading.slices import statement, statements
 from dhlab.grading.inside.shell import run_cell
@@ -34,6 +35,23 @@ ODD = [
 def test_an_odd_statement_reads_as_if_it_were_written_anew(source):
     nodes = parsed(source, "<cell>")
     assert nodes and statements(3, source) == [statement(3, node) for node in nodes]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "x = 1  # why 1?",
+        "# why?\nx = 1",
+        "x = '#'  # what's that?",
+        "x = '''\n# why?\n'''",
+        "np.sin?",
+        "'#'.join?",
+        "x = !ls",
+        "%time y = 1  # why?",
+    ],
+)
+def test_a_question_in_a_comment_is_no_magic_and_every_other_is(source):
+    assert plain(source).strip() == without_magics(source).strip()
 
 
 def test_so_does_every_statement_of_the_lessons():

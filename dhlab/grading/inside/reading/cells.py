@@ -2,11 +2,13 @@
 
 import ast
 import linecache
+import re
 from functools import cache
 
 __all__ = ["BODY_RUNS", "parsed", "plain"]
 
 BODY_RUNS = ("time", "timeit", "capture", "prun")  # cell magics whose cell is Python to be run
+COMMENT = re.compile("#[^'\"]*$")  # up to the end of a line, whatever stands in quotes before
 
 
 def parsed(source: str, name: str) -> list[ast.stmt]:
@@ -39,17 +41,25 @@ def _unpacked(node):
 
 @cache
 def plain(source: str) -> str:
-    """The source with magics turned into calls, as IPython does it; itself where it has none."""
-    if not any(
-        line.lstrip().startswith(("%", "!", "?"))
-        or line.rstrip().endswith("?")
-        or "= %" in line
-        or "=%" in line
-        or "= !" in line
-        or "=!" in line
-        for line in source.splitlines()
-    ):
+    """The source with magics turned into calls, as IPython does it; itself where it has none.
+
+    Examples
+    --------
+    >>> plain("x = 1  # why 1?"), plain("%matplotlib inline").strip()
+    ('x = 1  # why 1?', "get_ipython().run_line_magic('matplotlib', 'inline')")
+    """
+    if not any(map(_may_hold_a_magic, source.splitlines())):
         return source
     from .magics import without_magics  # large: only where there is one
 
     return without_magics(source)
+
+
+def _may_hold_a_magic(line):
+    """Whether a line may be more than Python. A comment may ask something, and often does."""
+    line = line.strip()
+    return (
+        line.startswith(("%", "!", "?"))
+        or (line.endswith("?") and not COMMENT.search(line))
+        or any(sign in line for sign in ("= %", "=%", "= !", "=!"))
+    )
