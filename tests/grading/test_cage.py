@@ -78,6 +78,30 @@ def test_values_come_through_exactly(value):
         assert found == value and type(found) is type(value)
 
 
+@pytest.mark.parametrize(
+    "content",
+    [
+        ["f8", [2], "AAAAAAAA8D8="],
+        ["f8", [-1], "AAAAAAAA8D8="],
+        ["f8", [1] * 7, "AAAAAAAA8D8="],
+        ["f8", [1], "AAAAAAAA8D8"],
+        ["f8", [1], "AAAA_AAA8D8="],
+        ["f8", [1], [1.0]],
+        ["f8", "1", "AAAAAAAA8D8="],
+        ["O", [1], "AAAAAAAA8D8="],
+        ["f8", [100_001], "A" * 1_100_004],
+    ],
+)
+def test_bytes_that_are_no_array_are_refused(content):
+    assert decode({"packed": ["f8", [1], "AAAAAAAA8D8="]}) == [1.0]
+    with pytest.raises(judge.DECODED):
+        decode({"packed": content})
+
+
+def test_numbers_come_through_whatever_the_order_of_their_bytes():
+    assert through(np.array([1.5, -2.0], dtype=">f8")).tolist() == [1.5, -2.0]
+
+
 def test_the_unattempted_and_what_is_no_number_come_through_as_such():
     assert through([..., ...]) == [Ellipsis, Ellipsis] and through((1, 2)) == [1, 2]
     assert (
@@ -126,7 +150,7 @@ JSON = st.recursive(
     lambda inner: (
         st.lists(inner, max_size=4)
         | st.dictionaries(
-            st.sampled_from(["...", "array", "dict", "table", "arm", "other", "x"])
+            st.sampled_from(["...", "array", "packed", "dict", "table", "arm", "other", "x"])
             | st.text(max_size=3),
             inner,
             max_size=2,
