@@ -71,10 +71,13 @@ class _Room:
             self.noted = answer
 
     def missed(self):
-        """Which parts of dhlab and which packages were asked for and are not here; after each call
-        it begins anew.
+        """Which parts of dhlab and which packages were asked for and are not here, where any were;
+        after each call it begins anew.
         """
-        closed: set[str] = getattr(sys.modules["dhlab"], "asked", set())
+        # of the module itself: where all of dhlab is, it would look for a part of that name
+        closed: set[str] = vars(sys.modules["dhlab"]).get("asked", set())
+        if not closed and not Absent.used:
+            return {}
         found = {"closed": sorted(closed)[:20], "absent": sorted(Absent.used)[:20]}
         closed.clear()
         Absent.used.clear()

@@ -12,6 +12,7 @@ import json
 import os
 import random
 from collections.abc import Collection
+from typing import Any
 
 import numpy as np
 
@@ -45,7 +46,9 @@ def run(request_file: int, answer_file: int, warm: Collection[str] = ()) -> None
         return
     send = _sender(answer_file)
     try:
-        cells = notebooks.read(raw, request["checks"])
+        notebook = notebooks.opened(raw)
+        cells = notebooks.cells_of(notebook, request["checks"])
+        code = notebooks.slim(notebook)
     except Exception as error:  # whatever was sent in: this process has nothing else to do
         send(
             {
@@ -55,8 +58,8 @@ def run(request_file: int, answer_file: int, warm: Collection[str] = ()) -> None
             }
         )
         return
-    del raw  # with all its pictures
-    send({"slim": cells.slim})
+    del raw, notebook  # with all its pictures
+    send({"slim": code})
     _Run(request, cells, send).go()
     send({"done": cells.lesson, "loaded": loaded(warm)})
 
@@ -64,23 +67,26 @@ def run(request_file: int, answer_file: int, warm: Collection[str] = ()) -> None
 def _slim(raw, answer_file):
     """A notebook without its outputs, or what is wrong with it; nothing of it is run."""
     try:
-        line = {"slim": notebooks.without_outputs(raw), "done": ""}
+        line = {"slim": notebooks.slim(notebooks.opened(raw)), "done": ""}
     except Exception as error:
         line = {"unreadable": type(error).__name__}
     _sender(answer_file, MOST_CODE)(line)
 
 
 def _sender(file, longest=LONGEST):
-    def send(line):
+    def send(*lines):
+        data = b"".join(map(_line, lines))
+        while data:
+            data = data[os.write(file, data) :]
+
+    def _line(line):
         data = json.dumps(line).encode()
         if len(data) > longest:
             data = json.dumps(
                 {key: value for key, value in line.items() if key in ("check", "cell")}
                 | {"value": {"other": "an answer too large to send"}}
             ).encode()
-        data += b"\n"
-        while data:
-            data = data[os.write(file, data) :]
+        return data + b"\n"
 
     return send
 
@@ -95,6 +101,7 @@ class _Run:
             request["only"],
         )
         self.space = space(self.book)
+        self.begun: list[dict[str, Any]] = []  # cells of which nobody has been told yet
         self.shown: set[int] = set()  # cells that only show something
         self.showing: Collection[str] = ()  # functions of the lesson that do
 
@@ -122,6 +129,7 @@ class _Run:
             self._cell(number, cell)
             if number == self.cells.last_for(self.book.only):
                 break
+        self._tell()
         for key in self._unheard():
             self._fallback(key)
 
@@ -136,10 +144,11 @@ class _Run:
         return self.cells.code[number].answers if number < len(self.cells.code) else ()
 
     def _cell(self, number, cell):
-        self.send({"cell": number, "ids": cell.ids})
+        self.begun.append({"cell": number, "ids": cell.ids})
         self.book.cell = number
         if number in self.request["skip"] or number in self.shown:
             return
+        self._tell()
         name = f"<cell {number + 1}>"
         Absent.used.clear()
         outcome = self._limited(lambda: run_cell(cell.source, name, self.space, self.showing))
@@ -150,6 +159,13 @@ class _Run:
         for key in cell.answers:
             if key not in self.book.noted_in(number):
                 self._fallback(key)
+
+    def _tell(self):
+        """Send which cells have begun: those that are passed over with the next that runs, since
+        whoever hears it is woken each time.
+        """
+        self.send(*self.begun)
+        self.begun.clear()
 
     def _fallback(self, key):
         """The answer of an exercise whose check is missing or broken: what the handed-out check

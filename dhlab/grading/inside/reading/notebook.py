@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["FAULTS", "Cell", "Cells", "cells_of", "decoded", "listed", "read", "without_outputs"]
+__all__ = ["FAULTS", "Cell", "Cells", "cells_of", "decoded", "listed", "opened", "read", "slim"]
 
 CHECK = re.compile(r"""\bcheck\(\s*["']([0-9A-Za-z.]+)["']""")
 # what is said of a file that is no notebook
@@ -33,15 +33,14 @@ class Cell:
 
 @dataclass
 class Cells:
-    """A notebook's code; which lesson it is; the handed-out checks' expressions, the exercises for
-    which no place was found; and the notebook without what is not code.
+    """A notebook's code; which lesson it is; the handed-out checks' expressions, and the exercises
+    for which no place was found.
     """
 
     code: list[Cell]
     lesson: str | None
     expressions: dict[str, str]
     unplaced: list[str]
-    slim: dict[str, Any]
 
     def last_for(self, only: Iterable[str]) -> int | None:
         """The number of the last cell that has to do with these exercises; None when it is not
@@ -67,7 +66,7 @@ def read(raw: bytes, checks: Mapping[str, Any]) -> Cells:
     ValueError
         It is no notebook.
     """
-    return cells_of(_json(raw), checks)
+    return cells_of(opened(raw), checks)
 
 
 def cells_of(notebook: dict[str, Any], checks: Mapping[str, Any]) -> Cells:
@@ -79,23 +78,19 @@ def cells_of(notebook: dict[str, Any], checks: Mapping[str, Any]) -> Cells:
     wanted = checks.get(lesson, {})
     unplaced = [key for key, (_, stub) in wanted.items() if not _place(key, stub, code, names)]
     expressions = {key: expression for key, (expression, _) in wanted.items()}
-    return Cells(code, lesson, expressions, unplaced, _slim(notebook))
+    return Cells(code, lesson, expressions, unplaced)
 
 
-def without_outputs(raw: bytes) -> dict[str, Any]:
+def slim(notebook: dict[str, Any]) -> dict[str, Any]:
     """A notebook with its code alone, for who has many pictures in it; ValueError when it is no
     notebook.
 
     Examples
     --------
     >>> cells = [{"cell_type": "code", "source": "x", "id": "a", "outputs": [1]}, {"source": "y"}]
-    >>> without_outputs(json.dumps({"cells": cells}).encode())["cells"]
+    >>> slim({"cells": cells})["cells"]
     [{'cell_type': 'code', 'source': 'x', 'metadata': {}, 'id': 'a'}]
     """
-    return _slim(_json(raw))
-
-
-def _slim(notebook):
     return {
         "metadata": {"dhlab": _dict(_dict(notebook.get("metadata")).get("dhlab"))},
         "cells": [
@@ -123,7 +118,8 @@ def decoded(raw: bytes) -> str:
         return raw.decode("latin-1")
 
 
-def _json(raw):
+def opened(raw: bytes) -> dict[str, Any]:
+    """The JSON of a notebook; ValueError when it is none."""
     text = decoded(raw)
     if not text.strip():
         raise ValueError(EMPTY)
