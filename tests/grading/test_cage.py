@@ -214,14 +214,14 @@ def test_no_input_and_no_answer_is_sent_beforehand():
     assert set(sent) == {
         *("checks", "given", "functions", "only", "skip", "untouched", "cell_seconds")
     }
-    asked = call_request(COURSE, 7, exercises()["05.4"], 3)
+    asked = call_request(sent, exercises()["05.4"], 3)
     assert set(asked) == {
         *("checks", "given", "skip", "cell_seconds"),
         *("call", "names", "cell", "whole", "transform", "untouched"),
     }
     assert "rot_x" in marshal.loads(b64decode(asked["transform"])).co_names
     # the move that is to be written is not sent along, nor what it could be made from
-    assert call_request(COURSE, 7, exercises()["05.1"], 3)["transform"] == ""
+    assert call_request(sent, exercises()["05.1"], 3)["transform"] == ""
 
 
 def test_inputs_depend_on_the_key_and_on_the_recorded_number():

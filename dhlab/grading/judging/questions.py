@@ -11,7 +11,7 @@ import json
 import marshal
 import re
 from base64 import b64encode
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -206,21 +206,35 @@ def request(course: Course, variant: int, skip: Iterable[int] = ()) -> dict[str,
 
 
 def call_request(
-    course: Course,
-    variant: int,
+    asked: Mapping[str, Any],
     exercise: Function,
     cell: int,
     skip: Iterable[int] = (),
     whole: bool = False,
 ) -> dict[str, Any]:
-    """What the cage is told of one program before it is called; ``cell`` is that of its check;
-    ``whole``: with all that its notebook holds, not only what reading tells that it depends on.
+    """What the cage is told of one program before it is called.
 
     The arguments are not among it: they arrive call by call.
+
+    Parameters
+    ----------
+    asked : dict
+        What it is told of the student's tasks, by :func:`request`.
+    exercise : Function
+    cell : int
+        That of its check.
+    skip : sequence of int
+        As for :func:`request`.
+    whole : bool
+        With all that its notebook holds, not only what reading tells that it depends on.
+
+    Returns
+    -------
+    dict
+        Ready for JSON.
     """
-    asked = request(course, variant, skip)
-    told = "checks", "given", "skip", "untouched", "cell_seconds"
-    return {name: asked[name] for name in told} | {
+    return {name: asked[name] for name in ("checks", "given", "untouched", "cell_seconds")} | {
+        "skip": sorted(skip),
         "call": exercise.id,
         "names": list(exercise.names),
         "cell": cell,

@@ -29,7 +29,7 @@ from .asking import Asked, ask
 from .borrowed import borrowed_from
 from .explained import OwnWords, explained
 from .judge import mark, without_marks
-from .questions import Course, call_request, handed_out_checks
+from .questions import Course, call_request, handed_out_checks, request
 from .running import cage_of, run_all
 
 __all__ = ["Handed", "Task", "work"]
@@ -154,6 +154,11 @@ class _Programs:
         # by whether the whole notebook is run: what is called again takes no time from the others
         self.left = {False: seconds, True: seconds * AGAIN}
 
+    @cached_property
+    def told(self):
+        """What the cage is told of the student's tasks, for all programs."""
+        return request(self.course, self.variant)
+
     def ask(self, exercise, line, handed, whole=False):
         """(what the program of a note gave, the seed of its inputs); ``whole`` as for
         :func:`dhlab.grading.judging.questions.call_request`.
@@ -161,7 +166,7 @@ class _Programs:
         number, own = self.task.seeds[exercise.id], not exercise.library
         cell = line["cell"] if isinstance(line.get("cell"), int) else 0
         raw, skip = self.called[handed.name]
-        asking = call_request(self.course, self.variant, exercise, cell, skip, whole)
+        asking = call_request(self.told, exercise, cell, skip, whole)
         asked = self._asked(OWN if own else OPEN, asking, raw, exercise, number)
         if own and asked.closed and self.course.settings.own_kinematics:
             again = self._asked(OPEN, asking, raw, exercise, number)
