@@ -10,7 +10,6 @@ import sys
 import sysconfig
 from collections.abc import Iterable
 from functools import cache
-from importlib import metadata
 from pathlib import Path
 
 __all__ = [
@@ -116,10 +115,9 @@ def kept() -> tuple[str, ...]:
     while wanted:
         path = known.pop(_plain(wanted.pop()), None)
         if path is not None:
-            one = metadata.Distribution.at(path)
-            needed = [text for text in _requires(one) if "extra" not in text.partition(";")[2]]
+            needed = [text for text in _requires(path) if "extra" not in text.partition(";")[2]]
             wanted += [re.split(r"[^\w.-]", text)[0] for text in needed]
-            found |= _tops(one, path)
+            found |= _tops(path)
     return tuple(
         entry.path for folder in packages() for entry in os.scandir(folder) if entry.name in found
     )
@@ -137,17 +135,19 @@ def _installed():
     }
 
 
-def _requires(one):
+def _requires(path):
     """What a package needs. Of what it says of itself only the head is read, where there is one:
     what follows may be a book.
     """
-    told = one.read_text("METADATA")
-    if told is None:
-        return one.requires or ()
-    return re.findall(r"^Requires-Dist: *(.+)", told.partition("\n\n")[0], re.MULTILINE)
+    try:
+        with open(os.path.join(path, "METADATA"), encoding="utf-8") as told:
+            head = told.read().partition("\n\n")[0]
+    except OSError:
+        return _account(path).requires or ()
+    return re.findall(r"^Requires-Dist: *(.+)", head, re.MULTILINE)
 
 
-def _tops(one, path):
+def _tops(path):
     """The files and folders that a package has put among the others. Thousands of lines list what
     is in them: only the beginnings are kept.
     """
@@ -155,7 +155,14 @@ def _tops(one, path):
         with open(os.path.join(path, "RECORD"), encoding="utf-8") as record:
             return {line.lstrip('"').partition("/")[0].partition(",")[0] for line in record}
     except OSError:
-        return {file.parts[0] for file in one.files or ()}
+        return {file.parts[0] for file in _account(path).files or ()}
+
+
+def _account(path):
+    """What a package says of itself in another form than wheels do."""
+    from importlib import metadata  # 1.6 MB, and hardly any package needs it
+
+    return metadata.Distribution.at(path)
 
 
 def _plain(name):
