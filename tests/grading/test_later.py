@@ -11,6 +11,8 @@ USES = {
     "rotations": "from scipy.spatial.transform import Rotation, Slerp\n"
     "turns = Rotation.from_rotvec([[0, 0, 0], [0, 0, np.pi / 2]])\n"
     "assert np.allclose(Slerp([0, 1], turns)(0.5).as_rotvec(), [0, 0, np.pi / 4])",
+    "groups of rotations": "from scipy.spatial.transform import Rotation\n"
+    "assert [len(Rotation.create_group(name)) for name in ('I', 'C3', 'C3')] == [60, 3, 3]",
     "a package's own names": "from scipy.spatial import ConvexHull\n"
     "assert abs(ConvexHull([[0, 0], [0, 2], [3, 0], [1, 0.5]]).volume - 3) < 1e-12",
     "a package by its parts": "import scipy.spatial.transform as t, scipy.spatial as s\n"
@@ -24,6 +26,9 @@ USES = {
     "masked arrays": "from numpy.ma import masked_array\n"
     "assert masked_array([1, 5], [0, 1]).sum() == np.ma.masked_greater([1, 5], 2).sum() == 1\n"
     "import numpy.ma.extras as extras\nassert np.ma.extras is extras",
+    "texts": "assert np.char.upper(['a']) == ['A'] and np.strings.str_len(np.array(['ab'])) == [2]",
+    "memory of C": "import ctypes\n"
+    "assert np.ctypeslib.as_array((ctypes.c_int * 2)(3, 4)).tolist() == [3, 4]",
     "help": "import pydoc\nassert 'absolute value' in pydoc.render_doc(abs)",
     "polynomials": "assert np.polynomial.Polynomial([1, 2])(3) == 7\n"
     "assert list(np.polynomial.polynomial.polyroots([2, -3, 1]).round(9)) == [1, 2]",
@@ -49,6 +54,7 @@ def test_a_rotation_leaves_waiting_what_it_does_not_use():
         "scipy.linalg",
         "numpy.testing._private.utils",
         "numpy.ma.core",
+        "scipy.constants",
     }
 
 

@@ -1,9 +1,11 @@
 """Packages that others name and do not use: a rotation of scipy's brings numpy's tests and masked
-arrays, its reader of Fortran, Python's pages of help and scipy's trees with it, two thirds of what
-it takes. Here they wait until something of theirs is used, and cost the process that uses it.
+arrays, its reader of Fortran, Python's pages of help, scipy's trees and the constants of physics
+with it, two thirds of what it takes. Here they wait until something of theirs is used, and cost the
+process that uses it.
 """
 
 import sys
+from functools import partial
 from importlib import import_module
 from importlib.machinery import PathFinder
 from types import ModuleType
@@ -11,15 +13,21 @@ from typing import Any
 
 __all__ = ["let_wait", "load"]
 
-# by package, the names that are found in one of its modules without the rest
+CALLED = "when it is called"
+# by package, the names that are found in one of its modules without the rest, and functions that
+# others import and call much later, or never
 LATER: dict[str, dict[str, str]] = {
+    "numpy.char": {},
+    "numpy.ctypeslib": {},
     "numpy.f2py": {},
     "numpy.ma": {},
     "numpy.polynomial": {},
+    "numpy.strings": {},
     "numpy.testing": {},
     "pydoc": {},
     "scipy.spatial": {},
     "scipy.spatial.transform": {"Rotation": "_rotation", "Slerp": "_rotation"},
+    "scipy.spatial.transform._rotation_groups": {"create_group": CALLED},
 }
 
 
@@ -31,15 +39,29 @@ class _Waiting(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if inner := sys.modules.get(f"{self.__name__}.{name}"):
             return inner
-        if home := LATER[self.__name__].get(name):
+        if name == "__path__":  # which every module is asked for that names are imported from
+            raise AttributeError(name)
+        home = LATER[self.__name__].get(name)
+        if home == CALLED:
+            return partial(_called, self, name)
+        if home:
             try:
                 return getattr(import_module(f"{self.__name__}.{home}"), name)
             except (ImportError, AttributeError):
                 pass  # another release has it elsewhere
-        self.__class__ = ModuleType  # type: ignore[assignment]
-        loader: Any = self.__spec__ and self.__spec__.loader
-        type(loader).exec_module(loader, self)  # not the loader's own, which is _wait
-        return getattr(self, name)
+        return getattr(_read(self), name)
+
+
+def _read(module):
+    if isinstance(module, _Waiting):
+        module.__class__ = ModuleType  # type: ignore[assignment]
+        loader: Any = module.__spec__ and module.__spec__.loader
+        type(loader).exec_module(loader, module)  # not the loader's own, which is _wait
+    return module
+
+
+def _called(module, name, *given, **options):
+    return vars(_read(module))[name](*given, **options)
 
 
 def _wait(module):
