@@ -327,3 +327,14 @@ def test_each_section_has_a_report_of_its_own_and_the_missing_stand_in_one_line(
     whole, own = pages["class-report.html"], pages["class-report-B.html"]
     assert 'href="class-report-B.html"' in whole and "<b>Nothing handed in (2)</b>: c, d" in whole
     assert "3 on the roster" in own and "feedback/b.html" in own and "feedback/a.html" not in own
+
+
+def test_of_mistakes_that_as_many_made_the_one_that_came_first_stands_first():
+    made = list(catalogue())[:8]
+    for order in (made, made[::-1]):
+        marks = tuple(
+            Mark(f"05.{k}", "wrong", 0, 1, mistake=mistake) for k, mistake in enumerate(order, 1)
+        )
+        page = class_report([Graded("ada", "", "graded", marks)])
+        told = re.findall(r'<code class="soft">([\w-]+)</code>', page)
+        assert [mistake for mistake in order if mistake in told] == told[: len(set(told))]

@@ -193,15 +193,15 @@ def _histogram(shares):
 
 
 def _top(looked_at):
-    """The mistakes most students made, one count a student."""
+    """The mistakes most students made, one count a student; of as many the one that came first."""
     counts = Counter(
         mistake
         for graded in looked_at
-        for mistake in {
+        for mistake in dict.fromkeys(
             mark.mistake
             for mark in graded.marks
             if mark.status == WRONG and mark.mistake in catalogue()
-        }
+        )
     )
     return [
         _line(mistake, count, len(looked_at)) | {"section": section_of_mistake(mistake)}
