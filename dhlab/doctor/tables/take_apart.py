@@ -11,6 +11,7 @@ from .completing.lists import with_lists
 from .completing.turns import with_turns
 from .completing.uses import with_uses
 from .completing.words import OF_ANGLES, with_words
+from .computed.changed import with_changes
 from .dialects import arrays, keyed, numbered
 from .dialects.bracketed import rows
 from .dialects.called import calls, functions
@@ -156,7 +157,7 @@ def _completed(found, read, source):
         n = (len(found.rows), len(found.rows) + 1)
         others = (one for one in _tables(later, source) if len(one.rows) in n)
         found = next((one for one in others if not _lacks_values(one)), found)
-    table = with_words(found, source)
+    table = with_words(with_changes(found, source.pasted), source)
     listed = table.form != calls.ROBOTICS_TOOLBOX or OFFSETS.search(source.code)
     if read not in LISTS_READ and listed:
         table = with_lists(table, source)

@@ -3,8 +3,8 @@ numbers for what is not known.
 """
 
 import ast
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from .interpreting.running import Run
 from .languages.known import statements_in
 from .links import Links, links_of
 
-__all__ = ["chain_of"]
+__all__ = ["chain_of", "tables_of"]
 
 RUNS = 4
 LENGTHS = 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
@@ -39,18 +39,33 @@ def chain_of(text):
     >>> [row[2] for row in links.rows], round(links.rows[1][0], 4)
     ([0.4, 0.3], 1.5708)
     """
-    statements, dialect, whole = statements_in(text)
-    if not statements:
+    way = _way(text)
+    if not way.statements:
         return None
-    budget = Budget()
     for posing, thorough in ((False, False), (False, True), (True, True)):
         try:
-            found = _tried(Way(statements, budget, posing, thorough, dialect, whole))
+            found = _tried(replace(way, posing=posing, thorough=thorough) if thorough else way)
         except Stopped:
             return None
         if found or found is False:
             return found or None
     return None
+
+
+def tables_of(text, seed):
+    """The tables that a program holds, as (name, first columns, last columns), in a run."""
+    way = _way(text)
+    try:
+        return [*way.run(seed, LENGTHS[0]).watched.pairs()] if way.statements else []
+    except Stopped:
+        return []
+
+
+@lru_cache(4)
+def _way(text):
+    """The usual way to run a program."""
+    statements, dialect, whole = statements_in(text)
+    return Way(statements, Budget(), dialect=dialect, whole=whole)
 
 
 @dataclass(eq=False)
@@ -63,14 +78,22 @@ class Way:
 
     statements: list
     budget: Budget
-    posing: bool
-    thorough: bool
+    posing: bool = False
+    thorough: bool = False
     dialect: object = None
     whole: bool = True
     likely: bool = True
+    runs: dict = field(default_factory=dict, init=False)
 
     def run(self, seed, length, given=()):
         """A Run with the numbers of a seed, and lists of a length where nothing says it."""
+        if given or length != LENGTHS[0]:
+            return self._run(seed, length, given)
+        if seed not in self.runs:
+            self.runs[seed] = self._run(seed, length, given)
+        return self.runs[seed]
+
+    def _run(self, seed, length, given):
         samples = Samples(seed, dict(given), length, likely=self.likely)
         run = Run(self.budget, samples, self.posing, self.dialect)
         run.program(self.statements)

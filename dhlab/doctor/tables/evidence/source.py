@@ -97,7 +97,7 @@ class Source:
     name is said to be; ``comments`` the rest, as (line, text); ``known`` what letters stand for:
     what is assigned, but for the values of joints; ``convention``, ``length`` and ``angle`` what
     words of the text say, "" when they say nothing or both; ``asked_length`` what the reader of the
-    text says himself.
+    text says himself; ``pasted`` the text as it came.
     """
 
     text: str
@@ -109,6 +109,7 @@ class Source:
     length: str = ""
     angle: str = ""
     asked_length: str = ""
+    pasted: str = ""
 
     @cached_property
     def link_matrix(self):
@@ -163,7 +164,7 @@ def source_of(text, values=None):
             "recognise_table: expected numbers and names, found more than"
             f" {LONGEST_WORD} characters without a gap; paste the rows only"
         )
-    text = unified(unwrapped(text))
+    pasted, text = text, unified(unwrapped(text))
     comments: list[tuple[int, str]] = []
     code = without_comments(text, comments)
     if not re.search(r"\d", code):
@@ -191,6 +192,7 @@ def source_of(text, values=None):
         called_convention(code) or _convention(text),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),
+        pasted=pasted,
     )
 
 

@@ -17,7 +17,7 @@ DEEPEST = 12
 KEYWORD = re.compile(r"\s*\.?['\"]?([A-Za-z_][\w.]*)['\"]?\s*(?:=(?!=)|:(?!:))\s*(.*)\Z", re.DOTALL)
 
 
-@dataclass
+@dataclass(eq=False)
 class Item:
     """One element of a group: its text, the groups in it, its line, and what ends it: "," ";" or a
     line's end.
@@ -29,7 +29,7 @@ class Item:
     after: str = ""
 
 
-@dataclass
+@dataclass(eq=False)  # a group knows what is around it, and that knows the group
 class Group:
     """What stands between two brackets. ``name`` stands directly before, as the function of a call;
     ``target`` is what it is assigned to, ``index`` which item of that, ``outer`` what is around it.

@@ -195,7 +195,9 @@ def _named(run, node, scope):
 def assign(run, target, value, scope):
     """Let a target, ``x``, ``x[i]``, ``x.y`` or ``x, y``, hold a value."""
     if isinstance(target, ast.Name):
-        scope.put(target.id, run.held(target.id, value))
+        value = run.held(target.id, value)
+        scope.put(target.id, value)
+        run.watched.watch(scope, target.id, value)
     elif isinstance(target, ast.Tuple | ast.List):
         _unpack(run, target.elts, value, scope)
     elif isinstance(target, ast.Subscript):
@@ -203,9 +205,9 @@ def assign(run, target, value, scope):
             run.dialect.prepare(target.value.id, target, scope)
         run.store(evaluate(run, target.value, scope), evaluate(run, target.slice, scope), value)
     elif isinstance(target, ast.Attribute):
-        run.set_attribute(
-            evaluate(run, target.value, scope), target.attr, run.held(target.attr, value)
-        )
+        owner, value = evaluate(run, target.value, scope), run.held(target.attr, value)
+        run.set_attribute(owner, target.attr, value)
+        run.watched.watch(owner, target.attr, value)
     else:
         raise Unsupported("another target")
 

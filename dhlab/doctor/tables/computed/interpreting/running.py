@@ -9,6 +9,7 @@ from ..held.budget import FAILURES, Budget, Raised, Unsupported
 from ..held.factors import Factors, is_known_pose
 from ..held.operators import whole
 from ..held.scopes import Scope
+from ..held.tables import Watched
 from ..held.values import (
     Class,
     Function,
@@ -51,7 +52,7 @@ class Run:
     def __init__(self, budget: Budget, samples: Samples, posing=False, dialect=None):
         self.budget, self.samples, self.posing = budget, samples, posing
         self.dialect = dialect
-        self.factors, self.scope = Factors(), Scope()
+        self.factors, self.scope, self.watched = Factors(), Scope(), Watched()
         self.robots, self.posed, self.told = [], {}, {}
         self.lists: list = []
         self.outermost: list = []
@@ -71,6 +72,7 @@ class Run:
                     body(self, [node], self.scope)
             except (Raised, Unsupported):
                 self.back_to(mark)
+        self.watched.settle()
 
     def ticket(self):
         """A number that no other thing has, the same in every run."""

@@ -5,7 +5,7 @@ import ast
 import numpy as np
 
 from ..held.budget import FAILURES, Raised, Unsupported
-from ..held.operators import binary, truth
+from ..held.operators import binary, truth, whole
 from ..held.scopes import MISSING, Scope
 from ..held.values import Class, Function, Module, Unknown, is_number, items_of, plain
 from .expressions import assign, evaluate
@@ -237,7 +237,14 @@ def _assert(run, node, scope):
 
 
 def _delete(run, node, scope):
-    raise Unsupported("del")
+    for target in node.targets:
+        if isinstance(target, ast.Name):
+            continue
+        held = evaluate(run, getattr(target, "value", target), scope)
+        if not isinstance(target, ast.Subscript) or not isinstance(held, list | dict):
+            raise Unsupported("del")
+        key = evaluate(run, target.slice, scope)
+        del held[whole(key) if isinstance(held, list) else key]
 
 
 def _pass(run, node, scope):
