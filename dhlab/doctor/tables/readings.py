@@ -13,11 +13,11 @@ from ...table import COLUMNS, DHTable
 from .chain import arm_of, rows_of
 from .evidence.poses import theta_meanings
 from .meaning.columns import orders, snapped
-from .meaning.joints import joints_of, rows_of_d
+from .meaning.joints import joints_of, require_one_column, require_values, rows_of_d
 from .meaning.scales import UNIT_WORDS, angle_units, in_metres, in_radians, length_units
 from .meaning.still import on_one_axis, unwritten
 
-__all__ = ["BOOKS", "QUESTIONS", "Reading", "arm_of_rows", "readings"]
+__all__ = ["BOOKS", "QUESTIONS", "NoOrder", "Reading", "arm_of_rows", "readings", "require_some"]
 
 QUESTIONS = {
     "order": "In which order do the columns stand",
@@ -58,6 +58,27 @@ class Reading:
 
     def __str__(self):
         return self.words
+
+
+class NoOrder(ValueError):
+    """In no order of the columns are they two of angles and two of lengths."""
+
+
+def require_some(found, table):
+    """There are readings.
+
+    Raises
+    ------
+    ValueError
+        There are none: what the rows lack.
+    """
+    if not found:
+        require_one_column(table.rows)
+        require_values(table)
+        raise NoOrder(
+            "recognise_table: expected two columns of angles and two of lengths, found no order in"
+            ' which the columns are that; say the order, as in order="theta d a alpha"'
+        )
 
 
 def readings(table, order, convention, angle, length, right, tidy):

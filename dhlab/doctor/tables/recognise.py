@@ -12,13 +12,12 @@ from ...geometry.parallels import cancelling
 from .answers import require_answers
 from .completing.alike import stands_for
 from .computed.reading import computed
-from .computed.settled import is_cut_off, settled
+from .computed.settled import settled, stands_alone
 from .dialects.lined.lines import TwoTables
 from .meaning.beside import Contradicted
 from .meaning.columns import misplaced
-from .meaning.joints import require_one_column, require_values
 from .meaning.scales import UNIT_WORDS
-from .readings import BOOKS, QUESTIONS, Reading, readings
+from .readings import BOOKS, QUESTIONS, Reading, readings, require_some
 from .recognised import Recognised
 from .take_apart import take_apart
 
@@ -90,8 +89,8 @@ def recognise_table(
         written = _as_written(given, right, **said)
     except Contradicted:
         raise
-    except ValueError:
-        if program is None or is_cut_off(given):
+    except ValueError as error:
+        if program is None or not stands_alone(program, error, given):
             raise
         readings, notes = settled([], program, convention)
         return _answer(readings, notes, right)
@@ -126,13 +125,7 @@ def _as_written(given, right, *, order, convention, angle, length, values, nomin
         kept = _different(told)
         return _answer(kept, (*kept[0].notes, *_calibrated(kept[0].arm)), right)
     found = list(readings(table, order, convention, angle, length, right, tidy))
-    if not found:
-        require_one_column(table.rows)
-        require_values(table)
-        raise ValueError(
-            "recognise_table: expected two columns of angles and two of lengths, found no order in"
-            ' which the columns are that; say the order, as in order="theta d a alpha"'
-        )
+    require_some(found, table)
     kept = _different(found)[:MOST_READINGS]
     return _answer(kept, (*table.notes, *_notes(table, kept)), right)
 

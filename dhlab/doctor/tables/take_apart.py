@@ -167,7 +167,7 @@ def _completed(found, read, source):
     require_pose(table, source)
     _require_one_table(table, source)
     table = with_uses(table, source)
-    others = () if _lacks_values(table) else _tables(later, source)
+    others = () if _lacks_values(table) else _tables(later, source, in_the_end=True)
     require_accounted(table, source, others)
     return table
 
@@ -211,10 +211,12 @@ def _lacks_values(table):
     return any(not row[k].is_constant for row in table.rows for k in kept)
 
 
-def _tables(readers, source):
-    """The Pasted tables that readers find in a text."""
+def _tables(readers, source, in_the_end=False):
+    """The Pasted tables that readers find in a text; perhaps with their last numbers."""
     for read in readers:
         found = _read_or_none(read, source)
+        if isinstance(found, Pasted) and in_the_end:
+            found = _read_or_none(lambda _, one=found: with_changes(one, source.pasted), source)
         if isinstance(found, Pasted):
             yield found
 

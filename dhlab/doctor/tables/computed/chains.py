@@ -6,20 +6,18 @@ import ast
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
-import numpy as np
-
 from .held.budget import Budget, Stopped
 from .held.values import Samples
 from .interpreting.calling import call_all
+from .interpreting.linking import called_in, linked
 from .interpreting.running import Run
 from .languages.known import statements_in
-from .links import Links, links_of
+from .shown import different, shown_in
 
 __all__ = ["chain_of", "tables_of"]
 
 RUNS = 4
 LENGTHS = 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
-FEWEST = 2  # joints of an arm
 
 
 def chain_of(text):
@@ -100,6 +98,12 @@ class Way:
         call_all(run, self.named, self.thorough)
         return run
 
+    def linked(self, run):
+        """What link functions that nobody calls give in a run."""
+        if run.linked is None:
+            run.linked = linked(run, called_in(self.statements))
+        return run.linked
+
     @cached_property
     def named(self):
         """The names that functions of the program speak of."""
@@ -145,7 +149,7 @@ def _undoubted(way, found, length):
     against = _chain(other, other.run(1, length), length)
     if against is None:
         return found
-    return False if against is False or len(_different([found[0], against[0]])) > 1 else found
+    return False if against is False or len(different([found[0], against[0]])) > 1 else found
 
 
 def _lengths(statements):
@@ -164,124 +168,17 @@ def _lengths(statements):
 def _chain(way, first, length):
     """(Links, posed) from a run and others like it; None without a chain, False with several."""
     told = {name: value for name, value in first.told.items() if not first.is_joint(name)}
-    if not (first.factors.products or first.robots or first.listed()):
+    if not (first.factors.products or first.robots or first.listed() or way.linked(first)):
         return None
     seeds = range(1 if told else 2, RUNS + 2)
     runs = [] if told else [first]
     for seed in seeds:
         runs.append(way.run(seed, length, told))
-        if len(runs) == 2 and not _in(way, runs):  # what two runs do not show, more of them do not
+        if len(runs) == 2 and not shown_in(
+            way, runs
+        ):  # what two runs do not show, more of them do not
             return None
-    different = _different(_in(way, runs))
-    if len(different) > 1:
+    found = different(shown_in(way, runs))
+    if len(found) > 1:
         return False
-    return (different[0], dict(runs[0].posed)) if different else None
-
-
-def _in(way, runs):
-    """The Links that runs show."""
-    multiplied = _from_products(runs) or _from_robots(runs)
-    return multiplied or (_from_lists(runs) if way.whole else [])
-
-
-def _from_products(runs):
-    """The Links of what the runs multiply."""
-    if len({len(run.factors.products) for run in runs}) > 1:
-        return []
-    lists = [{one.tobytes() for one in row} for row in runs[0].listed()]
-    places = [k for k in _longest(runs[0]) if not _leaves_out(runs[0].factors.products[k], lists)]
-    return _as_links(runs, [[run.factors.products[k] for run in runs] for k in places])
-
-
-def _leaves_out(product, lists):
-    """Whether a product has some matrices of a list and others not: the program goes on, or was cut
-    off.
-    """
-    held = {one.tobytes() for one in product}
-    return any(held & row and row - held for row in lists)
-
-
-def _from_robots(runs):
-    """The Links of a toolbox's robots whose numbers are the same in all runs."""
-    if len({len(run.robots) for run in runs}) > 1:
-        return []
-    found = []
-    for same in zip(*(run.robots for run in runs)):
-        rows = {tuple(link.row for link in robot) for robot in same}
-        if any(None in row for row in rows):
-            return []
-        if len(rows) == 1 and len(same[0]) >= FEWEST:
-            found.append(_of_robot(same[0]))
-    return found
-
-
-def _from_lists(runs):
-    """The Links of matrices that are listed, or numbered, and not multiplied."""
-    lists = [run.listed() for run in runs]
-    if len({len(one) for one in lists}) > 1:
-        return []
-    held = [{one.tobytes() for one in row} for row in lists[0]]
-    whole = [k for k, row in enumerate(held) if not any(row < other for other in held)]
-    return _as_links(runs, [[one[k] for one in lists] for k in whole])
-
-
-def _as_links(runs, chains):
-    found = []
-    drawn = [run.samples.drawn for run in runs]
-    for samples in chains:
-        makers = [runs[0].factors.makers.get(one.tobytes()) for one in samples[0]]
-        links = links_of(samples, drawn, makers)
-        if links is not None and links.joints >= FEWEST:
-            found.append(links)
-    return found
-
-
-def _longest(run):
-    """The places of the products that are no part of another, and have no unknown part."""
-    keys = [tuple(one.tobytes() for one in product) for product in run.factors.products]
-    broken = [tuple(one.tobytes() for one in product) for product in run.factors.broken]
-    kept: dict = {}
-    for k, product in enumerate(keys):
-        kept.setdefault(product, k)
-    for product, k in kept.items():
-        others = [other for other in kept if len(other) > len(product)]
-        if not any(_within(product, other) for other in (*others, *broken)):
-            yield k
-
-
-def _within(part, whole):
-    n = len(part)
-    return any(whole[at : at + n] == part for at in range(len(whole) - n + 1))
-
-
-def _of_robot(links):
-    """The Links of a toolbox's robot."""
-    return Links(
-        links[0].convention if len({one.convention for one in links}) == 1 else "",
-        tuple(one.row for one in links),
-        tuple(one.letter for one in links),
-        tuple(one.sign for one in links),
-        tuple(f"q{k}" for k in range(len(links))),
-        of_toolbox=True,
-    )
-
-
-def _different(found):
-    """The chains without those that are another once more, or a part of it."""
-    kept: list = []
-    for one in sorted(found, key=lambda links: -len(links.rows)):
-        if not one.convention:
-            continue
-        rows = [tuple(row) for row in one.rows]
-        same = [other for other in kept if other.convention == one.convention]
-        if not any(_is_part(rows, other) for other in same):
-            kept.append(one)
-    return kept
-
-
-def _is_part(rows, other):
-    n = len(rows)
-    return any(
-        np.allclose(rows, other.rows[at : at + n], rtol=0, atol=1e-9)
-        for at in range(len(other.rows) - n + 1)
-    )
+    return (found[0], dict(runs[0].posed)) if found else None

@@ -21,7 +21,8 @@ class Links:
     """The rows (theta, d, a, alpha) of a chain, as the program has them; ``letters`` "R", "P" and
     "" of a row without a joint, ``signs``, ``names`` of the joints' values, and the ``ends``,
     "base" and "tool", that the product has and the rows have not; ``of_toolbox`` whether they are
-    links of a toolbox, whose robot may have such ends, too.
+    links of a toolbox, whose robot may have such ends, too, ``of_function`` whether the program has
+    a function for them and does not call it.
     """
 
     convention: str
@@ -31,6 +32,7 @@ class Links:
     names: tuple
     ends: tuple = ()
     of_toolbox: bool = False
+    of_function: bool = False
 
     @property
     def joints(self):

@@ -33,13 +33,15 @@ WORDS = "as the program computes it"
 class Computed:
     """What a program computes: a Reading for each unit that its lengths can have, what is worth a
     second look, the ends that are not in the rows, and whether the program holds the joints' values
-    itself, in one pose.
+    itself, in one pose; ``of_function`` whether it does not call its link function, so that nothing
+    is known of which rows have a joint.
     """
 
     readings: tuple
     notes: tuple = ()
     ends: tuple = ()
     posed: bool = False
+    of_function: bool = False
 
 
 def computed(text, length=None):
@@ -63,7 +65,8 @@ def computed(text, length=None):
     if any(_may_be_zeros(name, values) for name, values in posed):
         return None
     ends = ("base", "tool") if links.of_toolbox else links.ends
-    return Computed(_readings(links, text, length), _notes(links, posed), ends, bool(posed))
+    found = _readings(links, text, length)
+    return Computed(found, _notes(links, posed), ends, bool(posed), links.of_function)
 
 
 @lru_cache(64)
@@ -115,7 +118,8 @@ def _reading(links, columns, unit, why):
     rows[:, 2] = [in_metres(cell, unit) for cell in columns["a"]]
     still = tuple(i for i, letter in enumerate(links.letters) if not letter)
     said = UNIT_WORDS[unit] + (f" {why}" if why.startswith("by") else f", {why}" if why else "")
-    words = ["the product of the program's links", BOOKS[links.convention], said]
+    made = "function, called for each row" if links.of_function else "links"
+    words = [f"the product of the program's {made}", BOOKS[links.convention], said]
     slides = [f"the joint of row {i + 1} slides" for i, c in enumerate(links.letters) if c == "P"]
     fixed = [f"rows without a joint: {', '.join(str(i + 1) for i in still)}"] if still else []
     choices = (ROLES, links.convention, "rad", unit, (), "", "", "computed")

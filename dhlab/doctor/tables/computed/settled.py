@@ -2,12 +2,15 @@
 
 from dataclasses import replace
 
+from ..completing.accounted import joints_said
+from ..dialects.lined.grid import NoRows
 from ..evidence.ending import require_whole
 from ..evidence.source import source_of
 from ..language.wrapping.notebook import without_notebook
+from ..readings import NoOrder
 from .reading import differs_in_theta, moves_alike
 
-__all__ = ["is_cut_off", "settled"]
+__all__ = ["is_cut_off", "settled", "stands_alone"]
 
 
 def is_cut_off(text):
@@ -27,6 +30,25 @@ def is_cut_off(text):
     except ValueError:
         return True
     return False
+
+
+def stands_alone(program, error, text):
+    """Whether what a program computes counts, where its text is not read: a link function that it
+    does not call answers no question but that for rows, or for the order of their columns.
+
+    Parameters
+    ----------
+    program : Computed
+    error : ValueError
+        Why the text is not read.
+    text : str
+    """
+    if is_cut_off(text):
+        return False
+    said = joints_said(source_of(without_notebook(text))) if program.of_function else ()
+    own = len(program.readings[0].arm)
+    asked = program.of_function and not isinstance(error, NoRows | NoOrder)
+    return not asked and (not said or own in said)
 
 
 def settled(written, program, convention=None):
@@ -52,6 +74,8 @@ def settled(written, program, convention=None):
         for one in written
         if any(moves_alike(own, one, program.ends) for own in program.readings)
     ]
+    if program.of_function and written:
+        return _by_function(written, program, alike), ()
     if alike:
         return alike, ()
     own = program.readings
@@ -65,6 +89,25 @@ def settled(written, program, convention=None):
         note = "theta and the senses are those of the product; the rows in the text have others"
         return list(own), (*program.notes, note)
     return [*(_beside(one, written[0]) for one in own), written[0]], program.notes
+
+
+def _by_function(written, program, alike):
+    """Readings that have order, convention and units of one that the link function gives; which
+    rows have a joint, it does not say. Beside a sure reading stands another one of the same joints.
+    """
+    kept = [one for one in written if any(_columns(one) == _columns(other) for other in alike)]
+    if kept or len(written) > 1:
+        return kept or written
+    own = program.readings
+    joints = {one.arm.table.joints for one in (*own, *written)}
+    if len(joints) > 1 or any(differs_in_theta(one, written[0]) for one in own):
+        return written
+    return [*(_beside(one, written[0]) for one in own), written[0]]
+
+
+def _columns(reading):
+    said = dict(reading.choices)
+    return [said[name] for name in ("order", "convention", "angle", "length")]
 
 
 def _beside(own, written):

@@ -60,6 +60,7 @@ class Run:
         self.tickets = self.calls = self.failed = 0
         self.skipped, self.own_products = False, OwnProducts()
         self.called: set = set()
+        self.linked: dict | None = None
         self.me = Instance(None, path="self")
         self.scope.names["self"] = self.me
 

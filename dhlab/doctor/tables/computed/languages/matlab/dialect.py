@@ -17,6 +17,7 @@ class Matlab:
     matrices, ``%`` and ``//`` stand for ``.*`` and ``./``.
     """
 
+    counts_from_one = True
     listed = staticmethod(listed)
     picked = staticmethod(picked)
     from_one = staticmethod(from_one)
