@@ -24,6 +24,7 @@ from .take_apart import take_apart
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
 MOST_READINGS = 24
+CHANGED_PLACES = "have columns changed places?"
 TRIES = 60  # random configurations among which the one that tells the readings apart best is taken
 
 
@@ -84,27 +85,33 @@ def recognise_table(
     require_answers(order, convention, angle, length)
     said = {"order": order, "convention": convention, "angle": angle, "length": length,
             "values": values, "nominal": nominal, "tidy": tidy}  # fmt: skip
-    program = computed(given, length) if isinstance(given, str) and nominal is None else None
     try:
         written = _as_written(given, right, **said)
     except Contradicted:
         raise
     except ValueError as error:
+        program = _program(given, nominal, length)
         if program is None or not stands_alone(program, error, given):
             raise
         readings, notes = settled([], program, convention)
         return _answer(readings, notes, right)
-    told = order or convention or angle or written.matches
-    if program is None or (told and len(written.readings) == 1):
+    if len(written.readings) == 1 and (order or convention or angle or written.matches):
         return written
-    if program.posed and "zero" in written.open:
+    program = _program(given, nominal, length)
+    if program is None or (program.posed and "zero" in written.open):
         return written
-    readings, notes = settled(written.readings, program)
+    doubted = any(note.endswith(CHANGED_PLACES) for note in written.notes)
+    readings, notes = settled(written.readings, program, doubted=doubted)
     if all(one in written.readings for one in readings):
         notes = written.notes
         if len(readings) == len(written.readings):
             return written
     return _answer(readings, notes, right)
+
+
+def _program(given, nominal, length):
+    """What a text computes, where it is a program."""
+    return computed(given, length) if isinstance(given, str) and nominal is None else None
 
 
 def _as_written(given, right, *, order, convention, angle, length, values, nominal, tidy):
@@ -267,7 +274,7 @@ def _notes(table, readings):
     if odd:
         notes.append(
             f"{' and '.join(odd)}: multiples of π/2 stand among lengths, or lengths among angles;"
-            " have columns changed places?"
+            f" {CHANGED_PLACES}"
         )
     lengths = rows[:, 1:3][rows[:, 1:3] != 0]
     plain = len(lengths) >= 4 and (rows >= 0).all()  # a minus elsewhere has come through

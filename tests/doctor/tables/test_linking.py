@@ -82,3 +82,74 @@ def test_a_link_function_does_not_say_which_rows_have_a_joint():
     assert {len(reading.arm) for reading in said.readings} == {3, 4} and "row" in said.open
     with pytest.raises(ValueError, match="order"):
         dh.recognise_table(text + "# a robot with 3 joints\n")
+
+
+def test_what_is_cut_out_of_a_class_is_computed():
+    """Methods without their class, a library without its import, an angle that is calculated."""
+    text = """
+    def __init__(self):
+        self.reach = [0.31, 0.27, 0.05, 0.12]
+        self.bend = atan2(0.12, 0.16)
+    def pose(self, q):
+        self.rows = [[q[0], self.reach[0], 0, pi/2],
+                     [q[1] + 0.4 + self.bend - self.bend, 0, self.reach[1], 0],
+                     [q[2], self.reach[3], self.reach[2], 0]]
+        T = np.eye(4)
+        for t, d, a, w in self.rows:
+            c, s, ca, sa = cos(t), sin(t), cos(w), sin(w)
+            T = copy.deepcopy(np.matmul(T, %s))
+        return T
+"""
+    found = dh.recognise_table(text % STANDARD)
+    assert len(found.readings) == 1 and is_arm(found.arm, "standard")
+
+
+def test_an_object_that_a_class_makes_of_itself_is_one():
+    """As a text is pasted whose last lines stand too far to the right."""
+    text = (
+        BY_ROW.format(CRAIG).replace("def f", "def link")
+        + """
+class Arm:
+    def __init__(self, rows):
+        self.rows = rows
+    def pose(self, q):
+        T = np.eye(4)
+        for row, value in zip(self.rows, q):
+            T = T @ link(row, value)
+        return T
+
+    one = Arm(v)
+"""
+    )
+    found = dh.recognise_table(text)
+    assert len(found.readings) == 1 and is_arm(found.arm, "craig")
+
+
+def test_the_product_counts_where_the_numbers_speak_against_the_order():
+    """Turns in a column that the rows alone are read to have lengths in."""
+    text = """
+%         alpha     d      theta
+DH = [    pi,       0,     0;    % base
+          pi/2,     0.31,  0;
+          pi/2,     0.27,  pi;
+          0,        0.12,  pi ];
+function T = fkin(q, DH)
+    T = link(DH(1,3), DH(1,2), 0, DH(1,1));
+    for i = 1:3
+        T = T * link(q(i) + DH(i+1,3), DH(i+1,2), 0, DH(i+1,1));
+    end
+end
+function T = link(theta, d, a, alpha)
+    T = [cos(theta) -sin(theta)*cos(alpha)  sin(theta)*sin(alpha) a*cos(theta);
+         sin(theta)  cos(theta)*cos(alpha) -cos(theta)*sin(alpha) a*sin(theta);
+         0 sin(alpha) cos(alpha) d; 0 0 0 1];
+end
+"""
+    rows = [(0, 0.31, 0, np.pi / 2), (np.pi, 0.27, 0, np.pi / 2), (np.pi, 0.12, 0, 0)]
+    q = np.array([0.3, -0.7, 1.1])
+    T = turn([np.pi, 0, 0])
+    for (theta, d, _, alpha), value in zip(rows, q):
+        T = T @ turn([0, 0, theta + value]) @ shift([0, 0, d]) @ turn([alpha, 0, 0])
+    found = dh.recognise_table(text)
+    assert len(found.readings) == 1, str(found)
+    assert np.allclose(found.arm.forward(q), T, rtol=0, atol=1e-9)

@@ -34,7 +34,7 @@ class Computed:
     """What a program computes: a Reading for each unit that its lengths can have, what is worth a
     second look, the ends that are not in the rows, and whether the program holds the joints' values
     itself, in one pose; ``of_function`` whether it does not call its link function, so that nothing
-    is known of which rows have a joint.
+    is known of which rows have a joint; ``rows`` how many it has, with those without a joint.
     """
 
     readings: tuple
@@ -42,6 +42,7 @@ class Computed:
     ends: tuple = ()
     posed: bool = False
     of_function: bool = False
+    rows: int = 0
 
 
 def computed(text, length=None):
@@ -66,7 +67,8 @@ def computed(text, length=None):
         return None
     ends = ("base", "tool") if links.of_toolbox else links.ends
     found = _readings(links, text, length)
-    return Computed(found, _notes(links, posed), ends, bool(posed), links.of_function)
+    notes, n = _notes(links, posed), len(links.rows)
+    return Computed(found, notes, ends, bool(posed), links.of_function, n)
 
 
 @lru_cache(64)

@@ -51,7 +51,7 @@ def stands_alone(program, error, text):
     return not asked and (not said or own in said)
 
 
-def settled(written, program, convention=None):
+def settled(written, program, convention=None, doubted=False):
     """(Readings, notes) of a text of which a program is computed, too.
 
     Parameters
@@ -61,6 +61,8 @@ def settled(written, program, convention=None):
     program : Computed
     convention : str, optional
         In which the table is wanted.
+    doubted : bool
+        Whether the numbers themselves speak against what is written.
 
     Returns
     -------
@@ -79,11 +81,11 @@ def settled(written, program, convention=None):
     if alike:
         return alike, ()
     own = program.readings
-    if written and min(len(one.arm) for one in written) > len(own[0].arm):
+    if written and min(len(one.arm) for one in written) > program.rows:
         return written, ()  # the program multiplies a part of them
     if convention:
         own = [replace(one, arm=one.arm.to(convention)) for one in own]
-    if len(written) != 1:
+    if len(written) != 1 or doubted:
         return list(own), program.notes
     if any(differs_in_theta(one, written[0]) for one in own):
         note = "theta and the senses are those of the product; the rows in the text have others"

@@ -38,6 +38,8 @@ def linked(run, called):
             continue
         signature = function.node.args
         names = [one.arg for one in (*signature.posonlyargs, *signature.args)]
+        if function.owner is None and names[:1] == ["self"]:
+            owner = run.me  # a method whose class does not stand in the text
         first = int(owner is not None and function.kind != "staticmethod")
         for at in range(first, len(names)):
             rows = [(name, table) for name, table in tables if not run.is_joint(names[at])]

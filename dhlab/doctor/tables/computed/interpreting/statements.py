@@ -183,6 +183,7 @@ def _class(run, node, scope):
     for part in node.body:
         if isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Name):
             cls.fields.append(part.target.id)
+    scope.put(node.name, cls)  # what was pasted with too deep an indent makes one within it
     body(run, node.body, own)
     for name, value in own.names.items():
         if isinstance(value, Function):

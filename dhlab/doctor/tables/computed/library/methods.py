@@ -42,6 +42,8 @@ def attribute(run, value, name):
     """What stands behind a dot."""
     if isinstance(value, Unknown):
         return _of_unknown(run, value, name)
+    if isinstance(value, Native) and value.name in LIBRARIES:  # copy.deepcopy, without its import
+        value = Module(value.name)
     if isinstance(value, Module):
         found = from_library(name, value.name) if value.name in LIBRARIES else None
         if found is None and value.name in LIBRARIES and name in LIBRARIES:
