@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from ..completing.accounted import joints_said
 from ..dialects.lined.grid import NoRows
+from ..dialects.lined.widths import NotFour
 from ..evidence.ending import require_whole
 from ..evidence.source import source_of
 from ..language.wrapping.notebook import without_notebook
@@ -47,7 +48,7 @@ def stands_alone(program, error, text):
         return False
     said = joints_said(source_of(without_notebook(text))) if program.of_function else ()
     own = len(program.readings[0].arm)
-    asked = program.of_function and not isinstance(error, NoRows | NoOrder)
+    asked = program.of_function and not isinstance(error, NoRows | NotFour | NoOrder)
     return not asked and (not said or own in said)
 
 

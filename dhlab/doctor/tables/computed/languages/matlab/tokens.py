@@ -73,9 +73,24 @@ def expression(tokens):
     return parts[0][0] if parts and parts[0] else ""
 
 
+def _tight(tokens):
+    """Tokens without spaces, but for those in square brackets, where they part items."""
+    depth = 0
+    for kind, text in tokens:
+        depth += (text == "[") - (text == "]")
+        if kind != "space" or depth:
+            yield kind, text
+
+
 def target(tokens):
-    """What stands on the left of an assignment, as Python's grammar has it."""
-    tokens = [one for one in tokens if one[0] != "space"]
+    """What stands on the left of an assignment, as Python's grammar has it.
+
+    Examples
+    --------
+    >>> target(tokens_of("A (2, [1 4])"))
+    'A[2,_matrix([[1,4]])]'
+    """
+    tokens = list(_tight(tokens))
     if not tokens or tokens[0][0] != "name":
         raise NoMatlab
     name = _name(tokens[0][1])
