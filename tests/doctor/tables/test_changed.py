@@ -121,7 +121,7 @@ arm(3,2) = arm(3,2) + 0.08;
 def test_rows_that_are_taken_away_are_no_links(change):
     """The product has them no more; without one it is asked."""
     assert is_arm(dh.recognise_table(f"{LISTED}{change}\n{LINK}{CHAIN}"), ROWS[:2])
-    with pytest.raises(ValueError, match=r"number of rows .* which ones are meant\?"):
+    with pytest.raises(ValueError, match=r"number of rows .*which ones are meant\?"):
         dh.recognise_table(f"{LISTED}{change}\n{LINK}")
 
 
@@ -130,7 +130,7 @@ def test_rows_that_a_loop_appends_are_links():
     text = "import numpy as np\narm = [[0, 0.31, 0, np.pi / 2]]\n"
     text += "for _ in range(2):\n    arm.append([0, 0, 0.27, 0])\n"
     assert is_arm(dh.recognise_table(text + LINK + CHAIN), [ROWS[0], ROWS[1], ROWS[1]])
-    with pytest.raises(ValueError, match=r"number of rows .* which ones are meant\?"):
+    with pytest.raises(ValueError, match=r"number of rows .*which ones are meant\?"):
         dh.recognise_table(text + LINK)
 
 
@@ -144,3 +144,17 @@ def test_what_is_called_from_outside_changes_nothing():
     """A method that nobody calls may, or may not."""
     text = LISTED + "def reset(length=0.5):\n    arm[2][1] = length\n" + LINK
     assert is_arm(dh.recognise_table(text), ROWS)
+
+
+@pytest.mark.parametrize(
+    "copy", ["np.array(arm)", "copy.deepcopy(arm)", "[list(row) for row in arm]"]
+)
+def test_a_changed_copy_of_the_rows_is_asked_about(copy):
+    """A perturbed table beside the nominal one; in a function it is one among many."""
+    change = f"other = {copy}\nother[2][1] += 0.08\n"
+    with pytest.raises(ValueError, match="changed ones in other; which ones are meant"):
+        dh.recognise_table(LISTED + change + LINK)
+    inside = (
+        "def perturbed():\n    " + change.replace("\n", "\n    ") + "return other\nperturbed()\n"
+    )
+    assert is_arm(dh.recognise_table(LISTED + inside + LINK), ROWS)

@@ -51,10 +51,10 @@ def chain_of(text):
 
 
 def tables_of(text, seed):
-    """The tables that a program holds, as (name, first columns, last columns), in a run."""
+    """The Tables that a program holds in a run."""
     way = _way(text)
     try:
-        return [*way.run(seed, LENGTHS[0]).watched.pairs()] if way.statements else []
+        return [*way.run(seed, LENGTHS[0]).watched.tables()] if way.statements else []
     except Stopped:
         return []
 

@@ -14,6 +14,7 @@ UNITS = {np.pi / 180: "deg", 1e-3: "mm", 1e-2: "cm", 0.0254: "in"}
 SCALES = (1.0, *UNITS, 180 / np.pi, 1e3, 1e2)  # of a column that a program converts
 TURNING = "theta", "offset"  # the joints' values change them
 MOST_COMBINED = 70
+OTHER_ROWS = ("rows",)
 LAST_ROW = (0, 0, 0, 1)  # of a pose
 
 
@@ -29,34 +30,54 @@ def with_changes(table, text):
     Raises
     ------
     ValueError
-        The program adds rows, or takes some away; or sets numbers to what nobody knows.
+        The program adds rows, or takes some away; it sets numbers to what nobody knows; or it
+        holds the rows as they are written, too.
     """
+    held = tables_of(text, 1)
     found: dict = {}
-    for k, (name, first, last) in enumerate(tables_of(text, 1)):
-        longer = _goes_on(table, last)
-        places = None if longer or first == last else _places(table, first)
-        if places is None and not longer:
-            continue
-        again = tables_of(text, 2)
-        last = _in_both(last, again[k][2]) if k < len(again) else None
-        if longer or last is None or _lengths(first) != _lengths(last):
-            raise ValueError(
-                f"recognise_table: the program changes the number of rows{_of(name)} later; which"
-                " ones are meant? Paste the rows as they are in the end"
-            )
-        changes: dict = {}
-        for column, key in places.items():
-            changes |= _changes(table, column, first[key], last.get(key))
+    for k, one in enumerate(held):
+        changes = () if one.first == one.last else _changes_of(table, k, one, text)
         if changes:
-            found.setdefault(tuple(sorted(changes.items())), name)
+            found.setdefault(changes, one)
+    if found and any(one.first == one.last and _places(table, one.first) for one in held):
+        found = {changes: one for changes, one in found.items() if not one.is_local}
+        _ask(found, "holds the rows as they are written, and changed ones")
     if len(found) > 1:
-        raise ValueError(
-            "recognise_table: the program changes the rows in two ways later; which numbers are"
-            " meant? Paste the rows as they are in the end"
-        )
-    for changes, name in found.items():
-        table = _changed(table, dict(changes), name)
+        _ask(found, "changes the rows in two ways later")
+    if OTHER_ROWS in found:
+        _ask(found, "changes the number of rows later")
+    for changes, one in found.items():
+        table = _changed(table, dict(changes), one.name)
     return table
+
+
+def _ask(found, what):
+    """A question, where anything was found."""
+    names = ", ".join(one.name for one in found.values() if one.name)
+    if found:
+        raise ValueError(
+            f"recognise_table: the program {what}{_of(names)}; which ones are meant? Paste the rows"
+            " as they are in the end"
+        )
+
+
+def _changes_of(table, k, held, text):
+    """What a program's k-th table has otherwise than the rows: pairs of (row, column) and number;
+    nothing where it is another table.
+    """
+    if _goes_on(table, held.last):
+        return OTHER_ROWS
+    places = _places(table, held.first)
+    if places is None:
+        return ()
+    again = tables_of(text, 2)
+    last = _in_both(held.last, again[k].last) if k < len(again) else None
+    if last is None or _lengths(held.first) != _lengths(last):
+        return OTHER_ROWS
+    changes: dict = {}
+    for column, key in places.items():
+        changes |= _changes(table, column, held.first[key], last.get(key))
+    return tuple(sorted(changes.items()))
 
 
 def _lengths(columns):
@@ -89,7 +110,7 @@ def _in_both(last, again):
 
 
 def _of(name):
-    return f" of {name}" if name else ""
+    return f" in {name[:40]}" if name else ""
 
 
 def _places(table, first):

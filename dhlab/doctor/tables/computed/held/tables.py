@@ -4,13 +4,26 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .scopes import Scope
 from .values import Instance
 
-__all__ = ["Watched", "columns_of"]
+__all__ = ["Table", "Watched", "columns_of"]
 
 WIDEST, MOST_ROWS = 12, 24
 MOST_WATCHED = 100
 NUMBERS = int | float | np.number
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of a program: its first columns and its last ones, None where it is none any more;
+    whether it belongs to a function.
+    """
+
+    name: str
+    first: dict
+    last: dict | None
+    is_local: bool
 
 
 @dataclass
@@ -48,22 +61,27 @@ class Watched:
             if place not in self.last:
                 self.last[place] = columns_of(value)
 
-    def pairs(self):
-        """(name, first columns, last columns or None) of each table; lists of numbers of one owner
-        are the columns of one table.
-        """
+    def tables(self):
+        """The Tables; lists of numbers of one owner are the columns of one."""
         self.settle()
         lists: dict = {}
-        for (owner, name), first in self.first.items():
-            last = self.last[owner, name]
+        for place, first in self.first.items():
+            last, owner = self.last[place], self.held[place][0]
             if isinstance(first, list):
-                lists.setdefault((owner, len(first)), []).append((name, first, last))
+                lists.setdefault((place[0], len(first)), []).append((place[1], first, last, owner))
             else:
-                yield name, first, last if isinstance(last, dict) else None
+                last = last if isinstance(last, dict) else None
+                yield Table(place[1], first, last, _is_local(owner))
         for found in lists.values():
-            whole = all(isinstance(last, list) for _, _, last in found)
-            first = {name: one for name, one, _ in found}
-            yield "", first, {name: last for name, _, last in found} if whole else None
+            whole = all(isinstance(last, list) for _, _, last, _ in found)
+            first = {name: one for name, one, _, _ in found}
+            last = {name: one for name, _, one, _ in found} if whole else None
+            yield Table("", first, last, _is_local(found[0][3]))
+
+
+def _is_local(owner):
+    """Whether names belong to a function."""
+    return isinstance(owner, Scope) and owner.outer is not None
 
 
 def columns_of(value):
