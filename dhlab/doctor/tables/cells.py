@@ -23,6 +23,9 @@ NAMED_NUMBER = re.compile(  # L_ARM (0.146), d1 (290 mm), and no element L(2)
 RANGE = re.compile(  # theta1 (-120, 120); atan2(0.1, 0.2) is another thing
     r"^((?:theta|th|q)_?\d+\*?)\s*\(\s*[-+]?\d[\d.]*°?\s*[,;~]\s*[-+]?\d[\d.]*°?\s*\)$"
 )
+TOLERANCE = re.compile(  # 0.200 ± 0.001 mm
+    r"^([-+]?\d[\d.,]*)\s*(?:±|\+/-)\s*\d[\d.,]*(\s*(?:mm|cm|m|°|deg|rad)?)$"
+)
 MEASURED = re.compile(r"[LDAH]_?[A-Za-z]{1,12}\s*=\s*(?=[-+]?\d*\.?\d+\s*(?:mm|cm|m)$)")
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
@@ -157,6 +160,7 @@ def _trimmed(text):
     text = next(part for part in bold.groups() if part) if bold else text
     text = re.sub(r"(?<=\w)\s*[(\[]\s*±[^()\[\]]*[)\]]$", "", text)  # theta1 (±180°)
     text = RANGE.sub(r"\1", text)
+    text = TOLERANCE.sub(r"\1\2", text)
     text = re.sub(rf"^{BESIDE.pattern}$", r"\1 + (\2)", text)
     text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
     text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)

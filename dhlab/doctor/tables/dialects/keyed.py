@@ -4,7 +4,7 @@ YAML, what simulators print.
 
 import re
 
-from ..cells import cell_of
+from ..cells import cell_of, kind_of_letter
 from ..evidence.several import in_parts
 from ..language.brackets import groups, keyword
 from ..language.roles import kind_said, role_of
@@ -39,6 +39,9 @@ REVERSED = re.compile(  # reverse_rotation_direction: true
     re.IGNORECASE,
 )
 TYPES = "number", "float", "double", "real"  # type Link = { a: number }
+UNITS = re.compile(
+    r"m|mm|cm|in|met(?:er|re)s?|milli-?met(?:er|re)s?|inch(?:es)?|deg(?:rees?)?|°|rad(?:ians?)?"
+)
 LABELS = ("name", "joint", "link", "label", "id", "frame")
 
 
@@ -78,6 +81,8 @@ def read(source, nominal=None):
     held = set.union(*map(set, rows))
     if "alpha" not in held or not held & {"a", "d"}:
         return None
+    if _is_statement(rows, lines[block + 1 :]):
+        rows = rows[:-1]
     _require_whole(rows)
     return from_rows(
         [Row(one, kind, label) for one, kind, label in zip(rows, kinds, labels)],
@@ -95,6 +100,18 @@ def _require_whole(rows):
             f"recognise_table: expected {' and '.join(left)} in the last row as in the others,"
             " found a shorter one; was the text cut off there? Give all its numbers"
         )
+
+
+def _is_statement(rows, behind):
+    """Whether the last of the rows is what a program does with them, as in ``theta = q + row.zero;
+    alpha = radians(row.alpha)``: fewer names than in each row before, a letter that is no joint's,
+    and more of the program behind it.
+    """
+    held = set.intersection(*(set(one) & set(NAMES) for one in rows[:-1]))
+    letters = [name for role in NAMES if role in rows[-1] for name, _ in rows[-1][role].letters]
+    own = any(kind_of_letter(name) == "?" for name in letters)
+    more = any(re.search(r"\w", line) for line, _ in behind)
+    return len(rows) > 2 and bool(held - set(rows[-1])) and own and more
 
 
 def _said(line):
@@ -133,7 +150,7 @@ def _pairs(line, source):
         value = source.value(said + (f" {match[4]}" if match[4] else ""))
         if value is None:  # without what follows it: a unit, or a remark in brackets
             value = source.value(re.sub(r"\s*\([^()]*[a-z]{3}[^()]*\)\s*$", "", match[3]))
-        if said.strip().lower() in TYPES:
+        if said.strip().lower() in TYPES or UNITS.fullmatch(said.strip(" '\"")):
             value = None
         if role in NAMES and value is not None and role not in found:
             found[role] = cell_of(value, match[3].strip())
@@ -153,6 +170,8 @@ def in_groups(source):
     found = groups(source.code)
     said = dict(source.comments)
     for group in found:
+        if _tells_units(group):
+            continue
         own_class = group.mark == "(" and group.name.lower() != "dict"
         if _is_made_room_for(group, source):
             continue
@@ -193,6 +212,12 @@ def in_groups(source):
     return from_rows(
         [Row(*one) for one in zip(rows, kinds, labels, signs)], why="as their names say"
     )
+
+
+def _tells_units(group):
+    """Whether a group says units, {"length": "m", "angle": "deg"}, and no numbers."""
+    said = [pair[1].strip("'\" ").lower() for pair in filter(None, _items(group))]
+    return len(said) > 1 and all(UNITS.fullmatch(text) for text in said)
 
 
 def _unknown(group, source):

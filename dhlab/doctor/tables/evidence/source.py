@@ -33,13 +33,14 @@ MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 12
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
-    r"|модифиц|改进|修正|改進|(?:수정|변형)\w?\s*d-?h|zmodyfikowan|modifikovan|modifikasi|degistirilmis",
+    r"|модифиц|改进|修正|改進|修改(?=\s*型?\s*d-?h)|(?:수정|변형)\w?\s*d-?h|zmodyfikowan|modifikovan|modifikasi|degistirilmis",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
     r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|std\.?(?= d-?h)"
     r"|est[aá]ndar|padrão"
-    r"|klassisch\w*|classique|cl[aá]sic[oa]|classic[oa]"
+    r"|klassisch\w*|classique|cl[aá]ss?ic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
+    r"|standard-?(?:konvention|notation|verfahren|method|variante|definition|form\b|d-?h)"
     r"|standart d-?h|d-?h standar(?![a-z])|standaard|\bframe(?:::|\.)dh\(",
 }
 CONVENTION = re.compile(
@@ -54,7 +55,8 @@ LENGTH_WORDS = {
     "in": r"\b(inch|inches|zoll|pulgadas|pouces)\b",
     "m": r"(?:\bmet(?:er|re)s?\b|\bmetros?\b|\bm[eè]tres?\b|\bmetri\b|(?<![毫厘])米|\bметр"
     r"|[\[(]\s*m\s*[\])]|\bin m\b|\bunits?:? m\b|\bSI units\b"
-    r"|=\s*-?\d*\.?\d+\s*m(?![\w/²^*]))",
+    r"|=\s*-?\d*\.?\d+\s*m(?![\w/²^*])"
+    r"|(?:length|lengths|linear|distance|position)(?:_?units?)?['\"]?\s*[:=]\s*['\"]?m\b(?!\s*[*/]))",
 }
 ANGLE_WORDS = {
     "deg": r"\bgra(?:d(?:os?|i)?|us?)\b(?! d[ei] lib)|\bdegrés?\b(?! de lib)|角度制|градус"
@@ -73,7 +75,7 @@ DENIED = re.compile(
 )
 # words that praise an arm, in a long line that speaks of no table: un brazo clásico
 VAGUE = re.compile(
-    r"\b(?:standard|est[aá]ndar|padrão|classic(?:al)?|cl[aá]sic[oa]|classic[oa]|classique|klassisch\w*"
+    r"\b(?:standard|est[aá]ndar|padrão|classic(?:al)?|cl[aá]ss?ic[oa]|classique|klassisch\w*"
     r"|modifi\w*|original\w*|классич\w*|стандарт\w*)\b",
     re.IGNORECASE,
 )

@@ -29,7 +29,7 @@ UNIT = re.compile(r"[\[(]?(?:mm|cm|m|deg|rad)[\])]?")
 PLAIN = re.compile(r"\s*([A-Za-z_]\w*)\s*=\s*[-+*/.\deE() \t]+;?\s*")
 BEGINS = re.compile(
     r"\s*(?:(?:async\s+)?def|class|function|func|fn|if|elif|else|for|while|switch|case|end|try|with)\b"
-    r"|[^=]*[{}]"
+    r"|[^=]*[{}]|\s*\[[^\[\]=,;]*\]\s*$|\s*\[\[[^\[\]=,;]*\]\]\s*$"  # [joint2] of INI and TOML
 )
 JOINT = re.compile(r"(?:theta|th|q|t|joint|phi)\d*|q\[\d+\]")
 # an element of an array of joint values; of one whose name a column of the table may have as well

@@ -119,7 +119,7 @@ OBJECT = re.compile(  # C++: DHParam j1(0, 0.09, 0, 1.57);
     re.MULTILINE,
 )
 DESIGNATED = re.compile(r"(?<!\w)\[(\d+)\]\s*=\s*")
-ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>")
+ELEMENT = re.compile(r"<([A-Za-z]\w*)(?:\s+unit=\"(\w+)\")?>([^<>\n]{1,60})</\1>[ \t]*(?=(<?))")
 
 
 def neutral(text):
@@ -241,7 +241,8 @@ def _untyped(match):
 
 def _element(match):
     unit = f" {match[2]}" if match[2] else ""
-    return f"{match[1]}: {match[3]}{unit}" if role_of(match[1])[0] else match[0]
+    behind = ", " if match[4] else ""  # <a>0</a><d>0.1</d>
+    return f"{match[1]}: {match[3]}{unit}{behind}" if role_of(match[1])[0] else match[0]
 
 
 def _without_setters(text):

@@ -81,6 +81,11 @@ LIST = re.compile(
     r"([ \t]*\((?:mm|cm|m|deg|rad|°)\))?[ \t]*$",
     re.MULTILINE,
 )
+# <a value="0.3"/>, the element being the number's name
+VALUED = re.compile(r"<(\w+)\s+(?:value|val|v)\s*=\s*[\"']([^\"'\n]*)[\"']\s*/>")
+# theta = q1, d = 0,2, a = 0: a comma within a number, where another and a space end it
+IN_NUMBER = re.compile(r"([=:]\s*-?\d+),(\d+)(?=\s*(?:°|mm|cm|m)?\s*(?:[,;]\s|$))")
+PAIRED = re.compile(r"([^\W\d]+)_?\d?\s*[=:]")
 TAG = re.compile(r"^[ \t]*<\w[^<>\n]*>", re.MULTILINE)
 ATTRIBUTE = re.compile(r"([\w.:]+)\s*=\s*[\"']([^\"'<>]*)[\"']\s*(?:/?>)?")
 
@@ -98,7 +103,7 @@ def restated(text):
     'dh = [1 2; 3 4]; d = (3)'
     """
     text = SETP.sub(lambda m: f"{m[1].lower()}{m[2]} = {m[3]}", text)
-    text = "\n".join(_named(line) for line in text.split("\n"))
+    text = "\n".join(_with_points(_named(line)) for line in text.split("\n"))
     text = ONE_LINE.sub(lambda m: re.sub(r"\\\\\s*(?:\\hline)?", "\n", m[0]), text)
     text = EQUATION.sub(r"\1 = \2", text)
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
@@ -122,6 +127,7 @@ def restated(text):
     text = _with_sigma(text)
     text = SYMBOL.sub(r"\2", IN_QUOTES.sub(r"([\1])", text))
     text = PROPERTY.sub(r"\1 = \2", text)
+    text = VALUED.sub(lambda m: f"{m[1]}: {m[2]}, " if role_of(m[1])[0] in ROLES else m[0], text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
         text = re.sub(rf"\*{name}\b", number, text)
@@ -129,6 +135,12 @@ def restated(text):
     for name, kind in KDL_JOINT.findall(text):
         text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
     return _without_indices(text)
+
+
+def _with_points(line):
+    """``d = 0,2, a = 0`` as ``d = 0.2, a = 0`` in a line that names three parameters."""
+    named = {role_of(name)[0] for name in PAIRED.findall(line)} & set(ROLES)
+    return IN_NUMBER.sub(r"\1.\2", line) if len(named) > 2 else line
 
 
 def _with_brackets(text):

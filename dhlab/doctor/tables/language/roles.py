@@ -13,12 +13,32 @@ PREVIOUS = re.compile(
     r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_i?_?m_?1\b"
 )
 LOST_MINUS = re.compile(r"^(alpha|theta|[adr]) ?([ijn]) 1\b")  # a page without its signs
+FOREIGN_UNITS = {
+    **dict.fromkeys(
+        "grad grados graus gradi degrés stopnie stupně graden derece độ derajat град градусы"
+        " градусов 度 도".split(),
+        "deg",
+    ),
+    **dict.fromkeys(
+        "radianes radianos radianti radiani radiany рад радианы 弧度 라디안".split(), "rad"
+    ),
+    **dict.fromkeys("milímetros millimètres millimetri мм 毫米 ミリ 밀리미터".split(), "mm"),
+    **dict.fromkeys("centímetros см 厘米".split(), "cm"),
+    **dict.fromkeys("metros mètres metri meter metre metres meters metrů м 米 미터".split(), "m"),
+}
 UNIT = re.compile(
-    r"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in)\s*[\])]?\s*$"
+    rf"[\[(/,_]\s*(deg|degrees?|°|rad|radians?|mm|cm|m|inch|in|{'|'.join(FOREIGN_UNITS)})\s*[\])]?\s*$"
     r"|\s(?:in\s+)?(deg|degrees?|°|rad|radians?|mm|cm|m)\s*$|(°)$",
     re.IGNORECASE,
 )
-UNIT_OF = {"degrees": "deg", "degree": "deg", "°": "deg", "radians": "rad", "radian": "rad"}
+UNIT_OF = {
+    "degrees": "deg",
+    "degree": "deg",
+    "°": "deg",
+    "radians": "rad",
+    "radian": "rad",
+    **FOREIGN_UNITS,
+}
 FOREIGN = (  # German, French, Spanish, Italian; Chinese and Japanese; without accents
     (r"verdreh|verwind|torsion|torsione|扭|连杆转角|連桿轉角|ねじれ", "alpha"),
     (r"gelenkwinkel|drehwinkel|angle articulaire|angle de (l'|la )|angulo (de|articular)"

@@ -47,7 +47,10 @@ FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly para
 APART = re.compile(
     r"mass|weight|inerti|speed|veloc|torque|gear|ratio|range|limit|max|min|home|servo|motor|port"
     r"|pin|pulse|steps?\b|note|comment|remark|name|desc|example|pose|power|payload|accel|encoder|id\b"
-    r"|^#$|child|parent|initial|current|value|page|step|^mu\b|^q[^\w\s]",
+    r"|^#$|child|parent|initial|current|value|page|step|^mu\b|^q[^\w\s]"
+    r"|mas[ao]\b|peso|gewicht|poids|geschwindigkeit|vitesse|velocidad|drehmoment|couple|масса|вес|质量|質量"
+    # a unit of neither a length nor an angle: (kg), [Nm], deg/s
+    r"|[\[(/,_ ](?:k?g|n|n[ .*·]?m|rpm|kw|w|v|ms|s|hz|%)\s*[\])]?\s*$",
     re.IGNORECASE,
 )
 
@@ -85,11 +88,11 @@ def explained(roles, heading, rows):
             continue
         name = str(name).strip(" *$`") or f"number {k + 1}"
         letters = {letter for cell in found for letter, _ in cell.letters}
-        if letters and "theta" not in roles:
+        if k == 0 and letters and all(COUNTED.fullmatch(letter) for letter in letters):
+            roles[k] = "label"
+        elif letters and "theta" not in roles:
             roles[k] = "theta"
             notes.append(f"the column {name[:20]} is taken for theta")
-        elif k == 0 and letters and all(COUNTED.fullmatch(letter) for letter in letters):
-            roles[k] = "label"
         elif letters and letters <= _letters(whole, k) | _plain(roles, whole):
             continue  # the variable is named once more
         elif APART.search(name):

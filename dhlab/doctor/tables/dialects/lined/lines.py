@@ -12,7 +12,7 @@ from ...language.roles import ROLES, role_of
 from .copied import MOST_WORDS, named_one_a_line, one_cell_a_line
 from .grid import NoRows, from_grid
 from .heading import header, units_of
-from .spaced import is_cell, require_whole_row, spaced_cells, under_names, with_fifth
+from .spaced import bare_row, is_cell, require_whole_row, spaced_cells, under_names, with_fifth
 
 __all__ = ["TwoTables", "read"]
 
@@ -89,7 +89,7 @@ def _from_lines(texts, source):
         for k, line in enumerate(texts, 1)
         if line.strip()
         and not RULE.fullmatch(line)
-        and not _assignment(line)
+        and (not _assignment(line) or bare_row(line))
         and not ((named := LIST.match(line)) and _is_column(named[1], source))
     ]
     split, mark = _splitter([line for _, line in lines])
@@ -115,6 +115,8 @@ def _listed(line):
     found = ROW.fullmatch(line)
     if found and len(cells_in(found[2])) >= 4:
         return f"{found[1].strip()}, {', '.join(cells_in(found[2]))}"
+    if bare := bare_row(line):
+        return f"{bare[1].strip()}, {', '.join(cells_in(bare[2].replace(',', ' ')))}"
     told = re.search(r"\w\s+\(([^()]*,[^()]*)\)", line)
     return "" if told and order_of_names(told[1]) else line
 

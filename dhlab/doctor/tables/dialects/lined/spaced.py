@@ -8,7 +8,7 @@ from ...cells import cell_or_none
 from ...evidence.orders import names_in_a_row
 from ...language.brackets import cells_in
 
-__all__ = ["is_cell", "require_whole_row", "spaced_cells", "under_names", "with_fifth"]
+__all__ = ["bare_row", "is_cell", "require_whole_row", "spaced_cells", "under_names", "with_fifth"]
 
 PHRASE = re.compile(  # the gap in link length, joint angle
     r"(?i)(?<=\blink)\s+(?=(?:length|offset|twist|angle|distance)\b)"
@@ -18,7 +18,11 @@ PHRASE = re.compile(  # the gap in link length, joint angle
 SIGNED = re.compile(
     r"(?<![\w.+*/-])([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?) (?=[-+][\d.])", re.IGNORECASE
 )
-INDEXED = re.compile(r"(?<!\w)(alpha|theta|[adrq]) (?=[ijkn](?:\s|$))", re.IGNORECASE)
+INDEXED = re.compile(r"(?<!\w)(alpha|theta|[adrq]) (?=[ijkn](?:-1)?(?:\s|$))", re.IGNORECASE)
+# a row behind its name, without brackets: 1: q1, 0.2, 0, 90 and link1 = 0 200 0 90
+BARE_ROW = re.compile(
+    r"\s*[-*]?\s*((?:(?:link|joint|axis|row|achse|[jl])[ _]?)?\d+)\s*[:=)]\s*(\S.*)", re.I
+)
 LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
 
 
@@ -35,11 +39,14 @@ def _joined(line):
     """A line in which numbers and their units, and the words of one name, have no gap between
     them.
     """
-    if not re.search(r"\d", line):
+    line = re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
+    if not re.search(r"\d", line.replace("-1", "")):
         line = INDEXED.sub(r"\1_", PHRASE.sub("_", line))
-    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad)\b", r"\1", line)
+    if counted := re.match(r"\s*(\d+)\s", line):  # 2 0 0.3 0 theta 2
+        line = re.sub(rf"\b(theta|q|d) (?={counted[1]}(?:\s|$))", r"\1", line)
+    line = re.sub(r"(?<=[\d.])\s+(deg|degrees|°|mm|cm|rad|m)(?![\w/*^])", r"\1", line)
     line = re.sub(r"\s+(?=[\[(]\s*(deg|rad|mm|cm|m|°|in)\w*\s*[\])])", "", line)
-    return re.sub(r"(?<=[ij])\s*-\s*(?=1\b)", "-", line)
+    return line
 
 
 def is_cell(cell):
@@ -50,6 +57,13 @@ def is_cell(cell):
     if found is None:
         return False
     return found.is_constant or any(re.search(r"[\d\]]", name) for name, _ in found.letters)
+
+
+def bare_row(line):
+    """The name and the numbers of a row without brackets; None of another line."""
+    found = BARE_ROW.fullmatch(line)
+    cells = cells_in(found[2].replace(",", " ")) if found else []
+    return found if len(cells) == 4 and all(map(is_cell, cells)) else None
 
 
 def with_fifth(order, grid):

@@ -6,6 +6,7 @@ import html
 import re
 
 from ..restated import restated
+from .markup import as_html, with_pipes
 from .pictures import without_pictures
 
 __all__ = ["unwrapped"]
@@ -25,10 +26,12 @@ def unwrapped(text):
     text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
     text = re.sub(r"[ \t]+$", "", _without_diff(without_pictures(text)), flags=re.MULTILINE)
     text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
+    text = as_html(text)
     if re.search(r"<t[dh]\b", text, re.IGNORECASE):
         text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
         text = re.sub(r"</?(tr|table|thead|tbody)[^>]*>", "\n", text, flags=re.IGNORECASE)
         text = re.sub(r"<[^>\n]{1,80}>", "", text)
+    text = with_pipes(text)
     text = html.unescape(text).replace("\xa0", " ").replace("−", "-")
     text = re.sub(r"^```.*$", "", text, flags=re.MULTILINE)
     # the fields of a class, before anything is made of it
