@@ -21,7 +21,7 @@ from .dialects.lined.grid import NoRows, from_grid
 from .dialects.lined.heading import header
 from .dialects.lined.widths import NotFour
 from .evidence.axes import axes_in
-from .evidence.ending import require_whole
+from .evidence.ending import require_closed, require_whole
 from .evidence.ends import with_ends
 from .evidence.poses import require_pose
 from .evidence.several import require_one_value
@@ -98,6 +98,7 @@ def _require_used(text, values):
 
 def _from_text(text, values, nominal, length):
     text = without_notebook(text)
+    require_closed(text)
     _require_used(text, values)
     try:
         return _read(source_of(text, values), nominal, length)
@@ -138,7 +139,8 @@ def _read(source, nominal, length):
         if stumbled and found is not None and not _is_likelier(found, read):
             raise stumbled
         if found is not None:
-            require_whole(source)
+            lines = found.lines if isinstance(found, Pasted) else ()
+            require_whole(source, lines[-1] if lines else 0)
             return _completed(found, read, source) if isinstance(found, Pasted) else found
     raise AssertionError  # the last reader answers or raises
 
