@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import dhlab as dh
+from dhlab.doctor.tables.cells import read_cell
 
 ROWS = (("1", "q1", 0.21, 0.0, 90), ("2", "q2 + 90", 0.0, 0.34, 0), ("3", "q3", 0.06, 0.27, -90))
 NAMES = ("i", "theta", "d", "a", "alpha")
@@ -90,6 +91,8 @@ def test_a_table_in_markup_is_read(form):
     [
         ("convenção clássica", "standard"),
         ("Standardkonvention", "standard"),
+        ("quy ước chuẩn", "standard"),
+        ("Parameter DH (standar)", "standard"),
         ("修改DH参数", "craig"),
     ],
 )
@@ -104,3 +107,20 @@ def test_a_column_of_numbers_that_nobody_knows_is_asked_about():
     text = text.replace(SAID, SAID + "\t".join([*NAMES, "epsilon_x"]) + "\n")
     with pytest.raises(ValueError, match="epsilon_x"):
         dh.recognise_table(text)
+
+
+def test_a_minus_in_the_attribute_of_an_element_takes_nothing_from_the_next():
+    rows = ((0.0, 0.21, 0.0, 0.0), (0.0, 0.0, 0.05, -1.5707963), (0.0, 0.0, 0.34, -0.5))
+    names = ("theta", "d", "a", "alpha")
+    told = (" ".join(f'{n}="{value}"' for n, value in zip(names[::-1], row[::-1])) for row in rows)
+    elements = "".join(f'  <dh joint="{i}" {one}/>\n' for i, one in enumerate(told, 1))
+    found = dh.recognise_table(f'<arm convention="mdh">\n{elements}</arm>\n', angle="rad")
+    assert len(found.readings) == 1 and found.arm.table.convention == "craig"
+    assert np.allclose(found.arm.table.rows, rows, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "said, value", [("7½", 7.5), ("−½", -0.5), ("⅕", 0.2), ("-2¾ in", -2.75), ("π⁄2", np.pi / 2)]
+)
+def test_a_fraction_of_one_letter_is_added_to_the_number_before_it(said, value):
+    assert read_cell(said).value == pytest.approx(value, abs=1e-12)

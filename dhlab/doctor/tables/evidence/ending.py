@@ -146,7 +146,7 @@ def _lacks_its_bar(lines):
     lines = [line.strip() for line in lines if line.strip()]
     *before, last = [line for line in lines if line.startswith("|")] or [""]
     whole = len(before) >= FEWEST and all(line.endswith("|") for line in before)
-    return whole and last == lines[-1] and not re.search(r"\|[\s\"'}\]),;]*$", last)
+    return whole and last == lines[-1] and not re.search(r"\|(?:-->|[\s\"'}\]),;])*$", last)
 
 
 def _counts_on(lines, last_row):

@@ -33,7 +33,9 @@ MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 12
 WORDS_FOR = {
     "craig": r"(?<![a-z])(modified(?! (?:by|from|on|at|it|the|this|my|version)\b)|modif|craig\w*"
     r"|modifi(?:ziert|cad|cat|é)\w*|mdh|moddh|proximal|khalil|kleinfinger)(?![a-z])"
-    r"|модифиц|改进|修正|改進|修改(?=\s*型?\s*d-?h)|(?:수정|변형)\w?\s*d-?h|zmodyfikowan|modifikovan|modifikasi|degistirilmis",
+    r"|модифиц|改进|修正|改進|修改(?=\s*型?\s*d-?h)|(?:수정|변형)\w?\s*d-?h"
+    r"|zmodyfikowan|modifikovan|modifikasi"
+    r"|(?:d-?h|quy ước)[ ,(]*(?:cải tiến|sửa đổi)|degistirilmis",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
     r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|std\.?(?= d-?h)"
     r"|est[aá]ndar|padrão"
@@ -41,7 +43,9 @@ WORDS_FOR = {
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
     r"|standard-?(?:konvention|notation|verfahren|method|variante|definition|form\b|d-?h)"
-    r"|standart d-?h|d-?h standar(?![a-z])|standaard|\bframe(?:::|\.)dh\(",
+    r"|standart d-?h|(?:d-?h[ ,(]*|konvensi )standar(?![a-z])"
+    r"|(?:quy ước|d-?h[ ,(]*)\s*chuẩn|chuẩn d-?h"
+    r"|standaard|\bframe(?:::|\.)dh\(",
 }
 CONVENTION = re.compile(
     r"^[ \t]*['\"]?(?:dh_?)?convention['\"]?[ \t]*[:=][ \t]*['\"]?([\w -]+)",

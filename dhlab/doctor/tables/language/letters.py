@@ -38,7 +38,7 @@ SAME = str.maketrans(
         "“": '"',
         "”": '"',
         "√": "sqrt",
-        "½": "(1/2)",
+        "⁄": "/",
         **dict.fromkeys("\u00a0\u2009\u2002\u2003\u202f\u3000", " "),
         **dict.fromkeys("\u200b\u2060\ufeff", ""),
         "，": ",",
@@ -49,6 +49,7 @@ SAME = str.maketrans(
         **{chr(0x2080 + k): str(k) for k in range(10)},
     }
 )
+VULGAR = re.compile("(-?)([0-9]*)([¼-¾⅐-⅞])")  # 7½
 FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 SHORT_FRACTION = re.compile(r"\\[dt]?frac\s*(\d|\\pi)\s*(\d|\{\d+\})")
 WRAPPERS = re.compile(
@@ -101,7 +102,8 @@ def unified(text):
     >>> unified("−π/2"), unified("θ₁"), unified(r"$\\theta_{1}-\\frac{\\pi}{2}$")
     ('-pi/2', 'theta1', 'theta_1-((pi)/(2))')
     """
-    text = STYLED.sub(lambda m: unicodedata.normalize("NFKC", m[0]), text).translate(SAME)
+    text = STYLED.sub(lambda m: unicodedata.normalize("NFKC", m[0]), text)
+    text = VULGAR.sub(_vulgar, text.replace("−", "-")).translate(SAME)
     text = re.sub(r"\\[()]", "", text)  # \(x\) is $x$
     text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
     text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
@@ -109,6 +111,12 @@ def unified(text):
     if "\\" in text or "$" in text:
         text = _from_tex(text) if TEX.search(ESCAPED.sub("", PATH.sub("", text))) else text
     return text
+
+
+def _vulgar(match):
+    """``-7½`` as ``-7.5``."""
+    share = unicodedata.numeric(match[3]) + int(match[2] or 0)
+    return f"{match[1]}{share!r}"
 
 
 def _from_tex(text):

@@ -18,7 +18,9 @@ ONE_LINE = re.compile(r"\\begin\{(?:array|tabular)\}[^\n]*\\\\[^\n]*\\\\[^\n]*")
 EQUATION = re.compile(r"(\w+)\s*&=\s*(?:[^\n=&]*=)*\s*([^\n=&]*?)\s*(?:\\\\)?$", re.MULTILINE)
 DECIMAL_COMMA = re.compile(r"(=\s*-?\d+),(\d+\s*(?:mm|cm|m)\b)")
 MIXED = re.compile(r"(?<![\w./])(-?)(\d+)[ -](\d+)/(\d+)(?=\s*(?:\"|″|''|in\b|inch))")
-INCHES = re.compile(r"(?<![\w.'\"])(-?\d+(?:\.\d+)?)(?:\"|″|'')(?=\s|$|[,;|)])", re.MULTILINE)
+INCHES = re.compile(
+    r"(?<![\w.'\"])(?<!['\"]-)(-?\d+(?:\.\d+)?)(?:\"|″|'')(?=\s|$|[,;|)])", re.MULTILINE
+)
 # KDL: const Joint rotZ(Joint::RotZ);
 KDL_JOINT = re.compile(r"\bJoint\s+(\w+)\s*[({]\s*((?:\w+::)*Joint::\w+)\s*[)}]\s*;")
 MATRIX = re.compile(r"\b([A-Za-z]\w*)[ \t]*=[ \t]*\[([^\[\]]*;[^\[\]]*)\]")

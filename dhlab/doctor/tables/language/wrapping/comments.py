@@ -20,7 +20,8 @@ def without_comments(text, comments):
     def blanked(match):
         line = text.count("\n", 0, match.start()) + 1
         comments.extend(
-            (line + k, part.strip(" */'\"")) for k, part in enumerate(match[0].split("\n"))
+            (line + k, re.sub(r"-->\s*$|^<!--", "", part).strip(" */'\""))
+            for k, part in enumerate(match[0].split("\n"))
         )
         return "\n" * match[0].count("\n")
 
