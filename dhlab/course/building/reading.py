@@ -5,6 +5,8 @@ questions from the exercises.
 
 import re
 from collections.abc import Sequence
+from copy import deepcopy
+from functools import lru_cache
 from pathlib import Path
 
 import nbformat
@@ -113,12 +115,11 @@ def _tag_practice(cells):
 
 
 def _parsed(path):
-    import jupytext
     from jupytext.myst import MystMetadataParsingError
     from yaml import YAMLError
 
     try:
-        return jupytext.reads(path.read_text(encoding="utf-8"), fmt="md:myst")
+        return deepcopy(_of_text(path.read_text(encoding="utf-8")))
     except (YAMLError, MystMetadataParsingError) as error:
         mark = getattr(error, "problem_mark", None)
         found = getattr(error, "problem", None) or " ".join(str(error).split())
@@ -127,6 +128,14 @@ def _parsed(path):
             f" and in the lines that begin with a colon, found: {found}; look there and in the line"
             " above for a bracket, a quote or an indent"
         ) from None
+
+
+@lru_cache(100)
+def _of_text(text):
+    """Kept, since a source is read for the contract and again for each notebook made of it."""
+    import jupytext
+
+    return jupytext.reads(text, fmt="md:myst")
 
 
 def _name(path):
