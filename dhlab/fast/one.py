@@ -38,6 +38,8 @@ class Floats:
         """Give an intermediate result a name; a float needs none."""
         return value
 
+    keep_all = tuple
+
 
 def forward(chain: Chain, q: Sequence, math_of: Any = Floats) -> list:
     """The end pose of ``q`` (n numbers): 16 numbers."""
@@ -95,7 +97,7 @@ class Frame:
     def p(self) -> tuple:
         """The origin; what was laid out in the plane of x and y is added first."""
         if self.laid is not None:
-            self._p = self._shifted(self._kept(self.laid), (self.x, self.y))
+            self._p = self._shifted(self.math.keep_all(self.laid), (self.x, self.y))
             self.laid = None
         return self._p
 
@@ -116,8 +118,8 @@ class Frame:
             a = 0.0
         self._p, (c, s) = self.p, self._direction()
         pairs = list(zip(self.x, self.y))
-        self.x = self._kept(i * c + j * s for i, j in pairs)
-        self.y = self._kept(j * c - i * s for i, j in pairs)
+        self.x = self.math.keep_all(i * c + j * s for i, j in pairs)
+        self.y = self.math.keep_all(j * c - i * s for i, j in pairs)
         self.angle = None
         self.go(a)
 
@@ -126,8 +128,8 @@ class Frame:
 
     def tilt(self, step: Step) -> None:
         pairs = list(zip(self.y, self.z))
-        self.y = self._kept(j * step.c + k * step.s for j, k in pairs)
-        self.z = self._kept(k * step.c - j * step.s for j, k in pairs)
+        self.y = self.math.keep_all(j * step.c + k * step.s for j, k in pairs)
+        self.z = self.math.keep_all(k * step.c - j * step.s for j, k in pairs)
 
     def point(self, xyz: Sequence[float]) -> tuple:
         """A point of this frame in the world."""
@@ -153,10 +155,7 @@ class Frame:
 
     def _shifted(self, lengths, axes):
         weights = (1.0, *lengths)
-        return self._kept(weighed(weights, row) for row in zip(self._p, *axes))
-
-    def _kept(self, values):
-        return tuple(self.math.keep(value) for value in values)
+        return self.math.keep_all(weighed(weights, row) for row in zip(self._p, *axes))
 
 
 def weighed(weights: Iterable[float], terms: Iterable) -> Any:

@@ -122,6 +122,10 @@ class Program:
             self.lines.append(f"{self.named[value.text]} = {value.text}")
         return Symbol(self, self.named[value.text], value.negative)
 
+    def keep_all(self, values):
+        """Names for several."""
+        return tuple(map(self.keep, values))
+
 
 class Symbol:
     """An expression that is not known yet, and its sign."""
