@@ -10,7 +10,6 @@ import numpy as np
 from ...geometry.equivalence import equivalent
 from ...geometry.parallels import cancelling
 from .answers import require_answers
-from .completing.alike import stands_for
 from .computed.reading import computed
 from .computed.settled import settled, stands_alone
 from .dialects.lined.lines import TwoTables
@@ -20,6 +19,7 @@ from .meaning.scales import UNIT_WORDS
 from .readings import BOOKS, QUESTIONS, Reading, readings, require_some
 from .recognised import Recognised
 from .take_apart import take_apart
+from .twice import without_letters
 
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
@@ -122,7 +122,7 @@ def _as_written(given, right, *, order, convention, angle, length, values, nomin
         said = {"order": order, "angle": angle, "length": length, "values": values, "tidy": tidy}
         if found := _of_one_arm(error.parts, right, convention, said):
             return found
-        if rest := _without_letters(error.parts):
+        if rest := without_letters(error.parts):
             found = recognise_table(rest, right, convention=convention, **said)
             note = "the text has the table in letters, too"
             return replace(found, notes=(*found.notes, note))
@@ -152,22 +152,6 @@ def _of_one_arm(parts, right, convention, said):
     words = BOOKS[other.arm.table.convention]
     note = f"the text has the arm twice; the second table is the same one, in {words}"
     return replace(meant[0], notes=(*meant[0].notes, note))
-
-
-def _without_letters(parts):
-    """A text without its first table, where the second one is the same with numbers for its
-    letters; "" where it is not.
-    """
-    try:
-        letters, numbers = map(take_apart, parts)
-    except ValueError:
-        return ""
-    if isinstance(letters, list) or isinstance(numbers, list) or not letters.lines:
-        return ""
-    lines = parts[0].split("\n")
-    first, last = letters.lines
-    rest = [*lines[: first - 1], *[""] * (last - first + 1), *lines[last:], parts[1]]
-    return "\n".join(rest) if stands_for(letters, numbers) else ""
 
 
 def _equivalent(right, readings):

@@ -10,6 +10,8 @@ STREAM = re.compile(r"\b(\w+)\s*<<\s*([^;<\"']+);")  # Eigen's d << 0.1, 0, 0.3;
 AFTER = re.compile(r"[\s)]*?\)?[ \t]*([*/][ \t]*[\w./* \t()]+?)[ \t]*(?=[,;\n]|$)")
 BEFORE = re.compile(r"=\s*([\w./*()]+?)\s*\*\s*(?:[\w.]+\()?$")
 
+HELD = ("value", "values", "val")  # "alpha": {"value": [0, 1.57], "unit": "rad"}
+
 
 def arrays_in(source, twice=None, unread=None):
     """{name: list of Values} of every flat array whose items are expressions; ``twice`` gets the
@@ -60,6 +62,8 @@ def _assigned_to(group):
         if group.outer is None or group.outer.mark != "(" or len(group.outer.items) > 2:
             return ""
         group = group.outer
+    if group is not None and group.outer is not None and group.target.lower() in HELD:
+        return group.outer.target
     return group.target if group is not None else ""
 
 

@@ -33,6 +33,7 @@ OF_ANGLE = re.compile(
     r"\b(?:cos|sin)[dfl]?\s*\(\s*[A-Za-z_]", re.IGNORECASE
 )  # cos_alpha = cos(alpha)
 NAMES = ("theta", "d", "a", "alpha", "r", "offset")
+STILL = re.compile(r"(.*\S)\s*\((?:fixed|no joint)\)", re.IGNORECASE)  # -pi/2 (fixed)
 REVERSED = re.compile(  # reverse_rotation_direction: true
     r"(?:is_?)?(?:flip(?:ped)?|revers(?:e|ed)|invert(?:ed)?)"
     r"(?:_?(?:rotation|joint|axis|motor|direction|sense))*",
@@ -66,6 +67,8 @@ def read(source, nominal=None):
     if len(rows) < 2:
         return None
     kinds = [one.pop("type", "") for one in rows]
+    moving = ("d" in one and one["d"].letters for one in rows)  # theta: 0 (fixed) of a slider
+    kinds = ["" if kind == "fixed" and slides else kind for kind, slides in zip(kinds, moving)]
     labels = [one.pop("label") for one in rows]
     indices = [one.pop("index", "") for one in rows]
     if len(set(indices)) < len(indices) and any(indices):
@@ -147,6 +150,9 @@ def _pairs(line, source):
             found["type"] = kind
             continue
         said = match[3] if match[3].count(")") == match[3].count("(") else match[3].rstrip(") ")
+        if role == "theta" and (still := STILL.fullmatch(said)):
+            said = still[1]
+            found["type"] = "fixed"
         value = source.value(said + (f" {match[4]}" if match[4] else ""))
         if value is None:  # without what follows it: a unit, or a remark in brackets
             value = source.value(re.sub(r"\s*\([^()]*[a-z]{3}[^()]*\)\s*$", "", match[3]))

@@ -6,7 +6,9 @@ q[i], a[i], alpha[i])``.
 import re
 from collections import Counter
 
-__all__ = ["added_at_joints", "row_of", "sliding_at_joints", "turned_at_joints"]
+from ..language.roles import role_of
+
+__all__ = ["added_at_joints", "row_of", "sliding_at_joints", "slid_by_calls", "turned_at_joints"]
 
 CONDITION = r"if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
@@ -38,6 +40,7 @@ TURNED = re.compile(r"[(,]\s*-\s*(?:theta|th|q)\w*([\[(])(\d+)[\])]")
 MOVING = re.compile(r"\b(?:theta|th|q)\w*\s*[\[(]\s*[A-Za-z_]\w*\s*[\])]")  # of any joint: q[i]
 CALL = re.compile(r"(?<!def )\b(\w+)\s*\(((?:[^()\n]|\([^()\n]*\))*)\)")
 COMMA = re.compile(r",(?![^(\[]*[)\]])")
+ELEMENT, NUMBERED = re.compile(r"(\w+)([\[(])(\d+)[\])]"), re.compile(r"(?:q|d|joint)_?\d")
 SET = re.compile(r"^\s*d\w*(?:\[\w+\]|\(\w+\))?\s*(\+?=)(?!=)([^\n;]*)", re.MULTILINE)
 BEFORE = re.compile(rf"{CONDITION}[ \t]*[:{{]?[ \t]*\n?[^\n]*$")
 BEHIND = re.compile(rf"\s+{CONDITION}\s+else\b")
@@ -117,6 +120,28 @@ def sliding_at_joints(code):
     for one in SET.finditer(code):
         if MOVING.search(one[2]):
             found[_of(_branch(one, code), code)] = "+" in one[1] + one[2]
+    return found
+
+
+def slid_by_calls(code):
+    """{row, counted from 0: False} of the calls that take a joint's variable in the place of d, and
+    the other three numbers from arrays.
+
+    Examples
+    --------
+    >>> slid_by_calls("dh(q1, d[0], a[0], alpha[0]) @ dh(th[1], q2, a[1], alpha[1])")
+    {1: False}
+    """
+    found = {}
+    for call in CALL.finditer(code):
+        args = [arg.strip() for arg in COMMA.split(call[2])]
+        elements = [one for arg in args if (one := ELEMENT.fullmatch(arg))]
+        variables = [arg for arg in args if NUMBERED.fullmatch(arg)]
+        rows = {int(one[3]) - (one[2] == "(") for one in elements}
+        roles = {role_of(one[1])[0] for one in elements}
+        shape = len(elements), len(variables), len(args), len(rows)
+        if shape == (3, 1, 4, 1) and roles == {"theta", "a", "alpha"}:
+            found[rows.pop()] = False
     return found
 
 

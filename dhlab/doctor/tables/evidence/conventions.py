@@ -6,6 +6,7 @@ import re
 
 from ..language.roles import role_of
 from .products import multiplied_moves
+from .scenes import nested_moves
 
 __all__ = ["convention_in", "defined_in", "has_formula"]
 
@@ -82,8 +83,10 @@ def convention_in(source):
             return moves, "by the order of the elementary moves in it"
     if computed:
         return computed, "by the matrix in it"
-    multiplied = _by_moves(multiplied_moves(source.code))
-    return (multiplied, "by the product of its own matrices") if multiplied else None
+    if multiplied := _by_moves(multiplied_moves(source.code)):
+        return multiplied, "by the product of its own matrices"
+    nested = _by_moves(nested_moves(source.text))
+    return (nested, "by the order of its groups") if nested else None
 
 
 def _of_moves(line):

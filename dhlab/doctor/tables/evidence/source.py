@@ -16,6 +16,7 @@ from ..language.assigned import (
     without_overwritten,
 )
 from ..language.expressions import NoExpression, evaluate, key
+from ..language.joined import with_columns
 from ..language.letters import unified
 from ..language.neutral import neutral
 from ..language.repeated import repeated
@@ -176,7 +177,7 @@ def source_of(text, values=None):
     if not re.search(r"\d", code):
         code = re.sub(r"^[ \t]*(?:%+|#+|//+|\*+(?!\*))", "", text, flags=re.MULTILINE)
     code = neutral(repeated(re.sub(r"\b(?:self|this)(?:\.|->)(?=[A-Za-z_])", "", code)))
-    code = with_shifts(without_overwritten(from_zero(_two_families(code))))
+    code = with_shifts(without_overwritten(from_zero(_two_families(with_columns(code)))))
     known = assigned_in(code)
     _require_apart(code)
     for name, value in listed_in(code).items():

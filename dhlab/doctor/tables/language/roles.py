@@ -56,6 +56,8 @@ PHRASES = (  # the first that fits
         r"|\bq\w*_?offset\b",
         "offset",
     ),
+    (r"\b(?:theta|th|q)_?(?:min(?:imum)?|lower)\b|\bmin(?:imum)?_?(?:theta|th|q)\b", "low"),
+    (r"\b(?:theta|th|q)_?(?:max(?:imum)?|upper)\b|\bmax(?:imum)?_?(?:theta|th|q)\b", "high"),
     (r"\bphi(?:\b|_)", "theta"),
     (r"\bthetas?_?0?\b|\bjoint angle|\bth\b", "theta"),
     (

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ..cells import Cell, cell_of, cell_or_none, plain
-from ..evidence.branches import added_at_joints, sliding_at_joints, turned_at_joints
+from ..evidence.branches import added_at_joints, slid_by_calls, sliding_at_joints, turned_at_joints
 from ..language.roles import ROLES
 from ..language.words import KINDS
 
@@ -42,6 +42,7 @@ SMALL = re.compile(  # type = ['r', 'r', 'p']
 LINK = re.compile(r"(?:l|len|link)[\W_]*[ijkn]?[\W_]*")  # where a alone has no column
 WORDS = re.compile(r"[^\W\d_]{4,}(?: ?[-/(&]? ?[^\W\d_]+\)?)*")  # shoulder, flange (fixed)
 COUNTED = re.compile(r"(?:joint|link|axis|motor|servo|frame)_?\d+", re.IGNORECASE)
+NUMBERED = re.compile(r"[^\W\d]{4,}_?\d+")
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
@@ -99,6 +100,8 @@ def explained(roles, heading, rows):
             notes.append(f"the column {name[:20]} was left out")
         elif all(_is_a_word(text) for text in said if text.strip(" -")):
             roles[k] = "label"
+        elif {*ROLES} <= {*roles} and all(NUMBERED.fullmatch(text.strip(" *`")) for text in said):
+            roles[k] = "label"  # Revolute_3
         elif LINK.fullmatch(plain(name)) and {*ROLES, "r"} - {*roles} == {"a", "r"}:
             roles[k] = "a"
             notes.append(f"the column {name[:20]} is taken for a")
@@ -204,7 +207,8 @@ def _with_slides(table, source):
     if "P" in table.kinds or not table.roles or not {"theta", "d"} <= set(table.roles):
         return table
     kinds, notes = [kind or "R" for kind in table.kinds or [""] * len(table.rows)], []
-    for k, counts in sliding_at_joints(source.code).items():
+    sliding = {**sliding_at_joints(source.code), **slid_by_calls(source.code)}
+    for k, counts in sliding.items():
         if k is None or not 0 <= k < len(kinds):
             raise ValueError(
                 "recognise_table: the program moves d and not theta at some joint; which rows"

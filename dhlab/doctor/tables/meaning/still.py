@@ -63,12 +63,12 @@ def unwritten(table, columns, right):
     if fixed or n < 2:
         return [_fixed(fixed)]
     if 0 < 2 * sum(moves) < n:  # where most are numbers, theta is 0 and not without a joint
-        found = _by_labels(table, labels, right)
+        found = _by_labels(table, columns, labels, right)
         found += [one for one in _among_moving(table, columns, moves) if one not in found]
     elif any(moves):
         found = _among_moving(table, columns, moves)
     else:
-        found = [*_sliding(table, columns), *_by_labels(table, labels, right)]
+        found = [*_sliding(table, columns), *_by_labels(table, columns, labels, right)]
     return _counted(found, table, moves)
 
 
@@ -146,7 +146,19 @@ def _sliding(table, columns):
     return [((i, "P"),) for i, held in enumerate(angles) if not any(held)]
 
 
-def _by_labels(table, labels, right):
+def _are_counted(labels):
+    """Whether the labels number the rows from 1 to the last one: link 5 -> 6, link 6 -> end."""
+    numbers = [re.search(r"\d+", label) for label in labels]
+    return [one and int(one[0]) for one in numbers] == [*range(1, len(labels) + 1)]
+
+
+def _turns_elsewhere(table, columns):
+    """Whether the last row turns about another axis than the joint before it, as no flange does."""
+    i = {"standard": -2, "craig": -1}.get(table.convention)
+    return i is not None and any(_said(columns[role][i]) for role in ("a", "alpha"))
+
+
+def _by_labels(table, columns, labels, right):
     """Rows of numbers only: by what stands before or behind them."""
     n = len(labels)
     last, first = _fixed([n - 1]), _fixed([0])
@@ -155,6 +167,8 @@ def _by_labels(table, labels, right):
         return [first] if counted else [(), first]
     turns = OF_JOINTS.search(labels[-1]) and TURNS.search(labels[-1])  # J6 tool roll
     if FLANGE.search(labels[-1]) and not FLANGE.search(labels[0]) and not turns:
+        if _are_counted(labels):
+            return [()] if _turns_elsewhere(table, columns) else [(), last]
         return [(), last] if OF_JOINTS.search(labels[-1]) else [last] if counted else [last, ()]
     if GRASPS.search(labels[-1]):
         joints = [bool(OF_JOINTS.search(label)) for label in labels]

@@ -22,6 +22,7 @@ __all__ = ["NoRows", "from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
 EMPTY = ("-", "--", "---", "n/a", "n.a.", "none")  # a dash, or what stands for one
+JOINT = re.compile(r"joint|gelenk|articula|关节|關節|関節", re.IGNORECASE)
 OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
 
@@ -42,6 +43,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         The order of the columns where something else than a heading says it.
     """
     said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
+    first = ""
     lines: list = []
     taken = behind = False
     for where, cells in grid:
@@ -64,7 +66,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
                     False,
                 )
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
-            why, because = "as the header says", _because(said)
+            why, because, first = "as the header says", _because(said), str(cells[0]).strip(" *`")
             continue
         below = units_of(cells) if roles and not rows else None
         if below:
@@ -73,7 +75,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             continue
         if not rows and _is_title(cells):
             continue
-        rows.append(_row(cells, roles, where, source))
+        rows.append(_row(_counted(cells, roles, first), roles, where, source))
         require_no_fifth(names, cells, where)
     if not rows:
         raise NoRows(
@@ -102,6 +104,11 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     named = source.convention if source else ""
     if said == "i" and named != "craig" and _ends_as_standard(table):
         table = replace(table, convention="standard", because=_because("i"))
+    elif said == "i" and named != "craig" and _is_planar(table):
+        because = (
+            "since all headings carry the index i, and each row of the planar arm has a length"
+        )
+        table = replace(table, convention="standard", because=because)
     return table
 
 
@@ -155,6 +162,25 @@ def _ends_as_standard(table):
     at = [table.roles.index("a"), table.roles.index("alpha")]
     first, last = ([table.rows[k][j] for j in at] for k in (0, -1))
     return any(c.value or c.letters for c in first) and not any(c.value or c.letters for c in last)
+
+
+def _is_planar(table):
+    """Whether all axes are parallel and each row has a length a: the last one leads from the last
+    joint to the tip, as in standard rows, and the first one is no step before the first joint.
+    """
+    if table.roles is None or not {"a", "alpha", "theta"} <= set(table.roles):
+        return False
+    column = {role: [row[k] for row in table.rows] for k, role in enumerate(table.roles)}
+    parallel = all(c.is_constant and not c.value for c in column["alpha"])
+    turning = not any(c.is_constant for c in column["theta"])
+    return parallel and turning and all(c.value or c.letters for c in column["a"])
+
+
+def _counted(cells, roles, first):
+    """The cells with ``joint 6`` for the 6 below the heading Joint, where a remark follows it."""
+    number = re.fullmatch(r"\d", str(cells[0]).strip(" *`"))
+    joints = roles and roles[0] == "label" and roles.count("label") > 1 and JOINT.match(first)
+    return [f"joint {number[0]}", *cells[1:]] if joints and number else cells
 
 
 def _is_title(cells):
