@@ -31,7 +31,8 @@ TURNED = re.compile(
     re.IGNORECASE,
 )
 SLIDING = re.compile(
-    r"\bjoint[ _]?\d[^\n,;]{0,20}\bprismatic\b|\bprismatic\b[^\n,;]{0,12}\b(?:joint )?[dq]?\d\b"
+    r"\bjoint[ _]?\d[^\n,;]{0,20}\bprismatic\b"
+    r"|\bprismatic\b(?!['\"] else)[^\n,;]{0,12}\b(?:joint )?[dq]?\d\b"
     r"|[#%/]\s*prismatic\s*$",
     re.IGNORECASE | re.MULTILINE,
 )

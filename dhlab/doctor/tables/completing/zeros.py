@@ -86,7 +86,8 @@ def _named_zero(source, table):
         value = source.value(said.strip(" ,;"))
         if value is not None and (abs(value.number) in lengths or _is_length(value, table)):
             continue  # wrist_offset: 0.072, which is the d of the wrist
-        number = re.search(r"(?<!\w)[\d.]*[1-9]|pi\b", said)
+        none = re.match(r"\s*(?:\w+\.)?zeros\(", said)
+        number = not none and re.search(r"(?<!\w)[\d.]*[1-9]|pi\b", said)
         if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):
             return f"{name} = {said}"
     return ""

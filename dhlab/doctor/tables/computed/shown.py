@@ -69,7 +69,11 @@ def _from_functions(linked, runs):
     for key in linked[0]:
         if all(key in one and len(one[key]) == len(linked[0][key]) for one in linked):
             links = links_of([tuple(one[key]) for one in linked], drawn)
-            if links is not None and links.joints == len(links.rows) >= FEWEST:
+            if links is None or links.joints < FEWEST:
+                continue
+            if not key[0]:  # a function for each link, which has its joint for a parameter
+                found.append(links)
+            elif links.joints == len(links.rows):
                 found.append(replace(links, of_function=True))
     return found
 

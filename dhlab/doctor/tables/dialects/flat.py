@@ -29,7 +29,7 @@ def arrays_in(source, twice=None, unread=None):
         turned = group.outer is not None and _last(group.outer) in ("radians", "deg2rad")
         cells = _upright(group) if name else None
         values = [source.value(cell) for cell in cells or ()]
-        if unread is not None and None in values:
+        if unread is not None and None in values and _last(group) != "zeros":
             unread[name] = cells[values.index(None)]
             if group.mark == "{" and re.match(r"\s*['\"]?\w+['\"]?\s*:", unread[name]):
                 del unread[name]  # under an index each: no list of zeros

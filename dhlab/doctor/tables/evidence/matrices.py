@@ -37,6 +37,9 @@ INDEX = re.compile(
 )
 # row.alpha, libm::cos
 FIELD_OF = re.compile(r"\b[A-Za-z_]\w*\.(?=[A-Za-z_]\w*\b(?![\w.]|\s*\())|\b[a-z]\w*::(?=\w)")
+KEY_OF = re.compile(r"\b([A-Za-z_]\w*)\[['\"]([A-Za-z]\w*)['\"]\]")  # row['alpha']
+# (q[i] if row.kind == 'revolute' else 0)
+IF_SUCH = re.compile(r"\(\s*(\w+(?:\[\w+\])?) if [^()\n]{1,60} else 0(?:\.0)?\s*\)")
 MOST_UNKNOWN, MOST_TRIED = 4, 8
 NO_NAMES = ("pi", "np", "math", "cos", "sin")
 
@@ -69,6 +72,7 @@ def link_matrix_in(code, turns=(0.0,)):
     >>> found.convention, found.roles["b"], found.roles["l"]
     ('standard', 'alpha', 'a')
     """
+    code = IF_SUCH.sub(r"\1", KEY_OF.sub(r"\1.\2", code))
     local, solved, tried = _locals(code), None, 0
     for entries in matrices(code):
         if tried == MOST_TRIED:
@@ -139,6 +143,9 @@ def _solved(entries, turns):
     names = [name for name in names if name not in short and name not in NO_NAMES]
     usual = {name: role_of(name)[0] for name in names}
     usual = {name: "a" if role == "r" else role for name, role in usual.items()}
+    turned = [name for name in names if usual[name] == "theta"]
+    if "theta" in turned and len(turned) == 2:  # cos(theta + q[i]): the row's theta is a zero
+        usual |= {name: "offset" for name in turned if name != "theta"}
     for roles in _assignments(names, usual, bool(short)):
         known = {**short, **{name: ANGLES.get(role, 0.0) for name, role in roles.items()}}
         convention, turn = _convention(entries, known, turns)

@@ -170,7 +170,8 @@ def _zeros(match):
 def _looked_up(text):
     """The text with the number itself for ``L["d1"]``, where ``L = {"d1": 0.3}``."""
     for name, inside in DICTIONARY.findall(text):
-        held = dict(ENTRY.findall(inside))
+        found = ENTRY.findall(inside)
+        held = {key: value for key, value in found if value.count("(") == value.count(")")}
         text = re.sub(
             rf"\b{name}\[['\"](\w+)['\"]\](?!\s*=(?!=))",
             lambda m, held=held: f"({held[m[1]].strip()})" if m[1] in held else m[0],

@@ -209,6 +209,8 @@ def _with_slides(table, source):
     kinds, notes = [kind or "R" for kind in table.kinds or [""] * len(table.rows)], []
     sliding = {**sliding_at_joints(source.code), **slid_by_calls(source.code)}
     for k, counts in sliding.items():
+        if k is None and all(table.kinds or ("",)):
+            continue  # each row says whether it is one of these
         if k is None or not 0 <= k < len(kinds):
             raise ValueError(
                 "recognise_table: the program moves d and not theta at some joint; which rows"

@@ -1,14 +1,18 @@
 """What a program defines, called from outside with arguments that are not known."""
 
+import re
+
 from ..held.budget import FAILURES, Raised
 from ..held.values import Class, Function, Instance, Module, Native, Unknown
 from ..library.toolbox import keep_robot
 from .expressions import evaluate
+from .linking import tables_in
 
 __all__ = ["call_all"]
 
 AT_ONCE = 12_000  # steps of one function
 MOST_CALLED = 30
+TABLE = re.compile(r"(?!n_|num|len|max).*(?:table|params|links|rows|dh$)", re.IGNORECASE)
 LATER = ("plot", "draw", "show", "anim", "inv", "ik", "jac", "test", "traj", "main", "run")
 
 
@@ -66,6 +70,18 @@ def _instance(run, cls):
         run.call(cls, [], {})
 
 
+def _meant(run, name, annotation):
+    """What a parameter is meant for, whatever its name: the program's one table, or an object of a
+    class that needs nothing; None of others.
+    """
+    cls = run.scope.names.get(getattr(annotation, "id", ""))
+    if isinstance(cls, Class) and cls.fields and not cls.find("__init__"):
+        whole = all(cls.find(field) is not None for field in cls.fields)
+        return run.call(cls, [], {}) if whole else None
+    tables = {id(rows): rows for _, rows in tables_in(run)} if TABLE.match(name) else {}
+    return next(iter(tables.values())) if len(tables) == 1 else None
+
+
 def _arguments(run, function, owner):
     """(positional, by name): what is called as the program's own names is these, the rest is not
     known.
@@ -73,12 +89,15 @@ def _arguments(run, function, owner):
     signature = function.node.args
     names = [one.arg for one in (*signature.posonlyargs, *signature.args)]
     usual = names[len(names) - len(signature.defaults) :]
+    annotations = {one.arg: one.annotation for one in signature.args}
     args = []
     for k, name in enumerate(names):
         if k == 0 and (owner is not None or name == "self") and function.kind != "staticmethod":
             args.append(run.me if owner is None else owner)
             continue
         known = run.scope.names.get(name)
+        if known is None:
+            known = _meant(run, name, annotations.get(name))
         held = known is not None and not isinstance(known, Function | Class | Module | Native)
         if run.is_joint(name):
             args.append(Unknown(name, run.samples))

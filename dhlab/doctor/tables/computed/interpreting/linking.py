@@ -1,6 +1,7 @@
 """Link functions that a program has and does not call, called from outside for each of its rows."""
 
 import ast
+import re
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from ..held.factors import is_known_pose
 from ..held.values import Class, Function, Instance, Unknown, plain
 from .expressions import evaluate
 
-__all__ = ["called_in", "linked"]
+__all__ = ["called_in", "linked", "tables_in"]
 
 AT_ONCE = 3_000  # steps of one call
 MOST_TRIED = 40
@@ -31,7 +32,7 @@ def linked(run, called):
     gives for the rows of a table, or for their numbers; all its other arguments are not known.
     """
     found: dict = {}
-    tables = [*_tables(run)]
+    tables = [*tables_in(run)]
     tried = 0
     for function, owner in _functions(run):
         if function.name in called or function.name[:2] == "__":
@@ -57,6 +58,27 @@ def linked(run, called):
                     matrices = _Call(run, function, None, names, 0).of_rows(table)
                     if matrices:
                         found[function.name, 0, name] = matrices
+    return found | _one_for_each(run, called)
+
+
+def _one_for_each(run, called):
+    """The matrices of functions that nobody calls and that make a link each, ``T_12(q)``, by
+    ("", 0, what their names have in common).
+    """
+    alike: dict = {}
+    for function in [*run.scope.names.values()]:
+        if not isinstance(function, Function) or function.name in called:
+            continue
+        names = [one.arg for one in function.node.args.args]
+        numbered = re.fullmatch(r"(.*_|[A-Za-z]*)(?=\w*\d)[^_]+", function.name)
+        if numbered and len(names) < 2 and not function.node.args.defaults:
+            alike.setdefault(numbered[1], []).append((function, names))
+    found = {}
+    for stem, functions in alike.items():
+        calls = [_Call(run, one, None, names, -1) for one, names in functions]
+        matrices = [call.matrix(None, k) for k, call in enumerate(calls)]
+        if len(matrices) > 1 and not any(one is None for one in matrices):
+            found["", 0, stem] = matrices
     return found
 
 
@@ -75,7 +97,7 @@ def _functions(run):
         )
 
 
-def _tables(run):
+def tables_in(run):
     """(name, rows) of what the program holds."""
     places = [run.scope.names, *(one.attributes for one in run.instances[:6])]
     for names in places:
@@ -105,7 +127,7 @@ class _Call:
         """The matrices of all rows; none where one is none."""
         found: list = []
         for k, row in enumerate(table):
-            matrix = self._matrix(row, k)
+            matrix = self.matrix(row, k)
             if matrix is None:
                 return []
             found.append(matrix)
@@ -118,7 +140,7 @@ class _Call:
         found: list = []
         start = int(getattr(self.run.dialect, "counts_from_one", False))
         for k in range(start, start + MOST_LINKS):
-            matrix = self._matrix(k, k)
+            matrix = self.matrix(k, k)
             if matrix is None:
                 break
             found.append(matrix)
@@ -126,10 +148,10 @@ class _Call:
             return []
         if len(found) < 2:
             return []
-        again = self._matrix(start, start + len(found) - 1)
+        again = self.matrix(start, start + len(found) - 1)
         return [] if again is None or np.array_equal(again, found[-1]) else found
 
-    def _matrix(self, row, k):
+    def matrix(self, row, k):
         """The matrix of one row, the k-th; None where the call gives none."""
         run, failed = self.run, self.run.failed
         args = [] if self.owner is None else [self.owner]

@@ -7,7 +7,7 @@ import numpy as np
 from ..held.budget import FAILURES, Raised, Unsupported
 from ..held.operators import binary, truth, whole
 from ..held.scopes import MISSING, Scope
-from ..held.values import Class, Function, Module, Unknown, is_number, items_of, plain
+from ..held.values import Class, Function, Instance, Module, Unknown, is_number, items_of, plain
 from .expressions import assign, evaluate
 from .unknowns import spoiled
 
@@ -71,7 +71,23 @@ def _posed_values(run, target, node, value):
     if names and len(target.elts) == len(node.elts) == len(value):
         parts = zip(target.elts, node.elts, value)
         return [_posed_values(run, *part) for part in parts]
+    _posed_fields(run, node, value)
     return _posed(run, getattr(target, "id", getattr(target, "attr", "")), node, value)
+
+
+def _posed_fields(run, node, value):
+    """Let the joints' values of one pose that a record holds, ``{q1: 0.5, reach: 0.3}``, be not
+    known.
+    """
+    made = isinstance(node, ast.Call) and getattr(node.func, "id", "") == "_record"
+    shown = node.args[0] if made else node
+    held = value.attributes if made and isinstance(value, Instance) else value
+    if not run.posing or not isinstance(shown, ast.Dict) or not isinstance(held, dict):
+        return
+    for key, part in zip(shown.keys, shown.values):
+        name = getattr(key, "value", None)
+        if isinstance(name, str) and name[-1:].isdigit() and is_number(held.get(name)):
+            held[name] = _posed(run, name, part, held[name])
 
 
 def _posed(run, name, node, value):

@@ -14,7 +14,7 @@ from ...meaning.columns import misplaced
 from ...pasted import Pasted, Row, from_rows
 from .arguments import by_order, cell_in, limits_in, pairs_in
 from .functions import definitions
-from .own import own_classes
+from .own import member_of, own_classes
 from .used import made_here, of_the_robot
 
 __all__ = ["read"]
@@ -56,7 +56,7 @@ def read(source, nominal=None):
     }
     three = own_classes(source.text)
     for group in _unrolled(groups(source.code), source):
-        name = _name(group)
+        name = member_of(_name(group), three)
         known = next((one for one in CLASSES if re.fullmatch(one[0], name.lower())), None)
         known = known or ((name, "", "", "") if name in three else None)
         if known is None or group.mark != "(" or _is_inner(group) or OF_A_ROW.search(group.text):

@@ -6,13 +6,18 @@ import re
 
 from ...language.roles import ROLES, role_of
 
-__all__ = ["own_classes"]
+__all__ = ["member_of", "own_classes"]
 
 HEAD = re.compile(
     r"^[ \t]*(?:[a-z]+[ \t]+)*?(?:class|classdef|struct|record|type)[ \t]+(\w+)", re.MULTILINE
 )
 MADE = re.compile(  # DH = namedtuple("DH", "a d alpha"), Struct.new(:a, :d, :alpha)
     r"\b(\w+)\s*=\s*(?:\w+\.)*(?:namedtuple|NamedTuple|make_dataclass|Struct\.new)\s*\(([^\n]*)"
+)
+NAMED = re.compile(  # somebody else's: denavitHartenberg(d=0.3, alpha=pi/2)
+    r"\b(denavit_?hartenberg\w*)\s*\("
+    r"(?:\s*(?:theta|d|a|alpha)\s*=(?:[^=,()\n]|\([^()\n]*\))+,?)+\)",
+    re.IGNORECASE,
 )
 COMMENT = re.compile(r"(?:#|//|%).*|/\*.*?\*/|\"\"\".*?\"\"\"")
 METHOD = re.compile(r"\b(?:def|function|methods|public:)\b|\)\s*[:{]")
@@ -42,7 +47,16 @@ def own_classes(text):
         words = re.sub(rf"(['\"]){name}\1", "", said)
         if roles := _roles(re.findall(r"[A-Za-z_]\w*", words)):
             found[name] = roles
-    return found
+    return found | dict.fromkeys(NAMED.findall(text), ("d", "a", "alpha"))
+
+
+def member_of(name, classes):
+    """The class of the text's own whose numbered member a constructor makes, ``link2(0.3, 0, 0)``;
+    the name itself of all else.
+    """
+    stem = name.rstrip("0123456789_").lower()
+    alike = [one for one in classes if stem != name.lower() and one.lower().endswith(stem or "?")]
+    return alike[0] if len(alike) == 1 else name
 
 
 def _roles_of(name, body):
@@ -58,6 +72,7 @@ def _roles_of(name, body):
 def _name(part):
     """The name in ``const double& a = 0``, ``a: float`` or Go's ``Alpha float64``."""
     words = re.findall(r"[A-Za-z_]\w*", re.split(r"=|:(?!:)|::", part)[0])
+    words = [re.sub(r"_?(?<=[a-z_])(?:Value|value|Val|val|In|in)$", "", word) for word in words]
     return next((word for word in words[::-1] if role_of(word)[0] in (*ROLES, "r", "offset")),
                 words[-1] if words else "")  # fmt: skip
 

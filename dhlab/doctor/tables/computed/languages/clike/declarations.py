@@ -4,12 +4,15 @@ from ..brackets import deeper, split
 from .tokens import NoProgram, expression
 
 __all__ = [
-    "NO_TYPES", "assignment", "behind", "closing", "declared", "parameters", "step", "without_type",
+    "NO_TYPES", "assignment", "behind", "closing", "declared", "initialised", "matrix_of",
+    "parameters", "references", "step", "without_type",
 ]  # fmt: skip
 
 MODIFIERS = {"const", "static", "final", "public", "private", "protected", "constexpr", "inline",
              "readonly", "export", "async", "extern", "volatile", "unsigned", "override",
              "virtual", "unsafe", "struct"}  # fmt: skip
+BRACKETS = [("op", "(")], [("op", "{")]
+MATRICES = {"Matrix4d", "Matrix4f"}
 NO_TYPES = {"return", "else", "new", "delete", "throw", "if", "for", "while", "case", "goto"}
 
 
@@ -30,6 +33,37 @@ def assignment(tokens):
         ends = [expression(tokens[k + 1 : closing(tokens, k)]) for k in sizes]
         return f"{tokens[0][1]} = _new({','.join(ends)})"
     return expression(tokens)
+
+
+def matrix_of(tokens, part):
+    """One of the names that are declared as 4×4 matrices: zeros, or the numbers in its braces; ""
+    of all else.
+    """
+    before = tokens[: tokens.index(part[0])]
+    if not any(text in MATRICES for _, text in before):
+        return ""
+    if len(part) == 1:
+        return f"{part[0][1]} = Zero()"
+    if part[1:3] == [("op", "="), ("op", "{")]:
+        return f"{part[0][1]} = _filled({expression(part[2:])})"
+    return ""
+
+
+def initialised(tokens, at):
+    """([(name, tokens of its value)] of what a constructor sets before its body, the place of the
+    body): ``: reach(0.3), lift(0.1) {``; nothing of all else.
+    """
+    found, end = [], at
+    while end < len(tokens) and tokens[end][1] == (":" if end == at else ","):
+        end += 1
+        while end < len(tokens) and (tokens[end][0] == "name" or tokens[end][1] == "::"):
+            end += 1
+        close = closing_or_none(tokens, end) if tokens[end:][:1] in BRACKETS else None
+        if close is None:
+            return [], at
+        found.append((tokens[end - 1][1], tokens[end + 1 : close]))
+        end = close + 1
+    return found, end
 
 
 def declared(tokens):
@@ -83,6 +117,16 @@ def parameters(tokens):
         if len(sizes) != 2 or "=" in found[k] or not all(sizes):
             break
         found[k] += f"=_new({','.join(sizes)})"
+    return found
+
+
+def references(tokens):
+    """The parameters that are 4×4 matrices of the caller, which a function fills."""
+    found = set()
+    for part in split(tokens, ","):
+        texts = {text for _, text in part}
+        if "&" in texts and "const" not in texts and texts & MATRICES:
+            found.add(parameter(part))
     return found
 
 

@@ -114,6 +114,14 @@ def _identity(run, args, _):
     return np.eye(4).view(Multiplied)
 
 
+def _into(run, args, _):
+    """Fill the matrix that a function was given to fill."""
+    held, value = args
+    if not isinstance(held, np.ndarray) or held.shape != (4, 4):
+        raise Unsupported("no matrix")
+    held[...] = plain(value).reshape(4, 4)
+
+
 def _zero(run, args, _):
     return np.zeros((4, 4)).view(Multiplied)
 
@@ -124,7 +132,8 @@ def _pushed(run, args, _):
 
 
 def _struct(run, args, _):
-    run.dialect.structs.append(tuple(args[0]))
+    if tuple(args[0]) not in run.dialect.structs:
+        run.dialect.structs.append(tuple(args[0]))
 
 
 def _vector(run, args, _):
@@ -137,7 +146,7 @@ def _record(run, args, _):
 
 NAMES: dict = {
     "_record": _record, "_struct": _struct, "Vector4": _vector, "Matrix4": _identity,
-    "_filled": _filled, "_new": _new, "multiply": _product, "Identity": _identity,
+    "_filled": _filled, "_into": _into, "_new": _new, "multiply": _product, "Identity": _identity,
     "setIdentity": _identity, "Zero": _zero, "_pushed": _pushed, "matmul": _product,
     **{f"{name}f": FUNCTIONS[name].call for name in ("sin", "cos", "tan", "sqrt", "fabs")},
     **{name: FUNCTIONS[name.lower()].call for name in ("Cos", "Sin", "Tan", "Sqrt")},

@@ -29,13 +29,25 @@ def asked(run, value, name, structs):
         at = fields.index(name) if fields else len(value)
         return value[at] if at < len(value) else None
     if isinstance(value, Unknown):
-        return value.samples.many() if name in ("length", "Length", "Count") else None
+        many = name in ("length", "Length", "Count")
+        return value.samples.many() if many else _declared(run, value, name, structs)
     if not isinstance(value, np.ndarray) or value.shape != (4, 4):
         return None
     if place := place_of(name):
         return float(value[place])
     act = MATRIX.get(name)
     return None if act is None else Native(name, lambda run, args, _: act(run, value, args))
+
+
+def _declared(run, value, name, structs):
+    """The number that a record's field has from its declaration, where a function is given the
+    record; None of joints' values, and of what is put into it.
+    """
+    held = run.scope.names.get(name)
+    changed = (value.place, f"{value.path}.{name}") in value.samples.stored
+    if changed or run.is_joint(name) or sum(name in fields for fields in structs) != 1:
+        return None
+    return held if type(held) in (int, float) else None
 
 
 def place_of(name):

@@ -9,7 +9,10 @@ from .declarations import (
     behind,
     closing,
     declared,
+    initialised,
+    matrix_of,
     parameters,
+    references,
     step,
     without_type,
 )  # fmt: skip
@@ -28,6 +31,7 @@ DEFINED = re.compile(r"^[ \t]*#define[ \t]+(\w+)[ \t]+([^\n]+)$", re.MULTILINE)
 PREPROCESSOR = re.compile(
     r"^[ \t]*(?:#[^\n]*|@\w+[^\n]*|using [^\n]*|import [^\n]*|package [^\n]*)$", re.MULTILINE
 )
+OF_FOUR = re.compile(r"\bMatrix\s*<(?:\s*(?:double|float)\s*,)?\s*4\s*,\s*4\s*(?:,[^<>]*)?>")
 WORD = re.compile(r"[A-Za-z_]\w*")
 PUSHED = ("push_back", "push", "emplace_back", "add", "Add")
 
@@ -60,14 +64,16 @@ def as_python(text):
         return x[0]
     """
     text = DEFINED.sub(r"\1 = \2;", COMMENT.sub(" ", text))
-    text = simplified(PREPROCESSOR.sub("", text))
+    text = simplified(OF_FOUR.sub("Matrix4d", PREPROCESSOR.sub("", text)))
     try:
         tokens = tokens_of(text)
     except NoProgram:
         return ""
     writer = _Writer()
-    writer.block(tokens, 0)
-    return "\n".join(writer.lines)
+    at = 0
+    while at < len(tokens):  # what is cut out of a class ends more blocks than it begins
+        at = writer.block(tokens, at)
+    return "\n".join([*writer.lines, *writer.fields_set])
 
 
 class _Writer:
@@ -77,6 +83,8 @@ class _Writer:
         self.lines: list = []
         self.depth = 0
         self.local: set | None = None  # what a function declares: other names belong to its object
+        self.filled: set = set()  # the matrices of its caller
+        self.fields_set: list = []  # by constructors
 
     def put(self, line):
         """Write a line."""
@@ -194,14 +202,25 @@ class _Writer:
             and tokens[after][1] in ("const", "noexcept", "override")
         ):
             after += 1
+        fields, after = initialised(tokens, after)
         if after >= len(tokens) or tokens[after] != ("op", "{"):
             return None
         names = parameters(tokens[k + 1 : end])
+        self.set_fields(fields, {name.partition("=")[0] for name in names})
         self.put(f"def {tokens[k - 1][1]}({', '.join(names)}):")
-        around, self.local = self.local, {name.partition("=")[0] for name in names}
+        around = self.local, self.filled
+        self.local = {name.partition("=")[0] for name in names}
+        self.filled = references(tokens[k + 1 : end])
         end = self.body(tokens, after)
-        self.local = around
+        self.local, self.filled = around
         return end
+
+    def set_fields(self, fields, given):
+        """Write the numbers that a constructor sets, where it is not given them."""
+        for name, value in fields:
+            kinds = {kind for kind, _ in value}
+            if "number" in kinds and "string" not in kinds and not given & {t for _, t in value}:
+                self.fields_set.append(f"{name} = {expression(value)}")
 
     def simple(self, tokens):
         """Write a declaration, an assignment, a return or a call."""
@@ -227,7 +246,10 @@ class _Writer:
             return
         bare = without_type(tokens)
         for part in split(bare, ","):
-            line = assignment(part)
+            if part[:1] and part[0][1] in self.filled and part[1:2] == [("op", "=")]:
+                self.put(f"_into({part[0][1]}, {expression(part[2:])})")
+                continue
+            line = matrix_of(tokens, part) or assignment(part)
             name = re.match(r"(\w+)\s*=(?!=)", line)
             if name and self.local is not None:
                 if len(bare) < len(tokens):
@@ -239,6 +261,9 @@ class _Writer:
     def set(self, target, value):
         """Write what fills a matrix."""
         name = declared(target)
+        if name in self.filled:
+            self.put(f"_into({name}, {value})")
+            return
         if self.local is not None and name.isidentifier():
             if len(target) > 1:
                 self.local.add(name)
