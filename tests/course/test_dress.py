@@ -63,6 +63,7 @@ def test_a_table_on_its_side_is_called_so_and_no_other(key):
         assert ALL[key].judge(other, 1).headline != said
 
 
+@pytest.mark.filterwarnings("ignore:the matrix subclass")
 @pytest.mark.parametrize("key", VECTORS)
 def test_a_vector_may_stand_as_a_column_or_as_a_row(key):
     e = ALL[key]
