@@ -38,7 +38,6 @@ EITHER = re.compile(r"(thetas?|th|t|phi|angles?)\[\d+\]")
 COLUMN = re.compile(r"(?:alphas?|alfas?|[ad]|d?dist\w*|lengths?|twists?)\[\d+\]")
 TAKEN = re.compile(r"\b(?:def|function|func|fn)\s[^()\n]*\(([^()]*)\)")
 OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
-DECIMAL = re.compile(r"(=\s*[-+]?\d+),(\d+)(?=\s*(?:mm|cm|m|°|deg|rad)\b)")  # d1 = 71,5 mm
 EQUAL = re.compile(  # a2 = a3 = 125 mm
     r"\b([A-Za-z_]\w*)\s*=\s*(?=[A-Za-z_]\w*\s*=\s*([^=;,\n]+?)\s*(?:[;\n]|,|\.\s|$))"
 )
@@ -79,7 +78,7 @@ def assigned_in(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
     text = re.sub(r"(?<=\w):[ \t]+(?=\w+[ \t]*=(?!=))", "; ", text)  # link lengths: l1 = 0.5
-    text = EQUAL.sub(r"\1 = \2; ", DECIMAL.sub(r"\1.\2", text))
+    text = EQUAL.sub(r"\1 = \2; ", text)
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):
