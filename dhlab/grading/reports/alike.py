@@ -269,8 +269,7 @@ def _below(cell, line):
 def _tokens_of_text(text):
     """The tokens of a program in quotes, which somebody may run; none of another text."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # a "\\alpha" of the student's, told to the teacher
+        with warnings.catch_warnings(action="ignore"):  # of a "\\alpha", told to the teacher
             inner = ast.literal_eval(text)
             program = isinstance(inner, str) and ast.parse(inner).body
     except (ValueError, SyntaxError, RecursionError, MemoryError):

@@ -92,8 +92,7 @@ def _is_given(code):
     if len(code) > MOST or code.count("\n") > YOUR_NUMBERS.count("\n"):
         return False  # what we write is short, and one line
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with warnings.catch_warnings(action="ignore"):
             (task,) = ast.parse(code).body
     except (ValueError, SyntaxError, RecursionError, MemoryError):
         return False
