@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import currently_in_test_context, settings
 from hypothesis.database import DirectoryBasedExampleDatabase
+from system_packages import CHROMIUMS, WINDOWLESS
 
 # numba joins in once batches have kept a process busy, and differs by rounding: when that is would
 # depend on which tests ran before
@@ -183,16 +184,13 @@ def judge():
     return get
 
 
-CHROMIUMS = "chromium", "chromium-browser", "google-chrome"
-
-
 @pytest.fixture(scope="session")
 def chromium():
     """The path of a Chromium, of one without windows where there is one: the same pages take a
     third less of the processor in it. Tests that look at pages are skipped, saying so, where there
     is none.
     """
-    return _first_of("chromium-headless-shell", *CHROMIUMS)
+    return _first_of(WINDOWLESS, *CHROMIUMS)
 
 
 @pytest.fixture(scope="session")

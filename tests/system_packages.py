@@ -15,15 +15,14 @@ NEEDED = {
     "gcc": ("gcc", "generated C compiled"),
     "npm": ("npm", "the explorer's JavaScript built again and its pages checked with axe"),
 }
+CHROMIUMS = "chromium", "chromium-browser", "google-chrome"
 # also installed where apt has it: in it the same pages take a third less of the processor
 WINDOWLESS = "chromium-headless-shell"
 
 
 def found(program):
     """Whether a program is there, under one of its names."""
-    names = (
-        ["chromium", "chromium-browser", "google-chrome"] if program == "chromium" else [program]
-    )
+    names = CHROMIUMS if program == "chromium" else [program]
     return any(shutil.which(name) for name in names)
 
 
