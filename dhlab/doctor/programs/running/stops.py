@@ -178,13 +178,12 @@ def _written_over(error):
     """Which of Python's functions, called in the line that stopped, has its name given to something
     else there; None.
     """
-    steps = list(traceback.walk_tb(error.__traceback__))
-    if not steps:
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    if not frames:
         return None
-    frame = steps[-1][0]
-    names = {**frame.f_globals, **frame.f_locals}
-    line = traceback.extract_tb(error.__traceback__)[-1].line or ""
-    called = re.findall(r"(?<![\w.])([a-z]+)\s*\(", line)
+    names = {**frames[-1].f_globals, **frames[-1].f_locals}
+    (last,) = traceback.extract_tb(error.__traceback__, limit=-1)
+    called = re.findall(r"(?<![\w.])([a-z]+)\s*\(", last.line or "")
     return next(
         (
             name

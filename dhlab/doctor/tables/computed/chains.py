@@ -101,8 +101,13 @@ class Way:
     def linked(self, run):
         """What link functions that nobody calls give in a run."""
         if run.linked is None:
-            run.linked = linked(run, called_in(self.statements))
+            run.linked = linked(run, self.called)
         return run.linked
+
+    @cached_property
+    def called(self):
+        """The names of functions that the program calls."""
+        return called_in(self.statements)
 
     @cached_property
     def named(self):
@@ -174,10 +179,8 @@ def _chain(way, first, length):
     runs = [] if told else [first]
     for seed in seeds:
         runs.append(way.run(seed, length, told))
-        if len(runs) == 2 and not shown_in(
-            way, runs
-        ):  # what two runs do not show, more of them do not
-            return None
+        if len(runs) == 2 and not shown_in(way, runs):
+            return None  # what two runs do not show, more of them do not
     found = different(shown_in(way, runs))
     if len(found) > 1:
         return False
