@@ -88,7 +88,7 @@ def test_two_wrong_axes_are_both_told():
     wrong = [list(axis) for axis in SHEET]
     wrong[1] = ([0.05, 0, 0.42], [0, 1, 0])
     wrong[4] = ([0.5, 0, 0.8], [-1, 0, 0])
-    answer = dh.diagnose_axes(wrong, END, Q, measured(SHEET), noise=(1e-4, 1e-4))
+    answer = dh.diagnose_axes(wrong, END, Q, measured(SHEET), noise=(1e-4, 1e-4), budget=60)
     assert answer.verdict == "explained" and "axis 2 and axis 5" in answer.headline
     assert [(f.joint, f.parameter) for f in answer.findings] == [(2, "point"), (5, "sense")]
     assert "along -z" in answer.findings[0].detail
