@@ -47,6 +47,16 @@ def test_a_name_on_the_roster_that_is_anothers_id(tmp_path):
     assert "ada/05.ipynb" in taken(tmp_path, ADA, Student("mallory", "ada"))["ada"]
 
 
+def test_a_letter_that_capitals_make_anothers(tmp_path):
+    """A long s is no s, though both have the capital S, and on some systems one file."""
+    sam, strasse = Student("sam"), Student("straße")
+    for folder in ("SAM", "\u017fam", "STRASSE"):
+        put(tmp_path / folder / "05.ipynb")
+    found = taken(tmp_path, sam, strasse)
+    assert found["sam"] == ["SAM/05.ipynb"] and found["straße"] == ["STRASSE/05.ipynb"]
+    assert len({student.casefold() for student in found}) == 3
+
+
 @pytest.mark.parametrize("other", [("", "lovelaceada@x.org"), ("lovelaceada", "")])
 def test_an_address_or_a_name_as_canvas_writes_anothers(tmp_path, other):
     put(tmp_path / "lovelaceada_771_900_05.ipynb")

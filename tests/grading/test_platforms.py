@@ -249,6 +249,33 @@ def test_a_folder_that_cannot_be_looked_into_is_told(tmp_path, monkeypatch):
     assert found["bo"].notebooks and not found["bo"].notes
 
 
+def test_two_people_of_one_name_on_brightspace(tmp_path):
+    put(tmp_path / "501-77 - Ada Lovelace - Nov 1, 2026 100 PM" / "05.ipynb")
+    put(tmp_path / "501-77 - Ada Lovelace - Nov 2, 2026 100 PM" / "again.ipynb")
+    put(tmp_path / "502-77 - Bo Müller - Nov 1, 2026 100 PM" / "05.ipynb")
+    assert {student: len(files) for student, files in taken(tmp_path, CLASS).items()} == {
+        "ada_l": 2,
+        "bo": 1,
+    }
+    put(tmp_path / "503-77 - Ada Lovelace - Nov 3, 2026 100 PM" / "05.ipynb", day=9)
+    assert taken(tmp_path, CLASS).keys() == {"bo"}
+    (told,) = submissions(tmp_path, CLASS)["ada_l"].notes
+    assert "several people of this name" in told and "501" in told and "503" in told
+
+
+def test_a_number_beside_several_names_is_an_assignments(tmp_path):
+    for name in ("Ada Lovelace", "Bo Müller", "Cy Twombly"):
+        put(tmp_path / f"77-1 - {name} - Nov 1, 2026 100 PM" / "05.ipynb")
+    for name in ("Ada Lovelace", "Eve X"):
+        put(tmp_path / f"78-1 - {name} - Nov 8, 2026 100 PM" / "06.ipynb")
+    found = taken(tmp_path, CLASS)
+    assert {student: len(files) for student, files in found.items()} == {
+        "ada_l": 2,
+        "bo": 1,
+        "cy": 1,
+    }
+
+
 def test_an_accent_makes_another_person(tmp_path):
     put(tmp_path / "Bo Müller_12_assignsubmission_file_/05.ipynb")
     put(tmp_path / "Bo Muller_13_assignsubmission_file_/05.ipynb")

@@ -4,13 +4,12 @@ import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from statistics import median_low
 from typing import NamedTuple
 
 from .platforms import BLACKBOARD, CANVAS, from_platform, without_group, written
 from .roster import Student
 
-__all__ = ["Names", "Owner", "named_in", "namesakes_of", "student_of"]
+__all__ = ["Names", "Owner", "named_in", "student_of"]
 
 # no more than three signs before it: a long row of them would take time; they are stripped later
 COPY = re.compile(
@@ -50,6 +49,7 @@ class Names:
     def __init__(self, roster: Iterable[Student], lessons: Iterable[str]) -> None:
         self.lessons = tuple(lessons)
         self.ids = {_plain(student.student): student.student for student in roster}
+        self.files = {key.casefold() for key in self.ids}  # as some systems compare names of files
         self._cores: dict[str, list[str]] = {}  # ids from their first letter or digit to the last
         for key in self.ids:
             self._cores.setdefault(key.strip(SIGNS), []).append(key)
@@ -171,38 +171,10 @@ def student_of(
     called = _called(part, names, is_file=len(parts) == 1)
     called = unicodedata.normalize("NFC", called or folder)
     safe = _safe(called)
-    if safe != called or _plain(safe) in names.ids:
+    if safe != called or safe.casefold() in names.files:
         # other signs stood there, which a file's name cannot have: somebody else may be called so
         safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
     return Owner(safe, False, name, number, where, within=named_in(parts, names))
-
-
-def namesakes_of(owners: Iterable[Owner]) -> set[Owner]:
-    """The owners of a name that several people have: a platform has written it at one place with
-    more numbers than a person has there.
-    """
-    owners = list(owners)
-    sure = {owner.student for owner in owners if owner.number and owner.sure}
-    numbers: dict[tuple[str, ...], dict[str, set[str]]] = {}  # by place and student
-    for owner in owners:
-        if owner.number and (owner.sure or owner.student not in sure):
-            here = numbers.setdefault(owner.place, {})
-            here.setdefault(owner.student, set()).add(owner.number)
-    several = {
-        student
-        for here in numbers.values()
-        for student, found in here.items()
-        if len(found) > _numbers_of_one(here)
-    }
-    return {owner for owner in owners if owner.number and owner.student in several}
-
-
-def _numbers_of_one(here):
-    """How many numbers a person has at a place: one, or as many as most have there, which are those
-    of several assignments.
-    """
-    counts = list(map(len, here.values()))
-    return median_low(counts) if len(counts) > 2 else 1
 
 
 def named_in(parts: Sequence[str], names: Names) -> str:
@@ -269,7 +241,10 @@ def _called(part, names, is_file):
 
 
 def _plain(text):
-    return unicodedata.normalize("NFC", text).casefold().strip()
+    """A name in small letters: folded, a letter that is small already, as the long s, would be
+    another one. Only ß has no capital of its own, and is written SS.
+    """
+    return unicodedata.normalize("NFC", text).lower().replace("ß", "ss").strip()
 
 
 def _words(name):

@@ -13,7 +13,7 @@ PATTERNS = {
     CANVAS: re.compile(r"(?P<name>[^_]+)_(LATE_)?(?P<number>\d+)_\d+_.+", re.IGNORECASE),
     "Moodle": re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(file|onlinetext)"),
     "Brightspace": re.compile(
-        r"\d+-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M"
+        r"(?P<number>\d+)-\d+ ?- ?(?P<name>.+?) ?- ?[A-Z][a-z]{2} \d{1,2}, \d{4} [\d:]+ [AP]M"
     ),
     BLACKBOARD: re.compile(r"(?P<name>.+?)_attempt_\d{4}(-\d\d){5}(?=[_.]|$)"),
 }

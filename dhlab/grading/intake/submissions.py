@@ -11,7 +11,8 @@ from pathlib import Path
 
 from ..shown import printable, some
 from .files import LARGEST, Entry, Read
-from .layouts import Names, Owner, namesakes_of, student_of
+from .layouts import Names, Owner, student_of
+from .namesakes import namesakes_of
 from .notebooks import Look, look
 from .roster import Student
 from .timestamps import stamped
