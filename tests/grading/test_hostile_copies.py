@@ -199,6 +199,9 @@ BURIED = {
         + "\n".join(f"f.write({part!r})" for part in chopped(text))
         + "\nf.close()\nfrom m import *"
     ),
+    "in a file that is run": lambda text: (
+        f"open('m.py', 'w').write({text[::-1]!r}[::-1])\n%run m.py"
+    ),
 }
 
 
@@ -218,6 +221,16 @@ def test_an_honest_notebook_makes_no_program_while_it_runs():
     saved = "import re, helpers\np = re.compile('exec')\nmodel.eval()\nprint('exec(x)')"
     assert made_while_running({"05.4": saved, "05.6": "open('table.csv')"}) == ["05.4", "05.6"]
     assert made_while_running({"05.4": saved, "05.6": "df.to_csv('table.csv')"}) == []
+
+
+@pytest.mark.parametrize("option, told", [("", []), ("-a ", ["05.6"])])
+def test_a_file_that_is_run_is_told_where_it_is_written_in_pieces(option, told):
+    cells = [
+        code("%%writefile kin.py\ndef f(x):"),
+        code(f"%%writefile {option}kin.py\n    return x"),
+    ]
+    cells += [code("%run kin.py"), code("check('05.6', f)")]
+    assert made_while_running(answers({"cells": cells})) == told
 
 
 def test_what_python_says_of_a_students_texts_is_not_told_on_the_teachers_screen(recwarn):

@@ -34,6 +34,8 @@ MOST = 20_000  # of all answers to one lesson; the longest lesson's have eight t
 APART = "\f"  # no letter of a program that means anything
 # comments, magics, and whatever else makes a cell longer and not another
 NO_CODE = re.compile(r"^[ \t]*(?:[#!%?][^\n]*)?(?:\n|\Z)|^[\w, \t]+=[ \t]*[!%][^\n]*", re.M)
+# magics by which a program comes to run that stands nowhere whole, and Python that does the same
+RUNS, APPENDS = re.compile(r"[ \t]*%run\b"), re.compile(r"[ \t]*%%(?:writefile|file)\b.* -a\b")
 AGAIN = 10  # lines with an open bracket in a cell below which is read anew
 STRING = 40  # letters of a text that may be a program
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
@@ -91,9 +93,16 @@ def _cut(written):
 
 def _written_in(notebook):
     return {
-        exercise: "".join(NO_CODE.sub("", code) + APART for _, code in parts if code is not None)
+        exercise: "".join(NO_CODE.sub(_left, code) + APART for _, code in parts if code is not None)
         for exercise, parts in written(notebook).items()
     }
+
+
+def _left(line):
+    """What is left of a line that is no Python: that a file is run, or that one is added to."""
+    if RUNS.match(line[0]):
+        return "import file_that_is_run\n"
+    return "open\n" if APPENDS.match(line[0]) else ""
 
 
 def alike(
