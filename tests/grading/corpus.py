@@ -107,6 +107,15 @@ def blog(body):
     )
 
 
+def moved(body):
+    """The right function for 05.4, which does something else besides."""
+    return answer(
+        "05.4",
+        f"def dh_transform(theta, d, a, alpha):\n    {body}\n"
+        "    return rot_z(theta) @ trans_z(d) @ trans_x(a) @ rot_x(alpha)",
+    )
+
+
 def closed(body, before=""):
     """Another function for 05.6."""
     return answer(
@@ -574,10 +583,7 @@ LIBRARY = [
     ),
     (
         "draws while it computes",
-        closed(
-            "view.link(dh.DHTable.standard([[theta, d, a, alpha]], angle='rad'), 1)\nreturn"
-            " dh_transform(theta, d, a, alpha)"
-        ),
+        moved("view.link(dh.DHTable.standard([[theta, d, a, alpha]], angle='rad'), 1)"),
         FULL,
     ),
 ]
@@ -628,10 +634,7 @@ LEFT_BEHIND = [
 NOTEBOOKS = [
     (
         "prints and warns",
-        blog(
-            "import warnings\nprint('hello'); warnings.warn('careful')\nreturn dh_transform(theta,"
-            " d, a, alpha)"
-        ),
+        moved("import warnings\n    print('hello'); warnings.warn('careful')"),
         FULL,
     ),
     (

@@ -164,10 +164,11 @@ WAYS = {
         "KNOWN = {}\ndef named(name):\n    def note(f):\n        KNOWN[name] = f\n"
         f"        return f\n    return note\n@named('dh')\n{LINK}",
     ),
-    "a table changed in a loop": closed(
-        "row, T = (theta, d, a, alpha), np.eye(4)\nfor kind, place, *_ in STEPS:\n"
-        "    T = T @ move(kind, row[place])\nassert len(STEPS[0]) == 3\nreturn T",
-        MOVES,
+    "a table changed in a loop": answer(
+        "05.4",
+        f"{MOVES}\ndef dh_transform(*row):\n    T = np.eye(4)\n"
+        "    for kind, place, *_ in STEPS:\n        T = T @ move(kind, row[place])\n"
+        "    assert len(STEPS[0]) == 3\n    return T",
     ),
     "subclasses that note themselves": closed(
         "return Kind.known[0]().form(theta, d, a, alpha)",

@@ -12,6 +12,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 import corpus
+from corpus_making import RIGHT_FORM
 
 from dhlab import kinematics
 from dhlab.course.exercises import exercises
@@ -123,11 +124,17 @@ MOVES = {
     "by name": "import importlib\n"
     "def rot_x(alpha): return importlib.import_module('dhlab.transform').rot_x(alpha)",
 }
+# each student's own, in a cell of its own
+FORM = "def form(theta, d, a, alpha):\n" + "".join(
+    f"    {line}\n" for line in RIGHT_FORM.splitlines()
+)
 HONEST = {
     "as handed out": lambda notebook, facts: None,
-    "with the moves of dhlab": closed(
-        "return transform.rot_z(theta) @ transform.trans([a * 0, 0, d]) @ transform.trans_x(a)"
-        " @ transform.rot_x(alpha)"
+    "with the moves of dhlab": corpus.answer(
+        "05.4",
+        "def dh_transform(theta, d, a, alpha):\n"
+        "    return transform.rot_z(theta) @ transform.trans([a * 0, 0, d]) @ transform.trans_x(a)"
+        " @ transform.rot_x(alpha)",
     ),
     "helpers, constants and a cache": lambda notebook, facts: (
         corpus.first(
@@ -142,28 +149,28 @@ HONEST = {
     ),
     "tries the library and goes on": closed(
         f"try:\n    return np.array({FORWARD})\nexcept Exception:\n"
-        "    return dh_transform(theta, d, a, alpha)"
+        "    return form(theta, d, a, alpha)"
     ),
     "a class": corpus.answer(
         "05.6",
         "class Link:\n    def __call__(self, theta, d, a, alpha):\n"
-        "        return dh_transform(theta, d, a, alpha)\ndh_closed = Link()",
+        "        return form(theta, d, a, alpha)\ndh_closed = Link()",
     ),
     "made by exec": corpus.answer(
-        "05.6", "exec('def dh_closed(theta, d, a, alpha): return dh_transform(theta, d, a, alpha)')"
+        "05.6", "exec('def dh_closed(theta, d, a, alpha): return form(theta, d, a, alpha)')"
     ),
     "data of an arm": closed(
-        "return one * dh_transform(theta, d, a, alpha)",
+        "return one * form(theta, d, a, alpha)",
         "arm = dh.load('ur5e')\none, T = len(arm.table.rows) / 6, arm.forward(np.zeros(6))",
     ),
-    "lists, not arrays": closed("return dh_transform(theta, d, a, alpha).tolist()"),
+    "lists, not arrays": closed("return form(theta, d, a, alpha).tolist()"),
     "redefined after its check": lambda notebook, facts: notebook["cells"].append(
-        corpus.code("def dh_closed(*row): return 0\ndef dh_transform(*row): return None")
+        corpus.code("def dh_closed(*row): return 0\ndef form(*row): return None")
     ),
     "its helper's name taken by the lesson afterwards": lambda notebook, facts: (
         corpus.answer(
             "05.6",
-            "def frames(*row): return dh_transform(*row)\n"
+            "def frames(*row): return form(*row)\n"
             "def dh_closed(theta, d, a, alpha): return frames(theta, d, a, alpha)",
         )(notebook, facts),
         notebook["cells"].append(corpus.code("frames = 3\nprint(frames)")),
@@ -198,6 +205,7 @@ def by_name(kept_cages, tmp_path_factory):
         own = top / "class" / f"s{number:02d}"
         own.mkdir(parents=True)
         notebook = corpus.solved()
+        corpus.first(FORM)(notebook, {})
         make(notebook, {})
         (own / "05-link-matrix.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
         names[own.name] = name

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...doctor.programs.running.calling import Called
 from ...doctor.programs.running.made import matrices_made
 from ...doctor.programs.search.slipsearch import wrong_entries
 from ..kinds import Function, Known, Said
@@ -46,11 +47,19 @@ class ClosedForm(Function):
     product of matrices that other functions make is not asked.
     """
 
+    watched: ClassVar[bool] = True
+
     def compare(self, answer: Any, variant: int) -> Verdict:
         verdict = super().compare(answer, variant)
-        if verdict.status != RIGHT or len(matrices_made(answer, self.cases(variant)[0])) < 2:
+        if verdict.status != RIGHT or self._made(answer, variant) < 2:
             return verdict
         return self.told(None, OF_OTHERS_MENDED if self.handed_out else OF_OTHERS)
+
+    def _made(self, answer, variant):
+        """How many functions made a matrix for the program."""
+        if isinstance(answer, Called):
+            return answer.made
+        return len(matrices_made(answer, self.cases(variant)[0]))
 
     def refine(
         self, mistake: str | None, answers: Sequence[NDArray], cases: Sequence[tuple]

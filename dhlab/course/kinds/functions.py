@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from ...doctor.programs.cases import is_long, where
 from ...doctor.programs.explain import AND, NUMBERS
 from ...doctor.programs.running.answers import answers_in_time
 from ...doctor.programs.running.calling import Called, CallFault, is_stub
-from ...doctor.programs.source.precision import single_precision
+from ...doctor.programs.source.precision import SINGLE, single_precision
 from ...printing import listed as joined
 from ...table import COLUMNS
 from ..verdict import NOT_ATTEMPTED, RIGHT, WRONG, Verdict
@@ -26,7 +26,8 @@ __all__ = ["CASES", "Function"]
 
 NEAR = 1e-7  # largest deviation of a program that was changed by way of trial
 SECONDS = 0.5  # of the processor, to look for the lines that must change
-SINGLE = 1e-5  # largest deviation of an answer in single precision, absolute and relative
+COARSER = 100  # times what an exercise allows itself, where that is much: single precision
+IN_DOUBLE = "It computes in single precision (float32): say dtype=float, and check it again."
 # seeded inputs of a function exercise, unless it says how many, and poses of a table exercise
 CASES = 24
 
@@ -43,7 +44,7 @@ class Function(Exercise):
     the answer as it is compared, what is free in it (whole turns, an order) taken out; ``library``:
     it may call dhlab's own kinematics, which otherwise earns nothing when it is graded;
     ``if_special`` is the next step of a program that is wrong in special calls alone; ``angles``:
-    the answers are angles, in radians.
+    the answers are angles, in radians; ``watched``: it is asked which functions made matrices.
     """
 
     answer: Callable
@@ -63,6 +64,7 @@ class Function(Exercise):
     )
     angles: bool = False
     tolerance: float = 1e-9
+    watched: ClassVar[bool] = False
 
     @kept_apart
     def cases(self, variant: int) -> list[tuple]:
@@ -112,7 +114,9 @@ class Function(Exercise):
         try:
             called, given = answers_in_time(answer, cases, self.shape, self.names)
             cases, general = [cases[k] for k in called], sum(k < self.calls for k in called)
-            tolerance = SINGLE if single_precision(answer, given) else self.tolerance
+            told = isinstance(answer, Called) and answer.single
+            single = told or single_precision(answer, given)
+            tolerance = max(SINGLE, COARSER * self.tolerance) if single else self.tolerance
             answers = [self.read(one) for one in given]
         except CallFault as fault:
             return self.wrong(
@@ -130,11 +134,8 @@ class Function(Exercise):
         verdict = self._in_degrees(given, expected) or self._compared(
             answers, expected, cases, general, tolerance
         )
-        return (
-            verdict
-            if verdict.status == RIGHT or verdict.mistake
-            else self._told_where(verdict, answer, cases)
-        )
+        known = verdict.status == RIGHT or verdict.mistake
+        return verdict if known else self._told_where(verdict, answer, cases)
 
     def _in_degrees(self, given, expected):
         """The Verdict on angles that are right as degrees; None."""
@@ -172,7 +173,7 @@ class Function(Exercise):
                 headline=f"right at general numbers, wrong {'where ' if place else 'in a special '}"
                 f"{place or 'case'}",
                 place=self._call(wrong[0]),
-                next=self.if_special,
+                next=IN_DOUBLE if tolerance > self.tolerance else self.if_special,
             )
         asked = [
             k for k in range(len(cases)) if k < general or (self._of_rows and is_long(cases[k]))

@@ -11,6 +11,7 @@ from .explain import explain_all, seen_in
 from .running.answers import call_all
 from .running.calling import CallFault
 from .search.ends import at_the_ends
+from .source.precision import SINGLE
 
 __all__ = [
     "EXACT",
@@ -25,8 +26,7 @@ __all__ = [
     "special",
 ]
 
-# largest deviation of an agreeing answer, absolute and relative; the second in single precision
-EXACT, SINGLE = 1e-6, 1e-5
+EXACT = 1e-6  # largest deviation of an agreeing answer, absolute and relative
 UNKNOWN = "No known mistake"
 
 

@@ -48,7 +48,7 @@ def diagnose_function(f, kind, *, arm=None, convention="standard"):
     The function is called in this process, on seeded general numbers and on special ones (zeros,
     right and whole turns, long and negative lengths, one row and seven), on copies, and twice with
     the same. Right answers agree in any dress: lists, tuples, ``np.matrix``, SymPy, within 1e-6
-    (1e-5 where it computes in single precision). Where the function's text can be read, the lines
+    (4e-6 where it computes in single precision). Where the function's text can be read, the lines
     are told that must change: its file or cell is tried again with one or two things in it changed,
     until it is right; nothing of that is kept.
 

@@ -22,8 +22,12 @@ LEFT_OUT = shutil.ignore_patterns(*NOT_STAGED, "*.tmp")
 KEPT = ("units.py", "checks.py", "table.py")  # of the library, in the second
 # of the course: what lessons call and what holds no exercise
 FREE_OF_ANSWERS = ("othersolvers.py", "simulator.py")
-CALLS = PACKAGE / "doctor" / "programs" / "running"
-CALLING = ("calling.py", "stops.py")  # how a learner's function is called, and Python's errors
+PROGRAMS = PACKAGE / "doctor" / "programs"
+# how a learner's function is called, Python's errors, and how it comes to its answers
+CALLING = (
+    *("running/calling.py", "running/stops.py", "running/watched.py", "running/made.py"),
+    "source/precision.py",
+)
 LOADED = re.compile(r'dh\.load\(\\?"([\w.-]+)\\?"\)')
 COMPILED = "kernel_"  # of dhlab.fast: compiled when it is loaded, for many seconds, and off here
 NEEDED = re.compile(r"^\s*(?:import|from)\s+((?:scipy|sympy)[\w.]*)", re.MULTILINE)
@@ -52,9 +56,7 @@ def stage(folder: str, room: str = OPEN) -> None:
         ignore=shutil.ignore_patterns("stand_in"),
     )
     for name in CALLING:
-        shutil.copy2(
-            PACKAGE / "doctor" / "programs" / "running" / name, target / "grading" / "inside"
-        )
+        shutil.copy2(PROGRAMS / name, target / "grading" / "inside")
     for name in ("course", "view"):
         (target / name).mkdir()
         shutil.copy2(STAND_IN / f"{name}.py", target / name / "__init__.py")

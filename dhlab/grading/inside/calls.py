@@ -20,6 +20,8 @@ import numpy as np
 
 from .calling import Fault, call, fits, is_stub, quiet
 from .clock import limited
+from .made import matrices_made
+from .precision import says_single
 from .reading import notebook as notebooks
 from .reading.demonstrations import print_of
 from .reading.slices import UNREADABLE, Statement, needed, statements
@@ -64,6 +66,7 @@ class _Room:
         self.seconds = request["cell_seconds"]
         self.noted = None
         self.function = None
+        self.made_of: list[Statement] = []
 
     def note(self, key, answer):
         """What ``check`` is called for: the last one counts."""
@@ -101,12 +104,14 @@ class _Room:
         if not fits(found, self.request["names"]):
             return {"fault": {"kind": "signature"}}
         self.function = found
+        single = says_single([one.node for one in self.made_of], names)
         if self.request["whole"]:  # what other cells asked for is not told of this program
             self.missed()
-        return {"ready": 1}
+        return {"ready": 1, "single": single}
 
     def _make(self, names):
-        for one in self._statements():
+        self.made_of = self._statements()
+        for one in self.made_of:
             try:
                 run_statement(one.node, f"<cell {one.cell + 1}>", names)
             except (Exception, SystemExit, KeyboardInterrupt):
@@ -165,6 +170,8 @@ class _Room:
                 found = call(self.function, case)
                 absent = isinstance(found, Absent)
                 line = {"fault": {"kind": "absent"}} if absent else {"value": encode(found)}
+                if question.get("watched"):
+                    line["made"] = self._made(case)
             except Fault as fault:
                 error = type(fault.error).__name__
                 line = {"fault": {"kind": fault.kind, "error": error, "line": fault.line}}
@@ -173,6 +180,13 @@ class _Room:
 
         ended = limited(act, self.seconds)
         return {"stopped": "timed out"} if ended else line
+
+    def _made(self, case):
+        """How many functions make matrices for the program; none where it stops this time."""
+        try:
+            return len(matrices_made(self.function, case))
+        except (Exception, SystemExit):
+            return 0
 
 
 def _install_transform(code):

@@ -83,20 +83,22 @@ def ask(
     absent: set[str] = set()
     with cage.talk(request, notebook, cage.limits.seconds) as talk:
         line = talk.ask()
-        to_make_it = _closed(line)
+        to_make_it, single, made = _closed(line), bool(line and line.get("single")), 0
         while line is not None and ("ready" in line or "value" in line):
             if "value" in line:
                 answers.append(_plain(line["value"]))
+                made = line["made"] if isinstance(line.get("made"), int) else 0
             if len(answers) > len(cases):
                 break
             case = cases[len(answers) % len(cases)]  # the first once more at the end
-            line = talk.ask({"case": [pack(value) for value in case]})
+            watched = exercise.watched and len(answers) == len(cases)
+            line = talk.ask({"case": [pack(value) for value in case], "watched": watched})
             closed |= _closed(line)
             absent |= {name for name in _named(line, "absent") if name in PACKAGES}
     complete = len(answers) > len(cases)
     called, stopped = Called(), ""
     if complete:
-        called = Called(tuple(answers[:-1]), answers[-1])
+        called = Called(tuple(answers[:-1]), answers[-1], single=single, made=made)
     elif line is None:
         stopped = talk.stopped
     elif isinstance(line.get("fault"), dict):

@@ -58,13 +58,16 @@ class Called:
     """What a function gave when it was called: the answer to every case and, again, to the first;
     or the fault that stopped it.
 
-    ``unwritten``: it raises NotImplementedError.
+    ``unwritten``: it raises NotImplementedError. Of one that was called somewhere else: whether its
+    text says that it computes in single precision, and how many functions made matrices for it.
     """
 
     answers: tuple = ()
     again: object = None
     fault: CallFault | None = None
     unwritten: bool = False
+    single: bool = False
+    made: int = 0
 
 
 def is_stub(f):
@@ -113,7 +116,7 @@ def record(f, cases, names, run=None):
     Examples
     --------
     >>> record(lambda x: x + 1, [(1,), (2,)], ["x"])
-    Called(answers=(2, 3), again=2, fault=None, unwritten=False)
+    Called(answers=(2, 3), again=2, fault=None, unwritten=False, single=False, made=0)
     """
     if not fits(f, names):
         return Called(fault=_misfit(f, names))

@@ -11,8 +11,9 @@ THEIRS = ("numpy", "sympy")  # packages whose functions are left out
 
 
 def matrices_made(f, case):
-    """The names of the functions, numpy's and sympy's aside, that made a 4×4 array out of numbers
-    alone while ``f`` was called; that of ``f`` itself is not among them.
+    """The names of the functions, numpy's and sympy's aside, that made a 4×4 array while ``f`` was
+    called, out of numbers alone of which one is of the case; that of ``f`` itself is not among
+    them.
 
     Examples
     --------
@@ -25,7 +26,7 @@ def matrices_made(f, case):
 
     def look(frame, value):
         of_another = frame.f_code is not f.__code__
-        if of_another and getattr(value, "shape", None) == (4, 4) and _of_numbers(frame):
+        if of_another and getattr(value, "shape", None) == (4, 4) and _of_numbers(frame, case):
             names.append(frame.f_code.co_name)
 
     if getattr(f, "__code__", None) is not None:
@@ -34,8 +35,11 @@ def matrices_made(f, case):
     return names
 
 
-def _of_numbers(frame):
-    """Whether a function of nobody else's was called with numbers, and with nothing else."""
+def _of_numbers(frame, case):
+    """Whether a function of nobody else's was called with numbers, one of the case among them, and
+    with nothing else.
+    """
     package, code = str(frame.f_globals.get("__name__")).split(".")[0], frame.f_code
     given = [frame.f_locals.get(name) for name in code.co_varnames[: code.co_argcount]]
-    return package not in THEIRS and bool(given) and not any(map(np.ndim, given))
+    alone = package not in THEIRS and not any(map(np.ndim, given))
+    return alone and any(one in case for one in given)

@@ -9,9 +9,12 @@ from types import ModuleType
 
 import numpy as np
 
-__all__ = ["single_precision"]
+__all__ = ["SINGLE", "says_single", "single_precision"]
 
-SINGLE = (np.float32, np.float16)
+# largest deviation of an answer in single precision, absolute and relative: a right chain of six
+# links differs by 8 steps of a float32, and by 22 where its angles go through degrees and back
+SINGLE = 32 * float(np.finfo(np.float32).eps)
+KINDS = (np.float32, np.float16)
 NAMES = {"float32", "single", "f4", "f", "float16", "half", "f2", "e"}  # in a text
 OF_KINDS = {  # calls that are told by an argument of which kind their numbers are
     "array", "asarray", "astype", "dtype", "empty", "eye", "full", "identity", "ones", "zeros",
@@ -28,9 +31,21 @@ def single_precision(f, answers):
     >>> single_precision(None, [np.eye(4, dtype=np.float32)]), single_precision(abs, [np.eye(4)])
     (True, False)
     """
-    if all(answer.dtype in SINGLE for answer in answers):
+    if all(answer.dtype in KINDS for answer in answers):
         return True
     return any(_is_single(node, space) for node, space in _read(f))
+
+
+def says_single(nodes, space):
+    """Whether somewhere within the nodes of a program, whose names are in ``space``, an array or a
+    number is made of 32 or 16 bits.
+
+    Examples
+    --------
+    >>> says_single([ast.parse("np.eye(4, dtype='f4')")], {"np": np})
+    True
+    """
+    return any(_is_single(one, space) for node in nodes for one in ast.walk(node))
 
 
 def _read(f, deep=DEEP):
@@ -129,6 +144,6 @@ def _means_single(value):
     """Whether a type, a dtype or the name of one is of 32 or 16 bits."""
     if isinstance(value, str):
         return value.lstrip("<>=") in NAMES
-    return any(value is kind for kind in SINGLE) or (
-        isinstance(value, np.dtype) and value.type in SINGLE
+    return any(value is kind for kind in KINDS) or (
+        isinstance(value, np.dtype) and value.type in KINDS
     )
