@@ -112,6 +112,22 @@ def test_ids_and_exercises_may_stand_without_quotes(tmp_path):
     assert mine.exercises["05.2"].ticks == (1, 2)
 
 
+@pytest.mark.parametrize("student", ["null", "Null", "1000"])
+def test_an_id_that_yaml_reads_as_another_thing_is_itself(tmp_path, student):
+    """Also beside one that YAML would take for the same."""
+    path = tmp_path / "decisions.yaml"
+    written = (
+        f"students:\n    {student}: {{bonus: 1}}\n    NULL: {{bonus: 2}}\n    1e3: {{bonus: 3}}\n"
+    )
+    path.write_text(written, encoding="utf-8")
+    hold(path, student, "we have to talk")
+    found = read_decisions(path).students
+    assert found[student].hold and found[student].bonus == 1 and len(found) == 3
+    path.write_text("students: null\n", encoding="utf-8")
+    hold(path, student, "we have to talk")
+    assert read_decisions(path).students.keys() == {student}
+
+
 def test_next_weeks_file_of_the_same_name_leaves_this_weeks_answers(tmp_path):
     weeks = "2026-11-01 10:00, zip", "2026-11-08 10:00, zip"
     marks = [

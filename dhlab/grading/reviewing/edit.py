@@ -1,6 +1,7 @@
 """Changes of ``decisions.yaml`` that keep everything else in it: comments, order, quotes."""
 
 import io
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -10,23 +11,25 @@ from ruamel.yaml.comments import CommentedMap, CommentedSeq
 from ruamel.yaml.nodes import ScalarNode
 from ruamel.yaml.resolver import VersionedResolver
 from ruamel.yaml.scalarstring import DoubleQuotedScalarString
-from ruamel.yaml.util import load_yaml_guess_indent
 
 from ...formats import files
 from ..results.decisions import read_decisions
 
 __all__ = ["decide", "hold"]
 
+INDENTED = re.compile(r"^( +)[^\s#]", re.MULTILINE)
+
 
 class _Plain(VersionedResolver):
     """Everything that is written there stays the text that it is: dates and numbers, and a key such
-    as ``05.4`` or ``1001``, which is an exercise or a student.
+    as ``05.4``, ``1001`` or ``null``, which is an exercise or a student.
     """
 
     def resolve(self, kind, value, implicit):
         tag = super().resolve(kind, value, implicit)
-        as_it_is = kind is not ScalarNode or str(tag).endswith(":null")
-        return tag if as_it_is else super().resolve(kind, "text", implicit)
+        return (
+            tag if kind is not ScalarNode or not value else super().resolve(kind, "text", implicit)
+        )
 
 
 def decide(
@@ -62,10 +65,10 @@ def _change(path, keys, said):
     path = Path(path)
     read_decisions(path)  # a file that grading refuses is not ours to mend
     old = files.read_text(path, "a teacher's decisions") if path.exists() else ""
-    _, indent, _ = load_yaml_guess_indent(old) if old.strip() else (None, 2, None)
+    first = INDENTED.search(old)
     yaml = YAML()
     yaml.Resolver = _Plain
-    yaml.preserve_quotes, yaml.width, yaml.map_indent = True, 100_000, indent or 2
+    yaml.preserve_quotes, yaml.width, yaml.map_indent = True, 100_000, len(first[1]) if first else 2
     top = yaml.load(old)
     top = CommentedMap() if top is None else top
     _set(top, keys, said)
@@ -80,7 +83,7 @@ def _set(top, keys, said):
     chain: list[tuple[Any, str]] = []
     here = top
     for key in keys:
-        if here.get(key) is None:
+        if not isinstance(here.get(key), Mapping):  # nothing, in one of YAML's words for it
             here[_key(key)] = CommentedMap()
         chain.append((here, key))
         here = here[key]
