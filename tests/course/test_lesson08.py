@@ -432,6 +432,18 @@ def test_the_handed_out_pose_error_is_no_attempt_and_its_fix_is_small():
     assert LESSON["08.4"].judge(handed_out).status == "not attempted"
 
 
+def test_a_program_that_gives_a_column_is_told_what_that_does():
+    """The lesson's next cell adds its step to the row of the joints, and would go on with 36
+    numbers. A value that is a column is only read, and right.
+    """
+    verdict = LESSON["08.4"].judge(lambda T, T_goal: pose_error(T, T_goal)[:, None])
+    assert "6×1, expected 6" in verdict.headline and "A row and a column" in verdict.next
+    q, (T, T_goal) = np.zeros(6), LESSON["08.4"].cases(0)[0]
+    assert (q + ARM.jacobian(q).T @ pose_error(T, T_goal)[:, None]).shape == (6, 6)
+    value = LESSON["08.13"]
+    assert value.judge(np.reshape(value.expected(0), (6, 1))).status == "right"
+
+
 def test_orders_of_the_loop():
     exercise, right, named, all_wrong = LESSON["08.5"], [], 0, 0
     for letters in permutations("abcdefgh", 5):

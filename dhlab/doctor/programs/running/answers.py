@@ -241,6 +241,8 @@ def _other_shape(array, shape, case, names):
         )
     elif len(shape) == 1 and array.size == shape[0]:
         do = "np.ravel(…) around all of them makes one row."
+        if array.shape[1:] == (1,):  # what calls it would go on with n×n numbers
+            do = "A row and a column add up to a table: np.ravel(…) makes a row of the column."
     elif array.ndim == len(shape) + 1 and array.shape[1:] == shape:
         do = (
             "It comes back inside a list: return it alone."
