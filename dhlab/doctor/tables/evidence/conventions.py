@@ -5,8 +5,8 @@ definitions in words.
 import re
 
 from ..language.roles import role_of
-from .products import multiplied_moves
-from .scenes import nested_moves
+from .matrix.products import multiplied_moves
+from .matrix.scenes import nested_moves
 
 __all__ = ["convention_in", "defined_in", "has_formula"]
 

@@ -10,8 +10,8 @@ from ..language.expressions import evaluate
 from ..language.shifted import QUARTER
 from .branches import row_of
 from .conventions import has_formula
-from .entries import matrices
-from .matrices import link_matrix_in, said_plainly
+from .matrix.entries import matrices
+from .matrix.matrices import link_matrix_in, said_plainly
 
 __all__ = ["calls_of", "link_functions", "rows_of_calls"]
 

@@ -25,7 +25,7 @@ from ..language.shifted import with_shifts
 from ..language.wrapping.comments import without_comments
 from ..language.wrapping.unwrapped import unwrapped
 from .makers import called_convention
-from .matrices import link_matrix_in
+from .matrix.matrices import link_matrix_in
 from .orders import order_in
 
 __all__ = ["Source", "source_of"]

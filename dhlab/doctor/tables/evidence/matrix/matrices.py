@@ -9,9 +9,9 @@ from itertools import permutations, product
 
 import numpy as np
 
-from ....kinematics import link_matrices
-from ..language.expressions import NoExpression, evaluate
-from ..language.roles import ROLES, role_of
+from .....kinematics import link_matrices
+from ...language.expressions import NoExpression, evaluate
+from ...language.roles import ROLES, role_of
 from .entries import matrices
 
 __all__ = ["INDEX", "LinkMatrix", "link_matrix_in", "said_plainly"]

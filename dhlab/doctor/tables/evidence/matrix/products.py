@@ -6,9 +6,9 @@ import re
 
 import numpy as np
 
-from ....transform import rot_x, rot_z, trans
-from ..language.brackets import groups
-from ..language.expressions import NoExpression, evaluate
+from .....transform import rot_x, rot_z, trans
+from ...language.brackets import groups
+from ...language.expressions import NoExpression, evaluate
 from .entries import in_rows
 from .matrices import INDEX
 

@@ -5,7 +5,7 @@ list, entry by entry, row by row, column by column, drawn.
 import re
 from itertools import islice
 
-from ..language.brackets import Group, cells_in, groups
+from ...language.brackets import Group, cells_in, groups
 
 __all__ = ["in_rows", "matrices"]
 
