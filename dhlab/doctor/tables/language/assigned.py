@@ -25,6 +25,7 @@ ASSIGNED = re.compile(
 LETTER = re.compile(r"(?:alpha|theta|[adlhr])_?\{?\d+\}?", re.IGNORECASE)
 NUMBER = re.compile(r"[-+]?\d*\.?\d+\s*(?:mm|cm|m|deg|°|rad)?")
 UNIT = re.compile(r"[\[(]?(?:mm|cm|m|deg|rad)[\])]?")
+OF_A_ROW = re.compile(r"theta|\bpi\b|\b[qt]_?\{?\d")  # a cell of the table itself
 # a number under a name, alone in its line; and where the order of lines is no order of time
 PLAIN = re.compile(r"\s*([A-Za-z_]\w*)\s*=\s*[-+*/.\deE() \t]+;?\s*")
 BEGINS = re.compile(
@@ -130,12 +131,14 @@ def listed_in(text):
 
     Examples
     --------
-    >>> listed_in("| Base height | d1 | 0.089 | m |\\n| 1 | 0 | d1 | q1 |")
+    >>> listed_in("| Base height | d1 | 0.089 | m |\\n| J1 | d1 | q1 | 0 | pi/2 |")
     {'d1': '0.089 m'}
     """
     known: dict = {}
     for line in text.split("\n"):
         cells = [cell.strip(" *`$") for cell in re.split(r"[|\t]", line)]
+        if any(OF_A_ROW.search(cell) and not LETTER.fullmatch(cell) for cell in cells):
+            continue
         names = [cell for cell in cells if LETTER.fullmatch(cell)]
         numbers = [cell for cell in cells if NUMBER.fullmatch(cell)]
         if len(names) == len(numbers) == 1 and cells.index(names[0]) < cells.index(numbers[0]):

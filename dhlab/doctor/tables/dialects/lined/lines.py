@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from itertools import groupby
 
 from ...cells import cell_or_none, read_cell
 from ...evidence.orders import order_of_names
@@ -13,6 +12,7 @@ from .copied import MOST_WORDS, named_one_a_line, one_cell_a_line
 from .grid import NoRows, from_grid
 from .heading import header, units_of
 from .spaced import bare_row, is_cell, require_whole_row, spaced_cells, under_names, with_fifth
+from .splitting import splitter
 
 __all__ = ["TwoTables", "read"]
 
@@ -23,7 +23,6 @@ ROW = re.compile(
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
 LIST = re.compile(r"\s*(\w+)\s*=[^=\[{(]*[\[{(]")
-MARKS = ("|", "\t", ";", ",")
 MOST_LINES = 60
 
 
@@ -92,7 +91,7 @@ def _from_lines(texts, source):
         and (not _assignment(line) or bare_row(line))
         and not ((named := LIST.match(line)) and _is_column(named[1], source))
     ]
-    split, mark = _splitter([line for _, line in lines])
+    split, mark = splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
     grid = _with_heading(_upright(grid), source, split)
     grid = one_cell_a_line(grid, lines) or named_one_a_line(lines) or _table_only(grid)
@@ -180,39 +179,6 @@ def _assignment(line):
     return (
         bool(re.match(r"\s*(?:where\b.*|[A-Za-z_]\w*\s*)=\s*[^\[{|\t]*$", line)) and "|" not in line
     )
-
-
-def _splitter(lines):
-    """(how the cells of these lines are separated, the mark); a comma is a decimal one where
-    something else separates.
-    """
-    tables = [line for line in lines if re.search(r"\d", line)] or lines
-    for mark in MARKS:
-        least = 2 if mark in "|\t" else 3
-        if sum(line.count(mark) >= least for line in tables) > (
-            0 if mark in "|\t" else len(tables) / 2
-        ):
-            if mark == ",":
-                return lambda line: [cell.strip() for cell in re.split(r",(?![^(]*\))", line)], mark
-            return (lambda line, mark=mark: _trimmed(line.split(mark), mark)), mark
-    wide, narrow = ([spaced_cells(line, gap) for line in lines] for gap in (True, False))
-    if _alike(wide) >= max(_alike(narrow), 1):
-        return (lambda line: spaced_cells(line, True)), None
-    return (lambda line: spaced_cells(line, False)), None
-
-
-def _alike(rows):
-    """How many rows of one width, four or more, follow each other."""
-    runs = ((width, len(list(run))) for width, run in groupby(map(len, rows)))
-    return max((length for width, length in runs if width >= 4), default=0)
-
-
-def _trimmed(cells, mark):
-    cells = [cell.strip() for cell in cells]
-    if mark == "|":
-        cells = cells[1:] if cells and not cells[0] else cells
-        cells = cells[:-1] if cells and not re.search(r"[^\W_]|-|[?…]", cells[-1]) else cells
-    return cells
 
 
 def _table_only(grid):

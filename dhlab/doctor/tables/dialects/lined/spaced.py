@@ -115,12 +115,19 @@ def under_names(texts):
         for at, below in enumerate(_with_fractions(texts[k + 1 :]), k + 2):
             cells = cells_in(_joined(LABEL.sub("", below)))
             if len(cells) >= 4 and all(map(is_cell, cells[:4])):
-                rows.append((f"line {at}", cells[:4]))
+                rows.append((f"line {at}", cells))
             elif rows and below.strip():
                 break
         if len(rows) > 1:
-            return rows, named[0], named[1]
+            first = int(_are_counted(rows))
+            return [(at, cells[first : first + 4]) for at, cells in rows], named[0], named[1]
     return None
+
+
+def _are_counted(rows):
+    """Whether the rows have their numbers before the four cells, 1,q1,0.2,0,90."""
+    first = [cells[0] for _, cells in rows if len(cells) > 4]
+    return first in ([*map(str, range(n, n + len(rows)))] for n in (0, 1))
 
 
 def _with_fractions(texts):
