@@ -2,14 +2,25 @@
 with a small grammar, never evaluated.
 """
 
+import math
 import re
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import product
 
 from .language.expressions import NoExpression, Value, evaluate
 from .language.letters import KEPT, plain, unified
 
-__all__ = ["BESIDE", "Cell", "cell_or_none", "read_cell", "cell_of", "kind_of_letter", "plain"]
+__all__ = [
+    "BESIDE",
+    "FOOTNOTE",
+    "Cell",
+    "cell_or_none",
+    "read_cell",
+    "cell_of",
+    "kind_of_letter",
+    "plain",
+]
 
 LONGEST = 200
 TWO_JOINTS = re.compile(r"\bprismatic\b.*\brevolute\b|\brevolute\b.*\bprismatic\b", re.IGNORECASE)
@@ -27,6 +38,20 @@ TOLERANCE = re.compile(  # 0.200 ± 0.001 mm
     r"^([-+]?\d[\d.,]*)\s*(?:±|\+/-)\s*\d[\d.,]*(\s*(?:mm|cm|m|°|deg|rad)?)$"
 )
 MEASURED = re.compile(r"[LDAH]_?[A-Za-z]{1,12}\s*=\s*(?=[-+]?\d*\.?\d+\s*(?:mm|cm|m)$)")
+FOOTNOTE = re.compile(  # 150¹, 150 [1], 150†, 150<sup>1</sup>; ten to a power is none
+    r"^(?![-+]?10\D)([-+]?\d[\d.,]*(?: ?(?:mm|cm|m|°|deg|rad))?)"
+    r"(?:[¹²³⁴⁵⁶⁷⁸⁹]|[†‡§¶]+| ?\[\d\]|_\d| \(\d\))$"
+)
+VARIABLE = re.compile(  # theta1 (variable) - 90, variable theta1, theta1(t)
+    r"(?<=\w)\s*\((?:(?:joint )?var(?:iable|\.)?|t)\)|^(?:joint )?var(?:iable|\.)?\s+(?=\w*\d)"
+    r"|(?<=^var)\.$|(?<=^joint)\s+(?=\d$)|(?<=^joint) angle\s+(?=\d$)",
+    re.IGNORECASE,
+)
+BOLD = re.compile(r"(?<![\w)])\*\*([^*]+)\*\*(?!\w)")  # a part of the cell
+BOTH = re.compile(  # pi/2 (90°) and -90° (-pi/2)
+    r"(?<![\w.])((?:[\d.]*\*?pi(?:/\d+)?|\d[\d.]*)\s*(?:rad|°)?|\(+pi\)/\(\d\)+)\s*"
+    r"\(\s*((?:[-+]?[\d.]*\*?pi(?:/\d+)?|[-+]?\d[\d.]*)\s*(?:rad|°)?)\s*\)$"
+)
 KINDS = (
     ("alpha", r"(?:alpha|alfa|alp|al)\d*"),
     ("theta", r"(?:theta|th|t|tt|tht)\w{0,2}?(?:\d+|\[.*\]|[ijk])?"),
@@ -153,17 +178,39 @@ def cell_or_none(text):
         return None
 
 
+def _once_in_one_unit(text):
+    """A cell without the second of two angles that are the same one: ``pi/2 (90°)``.
+
+    Raises
+    ------
+    NoExpression
+        They are two.
+    """
+    found = BOTH.search(text)
+    if not found:
+        return text
+    one, other = (evaluate(part) for part in found.groups())
+    minus = -1 if text[: found.start()].rstrip().endswith("-") else 1
+    angles = [(one.number * minus, one.unit), (other.number, other.unit)]
+    in_radians = ([n if u == "rad" else math.radians(n)] + [n] * (u == "") for n, u in angles)
+    if not any(math.isclose(*pair, rel_tol=1e-3) for pair in product(*in_radians)):
+        raise NoExpression(text)
+    return text[: found.end(1)]
+
+
 def _trimmed(text):
     """Without what decorates a cell: quotes, Markdown's stars, `(var)`, a decimal comma."""
     text = text.strip().strip("`'\"").strip()
     bold = re.fullmatch(r"\*\*(.+)\*\*|__(.+)__|\*([^*]+)\*|_([^_]+)_", text)
     text = next(part for part in bold.groups() if part) if bold else text
+    text = VARIABLE.sub("", BOLD.sub(r"\1", _once_in_one_unit(FOOTNOTE.sub(r"\1", text))))
     text = re.sub(r"(?<=\w)\s*[(\[]\s*±[^()\[\]]*[)\]]$", "", text)  # theta1 (±180°)
     text = RANGE.sub(r"\1", text)
     text = TOLERANCE.sub(r"\1\2", text)
     text = re.sub(rf"^{BESIDE.pattern}$", r"\1 + (\2)", text)
-    text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=\S)\s+\([^\d()*+/=°]+\)$", "", text)
-    text = re.sub(r"^([-+]?\d*),(\d+)(?=\D|$)", r"\1.\2", text)
+    text = re.sub(r"(?<=.)\s*\((?:var|offset)\)|(?<=[^-+\s])\s+\([^\d()*+/=°]+\)$", "", text)
+    text = re.sub(r"^([-+]?\d*|\w+ ?[-+] ?\d+),(\d+)(?=\D|$)", r"\1.\2", text)
+    text = re.sub(r"^[~≈]\s*(?=[-+]?[\d.])", "", text)  # as somebody measured it
     if beside := NAMED_NUMBER.fullmatch(text):
         text = beside[2] or beside[3]  # the number of a length or twist
     named = re.match(r"([A-Za-z]\w*)\s*=\s*(?=[-+.\w(])", text)

@@ -22,6 +22,7 @@ SAME = str.maketrans(
         **dict.fromkeys("πΠϖ", "pi"),
         **dict.fromkeys("θϑΘϴѳѲөӨɵƟᶿ", "theta"),
         **dict.fromkeys("α⍺ɑⲁ∝", "alpha"),
+        **dict.fromkeys("φϕ", "phi"),
         "Δ": "delta",
         "δ": "delta",
         "σ": "sigma",

@@ -13,6 +13,10 @@ PREVIOUS = re.compile(
     r"\(?(?:(?<![a-z])|(?<=[a-z]))[ijkn]\s*-\s*1\)?|(?<![a-z])(?:previous|prev)(?![a-z])|_i?_?m_?1\b"
 )
 LOST_MINUS = re.compile(r"^(alpha|theta|[adr]) ?([ijn]) 1\b")  # a page without its signs
+# a - length along x, d along z
+EXPLAINED = re.compile(
+    r"(?!theta.*off)(alpha|theta|[adr])(?:_?[ijkn])? (?:- |: |along |about |around )[a-z]"
+)
 FOREIGN_UNITS = {
     **dict.fromkeys(
         "grad grados graus gradi degrés stopnie stupně graden derece độ derajat град градусы"
@@ -39,13 +43,18 @@ UNIT_OF = {
     "radian": "rad",
     **FOREIGN_UNITS,
 }
-FOREIGN = (  # German, French, Spanish, Italian; Chinese and Japanese; without accents
-    (r"verdreh|verwind|torsion|torsione|扭|连杆转角|連桿轉角|ねじれ", "alpha"),
-    (r"gelenkwinkel|drehwinkel|angle articulaire|angle de (l'|la )|angulo (de|articular)"
-     r"|angolo (di|del)|关节(转)?角|關節(轉)?角|関節角", "theta"),
-    (r"versatz|decalage|desplazamiento|偏距|偏置|偏移|オフセット|リンク間", "d"),
-    (r"lange\b|laenge\b|longueur|longitud|lunghezza|杆(件)?长|桿(件)?長|リンク長|リンクの長",
-     "a"),
+MARKS = {chr(k) for k in range(0x300, 0x370)}  # on Latin letters
+FOREIGN = (  # as :func:`_without_accents` leaves them
+    (r"verdreh|verwind|torsion|torsione|torcao|skrecen|zkrut|burulma|скручив|кручен|扭|连杆转角"
+     r"|連桿轉角|ねじれ|비틀림", "alpha"),
+    (r"gelenkwinkel|drehwinkel|angle articulaire|angle de (l'|la )|angulo (de|da|do|articular)"
+     r"|angolo (di|del)|kat (przegub|obrot|zlacz)|uhel kloubu|(eklem|mafsal) ac[iı]"
+     r"|угол (поворот|сочлен|в )"
+     r"|关节(转)?角|關節(轉)?角|関節角|관절 ?각", "theta"),
+    (r"versatz|decalage|desplazamiento|deslocamento|przesuni|posunut|kayma|otele|смещени|偏距|偏置"
+     r"|偏移|オフセット|リンク間|오프셋", "d"),
+    (r"lange\b|laenge\b|longueur|longitud|lunghezza|comprimento|dlugosc|długosc|delka|uzunlu|длина"
+     r"|杆(件)?长|桿(件)?長|リンク長|リンクの長|링크 ?길이", "a"),
     (r"^winkel\b|转角|轉角|^angle$|^angulo$", "theta"),
     (r"achsrichtung|drehrichtung|方向", "direction"),
 )  # fmt: skip
@@ -97,6 +106,10 @@ LABELS = (
     " bemerkung kommentar beschreibung remark remarks note notes comment comments description"
     " observaciones remarque 备注 说明 звено сустав 備考 序号 khop 關節 軸 関節 リンク".split()
 )
+NUMBERED = re.compile(  # Joint i, Axis no., Link number
+    r"(?:link|joint|frame|axis|row|segment|sr|s|gelenk|achse)s?[ ./]*"
+    r"(?:[ijkn]|n[or]s?|num(?:ber)?|id|#|idx|index|name)\.?"
+)
 KINDS_BY_FLAG = {  # what True says, and False
     "fixed": ("fixed", ""),
     **dict.fromkeys(("movable", "actuated", "active"), ("", "fixed")),
@@ -127,7 +140,7 @@ def kind_said(name, said):
 def _without_accents(text):
     """``länge`` as ``lange``: letters without the marks on them."""
     apart = unicodedata.normalize("NFKD", text)
-    return "".join(c for c in apart if not unicodedata.combining(c)).strip()
+    return unicodedata.normalize("NFC", "".join(c for c in apart if c not in MARKS)).strip()
 
 
 def unit_in(text):
@@ -184,7 +197,9 @@ def role_of(text):
 def _role_of(text):
     text = unified(text).strip(" *`'\"$:").lower()
     text = LOST_MINUS.sub(r"\1 \2-1", text)
-    if text in LABELS or not text or re.fullmatch(r"(?:link|joint|frame|axis)s? [ijkn]", text):
+    if told := EXPLAINED.match(text):
+        return told[1], False
+    if text in LABELS or not text or NUMBERED.fullmatch(text):
         return "label", False
     found = UNIT.search(text)
     bare = text[: found.start()] if found and found.start() else text

@@ -4,18 +4,15 @@ left out in silence.
 
 import re
 from dataclasses import replace
-from itertools import pairwise
 
-from ..cells import Cell, cell_of, cell_or_none, plain
+from ..cells import Cell, cell_of, cell_or_none
 from ..evidence.branches import added_at_joints, slid_by_calls, sliding_at_joints, turned_at_joints
-from ..language.roles import ROLES
 from ..language.words import KINDS
 
 __all__ = [
     "APART",
     "DASH",
     "Contradicted",
-    "explained",
     "labelled",
     "require_no_fifth",
     "slid",
@@ -39,102 +36,17 @@ OF_ONE = re.compile(  # types(3) = 'P', joint_type[2] = "prismatic"
 SMALL = re.compile(  # type = ['r', 'r', 'p']
     r"\w*(?:type|joint|kind)\w*\s*=\s*[\[{(]((?:\s*['\"][rp]['\"]\s*,?)+)[\]})]"
 )
-LINK = re.compile(r"(?:l|len|link)[\W_]*[ijkn]?[\W_]*")  # where a alone has no column
-WORDS = re.compile(r"[^\W\d_]{4,}(?: ?[-/(&]? ?[^\W\d_]+\)?)*")  # shoulder, flange (fixed)
-COUNTED = re.compile(r"(?:joint|link|axis|motor|servo|frame)_?\d+", re.IGNORECASE)
-NUMBERED = re.compile(r"[^\W\d]{4,}_?\d+")
 FIFTH = ("b", "beta", "gamma", "epsilon")  # of branched arms and of nearly parallel axes
 # what stands in tables beside the four and moves nothing
 APART = re.compile(
     r"mass|weight|inerti|speed|veloc|torque|gear|ratio|range|limit|max|min|home|servo|motor|port"
     r"|pin|pulse|steps?\b|note|comment|remark|name|desc|example|pose|power|payload|accel|encoder|id\b"
-    r"|^#$|child|parent|initial|current|value|page|step|^mu\b|^q[^\w\s]"
+    r"|^#$|child|parent|initial|current|value|page|step|^mu\b|^i_?(?:xx|yy|zz)\b|^q[^\w\s]"
     r"|mas[ao]\b|peso|gewicht|poids|geschwindigkeit|vitesse|velocidad|drehmoment|couple|масса|вес|质量|質量"
     # a unit of neither a length nor an angle: (kg), [Nm], deg/s
     r"|[\[(/,_ ](?:k?g|n|n[ .*·]?m|rpm|kw|w|v|ms|s|hz|%)\s*[\])]?\s*$",
     re.IGNORECASE,
 )
-
-
-def explained(roles, heading, rows):
-    """(roles, notes) where columns without a known name hold numbers: the joint variable, something
-    apart, or a question.
-
-    Parameters
-    ----------
-    roles : tuple of str or None
-    heading : list of str
-    rows : list of list
-        The cells of each line.
-
-    Raises
-    ------
-    ValueError
-        A column of numbers has a name that says nothing.
-
-    Examples
-    --------
-    >>> explained(("label", None, "a", "alpha", "d"), ["i", "var", "a", "al", "d"], [list("1") +
-    ...     ["q1", "0", "90", "0.1"]])
-    (('label', 'theta', 'a', 'alpha', 'd'), ('the column var is taken for theta',))
-    """
-    roles, notes = list(roles), []
-    whole = [cells for cells in rows if len(cells) == len(roles)]
-    for k, (role, name) in enumerate(zip(roles, heading)):
-        said = [str(cells[k]) for cells in whole if str(cells[k])[:1] not in ("'", '"')]
-        found = [one for text in said if (one := cell_or_none(text)) is not None]
-        again = role == "label" and "label" in roles[:k]  # one column names the rows
-        again = again and all(cell.is_constant for cell in found)
-        if (role is not None and not again) or 2 * len(found) <= len(whole) or _counts(found):
-            continue
-        name = str(name).strip(" *$`") or f"number {k + 1}"
-        letters = {letter for cell in found for letter, _ in cell.letters}
-        if k == 0 and letters and all(COUNTED.fullmatch(letter) for letter in letters):
-            roles[k] = "label"
-        elif letters and "theta" not in roles:
-            roles[k] = "theta"
-            notes.append(f"the column {name[:20]} is taken for theta")
-        elif letters and letters <= _letters(whole, k) | _plain(roles, whole):
-            continue  # the variable is named once more
-        elif APART.search(name):
-            notes.append(f"the column {name[:20]} was left out")
-        elif all(_is_a_word(text) for text in said if text.strip(" -")):
-            roles[k] = "label"
-        elif {*ROLES} <= {*roles} and all(NUMBERED.fullmatch(text.strip(" *`")) for text in said):
-            roles[k] = "label"  # Revolute_3
-        elif LINK.fullmatch(plain(name)) and {*ROLES, "r"} - {*roles} == {"a", "r"}:
-            roles[k] = "a"
-            notes.append(f"the column {name[:20]} is taken for a")
-        elif any(cell.value or cell.letters for cell in found):
-            raise ValueError(
-                f"recognise_table: expected columns theta, d, a, alpha, found a column of numbers"
-                f" {name[:20]!r}; what is it? Give it one of these names, or leave it out"
-            )
-    return tuple(roles), tuple(notes)
-
-
-def _is_a_word(text):
-    """Whether a cell is a word or two, and no kind of joint."""
-    return bool(WORDS.fullmatch(text)) and plain(text) not in KINDS
-
-
-def _counts(cells):
-    """Whether the numbers are those of links, one after the other."""
-    values = [cell.value for cell in cells]
-    return all(cell.is_constant for cell in cells) and all(
-        after - before == 1 for before, after in pairwise(values)
-    )
-
-
-def _letters(rows, without):
-    """The letters of all columns but one."""
-    cells = (cell_or_none(str(cell)) for row in rows for k, cell in enumerate(row) if k != without)
-    return {letter for cell in cells if cell is not None for letter, _ in cell.letters}
-
-
-def _plain(roles, rows):
-    """The variables that a column of numbers leaves to be understood."""
-    return {f"theta{k}" for k in range(len(rows) + 2)} if "theta" in roles else set()
 
 
 def slid(row, roles):

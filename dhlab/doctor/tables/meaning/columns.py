@@ -9,8 +9,8 @@ from ..cells import Cell
 from ..language.roles import ROLES
 
 __all__ = [
-    "IMPLIED", "NAMED", "MOST_TURNS", "Order", "is_a_table", "orders", "misplaced",
-    "snapped",
+    "IMPLIED", "NAMED", "MOST_TURNS", "Order", "is_a_table", "kind_of_column", "orders",
+    "misplaced", "snapped",
 ]  # fmt: skip
 
 NAMED = ("as the header", "as their names", "as the names")  # why columns have their roles
@@ -66,7 +66,7 @@ def orders(table, given):
         return (_by_numbers(table, named[0]) if _is_contradicted(table, named) else None) or named
     columns = list(zip(*table.rows))
     usual = DIALECTS if any(cell != IMPLIED for cell in columns[-1]) else ()
-    strict = [_kind(column) for column in columns]
+    strict = [kind_of_column(column) for column in columns]
     lenient = [
         "any" if kind == "length" and _might_be_degrees(column) else kind
         for kind, column in zip(strict, columns)
@@ -125,7 +125,7 @@ def _named(table):
 
 def _are_lengths(table, k, strict):
     """Whether a column of offsets holds lengths; not strict, whether it may."""
-    kind = _kind([row[k] for row in table.rows])
+    kind = kind_of_column([row[k] for row in table.rows])
     unit = table.units.get("offset")
     return unit in LENGTHS or (unit is None and kind in ("length", "" if strict else "any"))
 
@@ -196,7 +196,7 @@ def misplaced(columns):
     found = []
     for role, column in columns.items():
         values = [abs(cell.value) for cell in column if cell.value]
-        kind = _kind(column) if values and role in ROLES else "any"
+        kind = kind_of_column(column) if values and role in ROLES else "any"
         if (role in ("d", "a") and kind == "angle") or (
             role in ("theta", "alpha") and kind == "length" and max(values) < 1
         ):
@@ -217,7 +217,7 @@ def _fits(roles, columns, kinds):
     return True
 
 
-def _kind(column):
+def kind_of_column(column):
     """ "angle", "length" or "any", by units, by letters, by multiples of 15° and by size."""
     if any(cell.unit in ("deg", "rad") or cell.variable in ("theta", "alpha") for cell in column):
         return "angle"

@@ -8,12 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...cells import Cell, cell_or_none, plain, read_cell
+from ...cells import FOOTNOTE, Cell, cell_or_none, plain, read_cell
 from ...language.roles import ROLES
 from ...language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
-from ...meaning.beside import DASH, explained, require_no_fifth, slid, with_theta
+from ...meaning.beside import DASH, require_no_fifth, slid, with_theta
 from ...meaning.columns import IMPLIED
 from ...meaning.joint_types import kinds_by_number
+from ...meaning.unnamed import explained
 from ...pasted import Pasted
 from .heading import header, units_of
 from .widths import even
@@ -21,7 +22,7 @@ from .widths import even
 __all__ = ["NoRows", "from_grid"]
 
 KEPT = (*ROLES, "offset", "sigma", "r")
-EMPTY = ("-", "--", "---", "n/a", "n.a.", "none")  # a dash, or what stands for one
+EMPTY = ("-", "--", "---", "/", "n/a", "n.a.", "none")  # a dash, or what stands for one
 JOINT = re.compile(r"joint|gelenk|articula|关节|關節|関節", re.IGNORECASE)
 OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
@@ -90,6 +91,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         notes = (*notes, "a dash, or n/a, is taken for 0")
     if any(cell is IMPLIED for row in cells for cell in row):
         notes = (*notes, "an empty cell of theta, or a range, is taken for the joint's variable")
+    if any(FOOTNOTE.search(cell.text) for row in cells for cell in row):
+        notes = (*notes, "marks of footnotes were left out: look what the footnotes say")
     if kept:
         cells = tuple(slid(row, kept) for row in cells) if taken else cells
         unknown = _has_numbers(roles, [row for _, row in grid if len(row) == len(roles)])
