@@ -91,12 +91,13 @@ def readings(table, order, convention, angle, length, right, tidy):
         if table.zeros:
             columns["offset"] = _zeros(columns, table.zeros)
         silent = unwritten(table, columns, right)
-        for said in _conventions(table, columns, convention, found):
+        either = list(_conventions(table, columns, convention, found))
+        for said in either:
             choices = product(
                 [said],
                 angle_units(table, columns, angle),
                 length_units(table, columns, length),
-                on_one_axis(table, columns, said[0], silent),
+                on_one_axis(table, columns, said[0], silent, len(either) > 1),
                 theta_meanings(table, columns),
                 rows_of_d(table, columns),
             )

@@ -191,3 +191,27 @@ def test_a_call_that_cannot_be_read_among_others_is_asked_about():
     rows = "A = dh(q1, 0.2, 0, pi/2)\nB = dh(q2, 0, 0.3, 0)\nC = dh(q3, height(7, 2), 0.1, 0)\n"
     with pytest.raises(ValueError, match="line 4: expected 4 numbers in dh"):
         recognise_table(f"# standard: theta, d, a, alpha\n{rows}")
+
+
+UR_LIKE = """theta d a alpha
+0 89 0 90
+0 0 -425 0
+0 0 -392 0
+0 109 0 90
+0 95 0 -90
+0 82 0 0
+"""
+
+
+def test_rows_of_the_other_convention_are_no_sign_of_a_row_without_a_joint():
+    found = recognise_table(UR_LIKE, length="mm", angle="deg")
+    assert found.open == ("convention",) and [len(one.arm) for one in found.readings] == [6, 6]
+    told = recognise_table(UR_LIKE, length="mm", angle="deg", convention="craig")
+    assert told.open == ("row",) and {len(one.arm) for one in told.readings} == {5, 6}
+
+
+def test_a_flange_behind_rows_of_craig_is_still_asked_about():
+    rows = "theta d a alpha\n0 333 0 0\n0 0 0 -90\n0 316 0 90\n0 0 82 90\n0 107 0 0\n"
+    found = recognise_table(rows, length="mm", angle="deg")
+    assert set(found.open) == {"convention", "row"}
+    assert ("craig", 4) in [(one.arm.table.convention, len(one.arm)) for one in found.readings]

@@ -78,9 +78,11 @@ def _is_flange_without_theta(columns, labels, i):
     return columns["theta"][i] == IMPLIED and bool(flange)
 
 
-def on_one_axis(table, columns, convention, found):
+def on_one_axis(table, columns, convention, found, either=False):
     """What is found, and before it the rows at the ends that would turn about the axis of the joint
-    beside them, as no arm has it: they are a base or a flange.
+    beside them, as no arm has it: they are a base or a flange. Where the rows may be for ``either``
+    convention, those of the other one look so, too: standard rows, whose last has neither a nor
+    alpha, and Craig's, whose first has not. That is no sign of a row without a joint.
     """
     n = len(table.rows)
     guessed = table.why == "as their names say" and not table.form and "P" not in table.kinds
@@ -100,6 +102,8 @@ def on_one_axis(table, columns, convention, found):
     last = n - 2 if convention == "standard" else n - 1
     ends = [0] if flat[first] and numbers[0] and numbers[1] else []
     ends += [n - 1] if flat[last] and numbers[-1] and numbers[-2] else []
+    if either and flat[0] != flat[-1]:
+        ends = [i for i in ends if i != (0 if convention == "standard" else n - 1)]
     labels = [str(label).lower() for label in table.labels or ("",) * n]
     ends = [i for i in ends if not OF_JOINTS.search(labels[i])]
     more = [_fixed(ends), *(_fixed([i]) for i in ends)] if ends else []
