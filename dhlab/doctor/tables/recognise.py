@@ -19,7 +19,7 @@ from .meaning.scales import UNIT_WORDS
 from .readings import BOOKS, QUESTIONS, Reading, readings, require_some
 from .recognised import Recognised
 from .take_apart import take_apart
-from .twice import without_letters
+from .twice import told_once
 
 __all__ = ["Reading", "Recognised", "recognise_table"]
 
@@ -122,9 +122,9 @@ def _as_written(given, right, *, order, convention, angle, length, values, nomin
         said = {"order": order, "angle": angle, "length": length, "values": values, "tidy": tidy}
         if found := _of_one_arm(error.parts, right, convention, said):
             return found
-        if rest := without_letters(error.parts):
+        if once := told_once(error.parts):
+            rest, note = once
             found = recognise_table(rest, right, convention=convention, **said)
-            note = "the text has the table in letters, too"
             return replace(found, notes=(*found.notes, note))
         raise
     if isinstance(table, list):  # read as an arm: nothing is left to ask of columns

@@ -1,22 +1,51 @@
-"""Two tables of one text that are one: in letters, and again with numbers."""
+"""Two tables of one text that are one: in letters, and again with numbers; or one twice."""
 
 from .completing.alike import stands_for
 from .take_apart import take_apart
 
-__all__ = ["without_letters"]
+__all__ = ["told_once"]
+
+LETTERS = "the text has the table in letters, too"
+AGAIN = "the text has the table twice, cell by cell"
 
 
-def without_letters(parts):
-    """A text without its first table, where the second one is the same with numbers for its
-    letters; "" where it is not.
+def told_once(parts):
+    """(a text without one of its two tables, a note) where the one has letters for numbers of the
+    other, or where they are the same; None where they are two.
     """
     try:
-        letters, numbers = map(take_apart, parts)
+        one, other = map(take_apart, parts)
     except ValueError:
-        return ""
-    if isinstance(letters, list) or isinstance(numbers, list) or not letters.lines:
-        return ""
-    lines = parts[0].split("\n")
-    first, last = letters.lines
-    rest = [*lines[: first - 1], *[""] * (last - first + 1), *lines[last:], parts[1]]
-    return "\n".join(rest) if stands_for(letters, numbers) else ""
+        return None
+    if isinstance(one, list) or isinstance(other, list):
+        return None
+    if stands_for(one, other) and one.lines:
+        return "\n".join([_without(parts[0], one), parts[1]]), LETTERS
+    note = LETTERS if stands_for(other, one) else AGAIN if _are_one(one, other) else ""
+    if not note or not other.lines:
+        return None
+    return "\n".join([parts[0], _without(parts[1], other)]), note
+
+
+def _without(text, table):
+    """A text without the lines of a table."""
+    lines = text.split("\n")
+    first, last = table.lines
+    return "\n".join([*lines[: first - 1], *[""] * (last - first + 1), *lines[last:]])
+
+
+def _are_one(one, other):
+    """Whether two tables say the same, and not of two conventions."""
+    books = {one.convention, other.convention} - {None}
+    return len(books) < 2 and _cells(one) == _cells(other)
+
+
+def _cells(table):
+    """What each row of a table says of each parameter, and in which units."""
+    if table.roles is None:
+        return id(table)
+    said = [
+        {role: (c.value, c.letters, c.unit) for role, c in zip(table.roles, row)}
+        for row in table.rows
+    ]
+    return said, table.units, table.kinds, table.signs

@@ -157,3 +157,45 @@ def test_a_number_with_a_mark_or_once_more_in_another_unit(cell, number):
 def test_two_numbers_in_one_cell_are_none(cell):
     with pytest.raises(ValueError, match="expected a number"):
         read_cell(cell)
+
+
+NUMBERS = """| i | d | theta | a | alpha |
+|---|---|---|---|---|
+| J1 | 210 | q1 | 0 | pi/2 |
+| J2 | 0 | q2 + pi/2 | 340 | 0 |
+| J3 | 60 | q3 | 270 | -pi/2 |
+"""
+
+
+@pytest.mark.parametrize("tables", [(NUMBERS, NUMBERS), (NUMBERS, LETTERS), (LETTERS, NUMBERS)])
+def test_a_table_that_stands_twice_is_one(tables):
+    found = dh.recognise_table(
+        "Standard DH parameters in mm.\n\n" + "\nOnce more:\n\n".join(tables)
+    )
+    assert holds(found) and any("the text has the table" in note for note in found.notes)
+
+
+def test_two_tables_that_differ_in_a_number_are_two():
+    other = NUMBERS.replace("340", "341")
+    with pytest.raises(ValueError, match="expected one table, found two"):
+        dh.recognise_table(SAID + NUMBERS + "\nThe other arm:\n\n" + other)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        "- d1 (base): 210 mm\n- a2 (upper arm): 340 mm\n- d3 (side): 60 mm\n- a3 (link): 270 mm",
+        "d1 is 210 mm. a2 is 340 mm, a3 is 270 mm and d3 is 60 mm.",
+        "- `d1` (base): 210\n- `a2` (upper): 340\n- `d3` (wrist): 60\n- `a3` (lower): 270",
+    ],
+)
+def test_letters_whose_values_are_told_in_words(values):
+    assert holds(dh.recognise_table(SAID + LETTERS + "\n" + values + "\n"))
+
+
+def test_where_a_joint_stands_is_no_value_of_its_letter():
+    text = (
+        SAID + LETTERS + CONSTANTS.replace("| d1 | 210 |\n", "") + "\nd1 is 210 mm in this pose.\n"
+    )
+    with pytest.raises(ValueError, match="d1 has no value"):
+        dh.recognise_table(text)

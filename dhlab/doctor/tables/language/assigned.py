@@ -37,6 +37,13 @@ JOINT = re.compile(r"(?:theta|th|q|t|joint|phi)\d*|q\[\d+\]")
 ELEMENT = re.compile(r"(?:joint(?:s|angles?|values?|pos\w*|states?)?|jt|ja|jv)\[\d+\]")
 EITHER = re.compile(r"(thetas?|th|t|phi|angles?)\[\d+\]")
 COLUMN = re.compile(r"(?:alphas?|alfas?|[ad]|d?dist\w*|lengths?|twists?)\[\d+\]")
+# d1 (height of the base): 125 mm, d1 is 125 mm
+TOLD = re.compile(
+    r"(?:\band[ \t]+)?`?(?<!\w)([adlhrADLHR]_?\d+)`?(?:"
+    r"[ \t]+\([^()=:|\n]*[a-z]{3}[^()=:|\n]*\)`?[ \t]*[:=][ \t]*(?=[-+]?\d)"
+    r"|[ \t]+(?:is|equals|beträgt|est|vale)[ \t]+"
+    r"(?=[-+]?[\d.]+ ?(?:mm|cm|m)[ \t]*(?:[.;,)\n]|and\b|$)))"
+)
 TAKEN = re.compile(r"\b(?:def|function|func|fn)\s[^()\n]*\(([^()]*)\)")
 OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
 EQUAL = re.compile(  # a2 = a3 = 125 mm
@@ -79,7 +86,7 @@ def assigned_in(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
     text = re.sub(r"(?<=\w):[ \t]+(?=\w+[ \t]*=(?!=))", "; ", text)  # link lengths: l1 = 0.5
-    text = EQUAL.sub(r"\1 = \2; ", text)
+    text = TOLD.sub(r"; \1 = ", EQUAL.sub(r"\1 = \2; ", text))
     for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         for said in (value, *_shorter(value)):
