@@ -84,10 +84,18 @@ class Placement:
         self.axes, self.reach = found.axes, found.reach or 1.0
         self._clear()
 
-    def cleared(self) -> "Placement":
-        """Another Placement on the same axes, with no frame placed yet."""
+    def cleared(self, first: int | None = None) -> "Placement":
+        """Another Placement on the same axes, with no frame placed yet; with ``first``, every z as
+        it is here, and all of the frames before that one.
+        """
         other = copy(self)
         other._clear()
+        if first is not None:
+            said = [step for step in self._said if step[0] == "z" or int(step[1:]) < first]
+            other._said = {step: self._said[step] for step in said}
+            other.z, other.points = self.z.copy(), self.points.copy()
+            other.o = {i: o for i, o in self.o.items() if i < first}
+            other.x = {i: x for i, x in self.x.items() if i < first}
         return other
 
     def _clear(self):
@@ -246,11 +254,6 @@ class Placement:
             )
         return placed_arm(self)
 
-    @property
-    def _order(self):
-        """Frames in the order in which the line that x_i must meet is settled before o_i."""
-        return self._from(0 if self.standard else len(self))
-
     def _from(self, i):
         """Frame i and those after it in that order: the line that a frame's x must meet is that of
         the frame before, so nothing else changes with frame i.
@@ -259,7 +262,8 @@ class Placement:
 
     @property
     def _every_step(self):
-        frame_by_frame = [f"{letter}{i}" for i in self._order for letter in "ox"]
+        frames = self._from(0 if self.standard else len(self))  # the line that x_i must meet first
+        frame_by_frame = [f"{letter}{i}" for i in frames for letter in "ox"]
         return [f"z{i}" for i in range(len(self) + 1)] + frame_by_frame
 
     def _frame(self, i):

@@ -2,7 +2,7 @@
 and the units of their origins.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import permutations
 from typing import Any
 
@@ -46,14 +46,18 @@ def first_wrong(task: Placement, rows: Sequence[Any]) -> Judgement | None:
     """Make every step that is there, all z first; the Judgement on the first wrong one, or None.
     What waits for a missing step waits.
     """
-    steps: list[tuple[Callable[..., Judgement], int, Any]] = [
-        (task.set_z, i, row[0]) for i, row in enumerate(rows)
-    ]
-    steps += [
-        step
-        for i, row in enumerate(rows)
-        for step in ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))
-    ]
+    lines = [(task.set_z, i, row[0]) for i, row in enumerate(rows)]
+    return _first_wrong([*lines, *_after_lines(task, rows)])
+
+
+def _after_lines(task, rows, first=0):
+    """The steps that follow every z, from the frame ``first`` on."""
+    for i, row in enumerate(rows):
+        if i >= first:
+            yield from ((task.set_origin, i, row[1]), (task.set_x, i, row[2]))
+
+
+def _first_wrong(steps):
     for place, i, value in steps:
         judgement = None if untouched(value) else place(i, value)
         if judgement is not None and not judgement and judgement.rule != "order":
@@ -63,8 +67,11 @@ def first_wrong(task: Placement, rows: Sequence[Any]) -> Judgement | None:
 
 def in_other_units(task: Placement, rows: Sequence[Any], wrong: str) -> Said | None:
     """What is said of origins that are right in another unit than metres: of all that are there,
-    of the ``wrong`` one, or of some of its coordinates; None.
+    of the ``wrong`` one, or of some of its coordinates; None. ``task`` has all that is right up to
+    there.
     """
+    if wrong[0] == "z":
+        return None
     points = {i: as_numbers(row[1]) for i, row in enumerate(rows)}
     points = {i: point for i, point in points.items() if point.shape == (3,)}
 
@@ -72,7 +79,9 @@ def in_other_units(task: Placement, rows: Sequence[Any], wrong: str) -> Said | N
         scaled = [list(row) for row in rows]
         for i in some:
             scaled[i][1] = points[i] * times
-        left = first_wrong(task.cleared(), scaled)
+        first = min(*some, int(wrong[1:]))  # what comes before is as it was
+        board = task.cleared(first)
+        left = _first_wrong(_after_lines(board, scaled, first))
         return left is None or (len(some) == 1 and left.step != wrong)
 
     for name, some, places in _origins(points, wrong):
@@ -91,7 +100,7 @@ def _origins(points, wrong):
     """What may be in another unit: its name, which origins, and which of their coordinates."""
     yield "the origins", list(points), np.ones(3)
     i = int(wrong[1:])
-    if wrong[0] != "z" and i in points:
+    if i in points:
         yield f"o{i}", [i], np.ones(3)
         for names in COORDINATES:
             places = np.array([name in names for name in "xyz"], dtype=int)
