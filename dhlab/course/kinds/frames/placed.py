@@ -14,7 +14,7 @@ from ....placing.board import Placement
 from ...verdict import NOT_ATTEMPTED, RIGHT, Verdict
 from .. import Exercise, Said, untouched
 from ..exercise import listed
-from ..kept import kept_apart
+from ..kept import kept, kept_apart
 from ..reading import as_numbers
 from ..wrong.drawn import drawn_frames
 from .framed import far_away, first_wrong, in_another_order, in_other_units, rows_of
@@ -130,6 +130,12 @@ class Frames(Exercise):
     def given(self, variant: int) -> Mapping[str, Any]:
         return self.draw(self.rng(variant))
 
+    @kept
+    def _bare(self, variant):
+        """The task's axes with no frame placed on them: for copies, which ``cleared`` makes."""
+        given = self.given(variant)
+        return Placement(given["axes"], given["end"])
+
     def judge(self, answer: Any, variant: int = 0) -> Verdict:
         answer, given = listed(answer), self.given(variant)
         handed_out = "frames" in given and _same(answer, given["frames"])
@@ -149,7 +155,7 @@ class Frames(Exercise):
                     " x, a y and a z."
                 ),
             )
-        task = Placement(given["axes"], given["end"])
+        task = self._bare(variant).cleared()
         wrong = first_wrong(task, rows)
         if wrong is not None:
             unit = in_other_units(task, rows, wrong.step)
@@ -206,7 +212,7 @@ class Frames(Exercise):
         rows = rows_of(answer, len(given["axes"]) + 1)
         if isinstance(rows, str):
             return None
-        task = Placement(given["axes"], given["end"])
+        task = self._bare(variant).cleared()
         wrong = first_wrong(task, rows)
         if wrong is None:
             return None
