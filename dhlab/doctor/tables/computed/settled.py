@@ -72,6 +72,8 @@ def settled(written, program, convention=None, doubted=False):
         written where that was sure of itself, unless only angles of joints differ: the program adds
         to them or turns them round, which its rows do not say.
     """
+    if any(_reaches(one) for one in program.readings):
+        written = [one for one in written if _reaches(one)]
     alike = [
         one
         for one in written
@@ -92,6 +94,13 @@ def settled(written, program, convention=None, doubted=False):
         note = "theta and the senses are those of the product; the rows in the text have others"
         return list(own), (*program.notes, note)
     return [*(_beside(one, written[0]) for one in own), written[0]], program.notes
+
+
+def _reaches(reading):
+    """Whether an arm has a length: what is read with none of those that the program multiplies is
+    no arm.
+    """
+    return bool(reading.arm.table.rows[:, 1:3].any())
 
 
 def _by_function(written, program, alike):

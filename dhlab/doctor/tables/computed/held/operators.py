@@ -8,7 +8,7 @@ import numpy as np
 
 from .budget import Unsupported
 from .factors import Multiplied, is_pose
-from .values import Module, Unknown, is_number, number_of, plain
+from .values import Instance, Module, Unknown, is_number, items_of, number_of, plain
 
 __all__ = ["binary", "compared", "indexed", "power", "truth", "unary"]
 
@@ -208,6 +208,12 @@ def indexed(value, key):
         if isinstance(value, np.ndarray):
             found = value[whole(key)]
             return found.item() if np.ndim(found) == 0 else found
+        if isinstance(value, Instance):
+            return items_of(value)[whole(key)]
+        if isinstance(value, list) and isinstance(key, tuple):  # C#: m[i, j]
+            for one in key:
+                value = value[whole(one)]
+            return value
         if isinstance(value, list | tuple | str):
             return value[whole(key)]
     except (IndexError, KeyError, TypeError, ValueError):
@@ -249,6 +255,8 @@ def _in_unknown(value, key):
         return value
     if isinstance(key, str):
         return value.item(f"[{key!r}]")
+    if isinstance(key, list | np.ndarray):
+        return [_in_unknown(value, one) for one in plain(key).astype(int).tolist()]
     index = whole(key)
     if index < 0:
         index += value.samples.many()

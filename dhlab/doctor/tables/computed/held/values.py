@@ -253,4 +253,6 @@ def items_of(value):
         return list(value)
     if isinstance(value, dict):
         return list(value)
+    if isinstance(value, Instance) and value.cls and value.cls.fields:  # a named tuple
+        return [value.attributes[name] for name in value.cls.fields]
     raise Unsupported("nothing to go over")

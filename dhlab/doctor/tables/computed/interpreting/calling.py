@@ -25,6 +25,8 @@ def call_all(run, named, thorough):
     asked: list = []
     for value in defined:
         if isinstance(value, Function):
+            if value.name.startswith("_inline"):  # it stands within an expression
+                continue
             asked.append((value, None))
         elif id(value) not in made:
             _guarded(run, lambda cls=value: _instance(run, cls))

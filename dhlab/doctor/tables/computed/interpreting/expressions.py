@@ -40,7 +40,7 @@ def _name(run, node, scope):
     found = scope.find(node.id)
     if found is not MISSING:
         return found
-    found = run.dialect.name(node.id, run.scope) if run.dialect else None
+    found = run.dialect.name(node.id, scope) if run.dialect else None
     found = from_library(node.id) if found is None else found
     if found is not None:
         return found
@@ -67,6 +67,7 @@ def _dict(run, node, scope):
     for key, value in zip(node.keys, node.values):
         if key is None:
             more = evaluate(run, value, scope)
+            more = getattr(more, "attributes", more)  # of a record
             found.update(more if isinstance(more, dict) else {})
             continue
         name = evaluate(run, key, scope)
@@ -205,6 +206,8 @@ def assign(run, target, value, scope):
             run.dialect.prepare(target.value.id, target, scope)
         run.store(evaluate(run, target.value, scope), evaluate(run, target.slice, scope), value)
     elif isinstance(target, ast.Attribute):
+        if run.dialect and isinstance(target.value, ast.Subscript):
+            run.dialect.prepare_record(run, target.value, scope)
         owner, value = evaluate(run, target.value, scope), run.held(target.attr, value)
         run.set_attribute(owner, target.attr, value)
         run.watched.watch(owner, target.attr, value)
@@ -215,6 +218,8 @@ def assign(run, target, value, scope):
 def _unpack(run, targets, value, scope):
     starred = [k for k, one in enumerate(targets) if isinstance(one, ast.Starred)]
     exact = None if starred else len(targets)
+    if isinstance(value, np.ndarray) and value.shape == (1, len(targets)):
+        value = value[0]  # MATLAB: [a, b] = row{1, :}
     items = value.items(exact) if isinstance(value, Unknown) else items_of(value)
     if not starred and len(items) != len(targets):
         raise Unsupported("another number of values")

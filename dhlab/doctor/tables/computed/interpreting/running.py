@@ -250,6 +250,8 @@ class Run:
             held[key] = value
         elif isinstance(held, np.ndarray):
             held[whole(key)] = _filling(value, held[whole(key)])
+        elif isinstance(held, list) and isinstance(key, tuple) and len(key) > 1:  # C#: m[i, j]
+            self.store(held[whole(key[0])], key[1] if len(key) == 2 else key[1:], value)
         elif isinstance(held, list) and self.dialect and key == len(held):
             held.append(value)
         elif isinstance(held, list):

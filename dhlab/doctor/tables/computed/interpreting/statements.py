@@ -17,7 +17,7 @@ MOST_TURNS = 128
 LEADING_OUT = (ast.Break, ast.Continue, ast.Return, ast.Raise)
 LIBRARY_WORDS = {
     "np", "numpy", "math", "pi", "sp", "sympy", "radians", "deg2rad", "array", "torch", "float",
-    "zeros", "PI", "asarray", "list", "d2r", "deg",
+    "zeros", "PI", "asarray", "_matrix", "_new", "list", "d2r", "deg",
 }  # fmt: skip
 
 
@@ -98,7 +98,8 @@ def _posed(run, name, node, value):
         return value
     if not is_number(value):
         try:
-            if plain(value).ndim != 1:
+            shape = plain(value).shape
+            if len(shape) != 1 and shape[0] != 1:
                 return value
         except Unsupported:
             return value
@@ -119,10 +120,17 @@ def _changed(run, node, scope):
     kind = type(node.op)
     if isinstance(old, list) and kind is ast.Add:
         old.extend(items_of(value))
-    elif isinstance(old, np.ndarray) and isinstance(value, int | float | np.ndarray) and old.ndim:
+    elif _in_place(target, old, value):
         old[...] = plain(binary(run, kind, old, value))
     else:
         assign(run, target, binary(run, kind, old, value), scope)
+
+
+def _in_place(target, old, value):
+    """Whether an array is changed where it is; a part that indices pick is another array."""
+    known = isinstance(value, int | float | np.ndarray)
+    picked = isinstance(target, ast.Subscript)
+    return isinstance(old, np.ndarray) and known and bool(old.ndim) and not picked
 
 
 def _loaded(target):

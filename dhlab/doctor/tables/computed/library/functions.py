@@ -8,7 +8,7 @@ import numpy as np
 from ..held.budget import Unsupported
 from ..held.factors import Multiplied, is_pose
 from ..held.operators import binary, compared, multiplied, power, truth, whole
-from ..held.values import Instance, Native, Unknown, is_number, items_of, number_of, plain
+from ..held.values import Class, Instance, Native, Unknown, is_number, items_of, number_of, plain
 from .making import MAKERS, as_array
 from .symbols import SYMBOLS
 from .toolbox import LINKS
@@ -235,6 +235,7 @@ def _is_a(run, args, _):
 
 
 def _clip(run, args, _):
+    """An angle within its limits, or brought back between -π and π, is the same angle."""
     return args[0]
 
 
@@ -250,11 +251,6 @@ def _get(run, args, _):
     return run.attribute(args[0], args[1])
 
 
-def _wrapped(run, args, _):
-    """An angle brought back between -π and π is the same angle."""
-    return args[0]
-
-
 def _same_pose(run, args, _):
     one, other = args[:2]
     return is_pose(one) and is_pose(other) and bool(np.allclose(plain(one), plain(other)))
@@ -264,6 +260,12 @@ def _append(run, args, _):
     if isinstance(args[0], list):
         return [*args[0], args[1]]
     return np.append(plain(args[0]), plain(args[1]))
+
+
+def _named_tuple(run, args, _):
+    """A class with the fields that ``namedtuple`` lists."""
+    names = args[1].replace(",", " ").split() if isinstance(args[1], str) else items_of(args[1])
+    return Class(args[0], (), {}, list(names))
 
 
 def _matrix_power(run, args, _):
@@ -280,14 +282,14 @@ FUNCTIONS = {
     "mtimes": _product, "mul": _dot, "multiply_matrices": _product,
     "multi_dot": _all_products, "inv": _inverse, "pinv": _inverse, "norm": _norm,
     "list": _listed, "tuple": _tuple, "dict": _dict, "int": _integer, "isinstance": _is_a,
-    "clip": _clip, "setattr": _set, "getattr": _get, "unwrap": _wrapped, "append": _append,
+    "clip": _clip, "setattr": _set, "getattr": _get, "unwrap": _clip, "append": _append,
     "pow": lambda run, args, _: power(*args[:2]), "allclose": _same_pose,
     "reversed": lambda run, args, _: items_of(args[0])[::-1],
     "bool": lambda run, args, _: truth(args[0]) if args else False,
     "any": lambda run, args, _: any(truth(one) for one in items_of(args[0])),
     "all": lambda run, args, _: all(truth(one) for one in items_of(args[0])),
     "transpose": lambda run, args, _: plain(args[0]).T,
-    "matrix_power": _matrix_power,
+    "matrix_power": _matrix_power, "namedtuple": _named_tuple,
     "print": lambda run, args, _: None, "set_printoptions": lambda run, args, _: None,
     "display": lambda run, args, _: None, "pprint": lambda run, args, _: None,
     "init_printing": lambda run, args, _: None, "callable": lambda run, args, _: False,

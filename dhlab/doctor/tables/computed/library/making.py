@@ -4,8 +4,8 @@ import numpy as np
 
 from ..held.budget import MOST_ITEMS, Unsupported
 from ..held.factors import Multiplied
-from ..held.operators import whole
-from ..held.values import Unknown, items_of, number_of, plain
+from ..held.operators import multiplied, whole
+from ..held.values import Unknown, is_number, items_of, number_of, plain
 
 __all__ = ["MAKERS", "as_array"]
 
@@ -69,7 +69,10 @@ def _unit(run, args, kwargs):
 
 
 def _like(number):
-    return lambda run, args, _: np.full(plain(args[0]).shape, number)
+    def call(run, args, _):
+        return number if is_number(args[0]) else np.full(plain(args[0]).shape, number)
+
+    return call
 
 
 def _stacked(act):
@@ -132,6 +135,24 @@ def _moved(run, args, _):
     return T
 
 
+def _summed(run, args, _):
+    """``einsum`` of two matrices, where it is their product."""
+    if str(args[0]).replace(" ", "") not in ("ij,jk->ik", "ij,jk"):
+        raise Unsupported("another sum")
+    return multiplied(run, args[1], args[2])
+
+
+def _axis_moved(run, args, _):
+    return np.moveaxis(plain(args[0]), whole(args[1]), whole(args[2]))
+
+
+def _from_euler(run, args, kwargs):
+    """SciPy's Rotation of one angle about one axis."""
+    turn = _turn(str(args[0]).lower())
+    unit = ["deg"] if len(args) > 2 or "degrees" in kwargs else []
+    return turn(run, [args[1], *unit], {})[:3, :3].view(Multiplied)
+
+
 MAKERS = {
     "array": as_array, "asarray": as_array, "tensor": as_array, "asanyarray": as_array,
     "matrix": _matrix, "mat": _matrix, "asmatrix": _matrix, "Matrix": _matrix,
@@ -141,5 +162,6 @@ MAKERS = {
     "column_stack": _stacked(np.column_stack), "concatenate": _stacked(np.concatenate),
     "stack": _stacked(np.stack), "diag": _diagonal, "linspace": _linspace, "arange": _arange,
     "r_": as_array, "row_stack": _stacked(np.vstack),
+    "from_euler": _from_euler, "einsum": _summed, "moveaxis": _axis_moved, "from_matrix": _matrix,
     "trotx": _turn("x"), "troty": _turn("y"), "trotz": _turn("z"), "transl": _moved,
 }  # fmt: skip

@@ -24,13 +24,15 @@ __all__ = ["attribute", "from_library"]
 SAME = {
     "copy", "evalf", "simplify", "doit", "astype", "round", "n", "expand", "as_mutable", "float",
     "as_immutable", "numpy", "cpu", "detach", "double", "view", "__copy__", "clone", "trigsimp",
-    "as_explicit", "rewrite",
+    "as_explicit", "rewrite", "as_matrix", "as_dcm",
 }  # fmt: skip
 NO_MATTER = {"sort", "setflags"}
 
 
 def from_library(name, module=""):
     """What a name is in the list of functions; None where it is not in it."""
+    if name == "Rotation":
+        return Module("scipy")
     if name in FUNCTIONS:
         return FUNCTIONS[name]
     if name in CONSTANTS and (module or name in ("pi", "PI")):

@@ -4,8 +4,8 @@ from ..brackets import deeper, split
 from .tokens import NoProgram, expression
 
 __all__ = [
-    "NO_TYPES", "assignment", "behind", "closing", "declared", "initialised", "matrix_of",
-    "parameters", "references", "step", "without_type",
+    "NO_TYPES", "assignment", "behind", "closing", "closing_or_none", "declared", "initialised",
+    "matrix_of", "parameters", "references", "step", "without_type",
 ]  # fmt: skip
 
 MODIFIERS = {"const", "static", "final", "public", "private", "protected", "constexpr", "inline",

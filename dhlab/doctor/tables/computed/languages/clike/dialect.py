@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from ...held.budget import Unsupported
-from ...held.factors import Multiplied
+from ...held.factors import Multiplied, is_pose
 from ...held.operators import indexed, whole
 from ...held.values import Instance, Module, Native, Unknown, items_of, number_of, plain
 from ...library.functions import FUNCTIONS
@@ -32,6 +32,8 @@ class Braces:
             if value == Unknown("Matrix4x4", run.samples) and name == "identity":
                 return np.eye(4).view(Multiplied)
             return NAMES.get(name)
+        if value is run.me and name not in value.attributes:  # its class is not kept
+            return run.scope.names.get(name)
         return asked(run, value, name, self.structs)
 
     def set_attribute(self, held, name, value):
@@ -77,8 +79,15 @@ class Braces:
         if isinstance(held, dict) and not held and isinstance(target.slice, ast.Tuple):
             scope.put(name, np.zeros((4, 4)).view(Multiplied))
 
+    def prepare_record(self, run, target, scope):
+        """A record of a list is there before its fields are set."""
+
     def operands(self, kind, one, other):
-        """The operation and its operands as Python has them."""
+        """The operation and its operands as Python has them; ``*`` of two matrices that are lists
+        is the program's own operator.
+        """
+        if kind is ast.Mult and isinstance(one, list) and is_pose(one) and is_pose(other):
+            return kind, plain(one).view(Multiplied), plain(other).view(Multiplied)
         return kind, one, other
 
 
@@ -136,6 +145,38 @@ def _struct(run, args, _):
         run.dialect.structs.append(tuple(args[0]))
 
 
+def _placed(run, args, _):
+    """A list of which each item says its place."""
+    found: list = [0] * (1 + max(whole(place) for place, _ in args[0]))
+    for place, value in args[0]:
+        found[whole(place)] = value
+    return run.budget.checked(found)
+
+
+def _copied(run, args, _):
+    """``memcpy``: a list is filled with what stands in another."""
+    if not isinstance(args[0], list):
+        raise Unsupported("no array")
+    args[0][:] = FUNCTIONS["copy"].call(run, args[1:2], {})
+
+
+def _turned(run, args, _):
+    """Eigen's AngleAxis: an angle about an axis."""
+    x, y, z = plain(args[1]).reshape(3)
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    T, angle = np.eye(4), number_of(args[0])
+    T[:3, :3] += np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+    return T.view(Multiplied)
+
+
+def _moved(run, args, _):
+    return FUNCTIONS["transl"].call(run, args, {}).view(Multiplied)
+
+
+def _given(run, args, _):
+    return args[0]
+
+
 def _vector(run, args, _):
     return [number_of(one) for one in args]
 
@@ -147,6 +188,11 @@ def _record(run, args, _):
 NAMES: dict = {
     "_record": _record, "_struct": _struct, "Vector4": _vector, "Matrix4": _identity,
     "_filled": _filled, "_into": _into, "_new": _new, "multiply": _product, "Identity": _identity,
+    "_placed": _placed, "memcpy": _copied, "Vector3d": _vector, "Vector3f": _vector,
+    **{f"AngleAxis{kind}": _turned for kind in "df"},
+    **{f"Translation3{kind}": _moved for kind in "df"},
+    **{f"{name}3{kind}": _given for name in ("Affine", "Isometry") for kind in "df"},
+    **{f"Unit{axis}": lambda *_, k=k: np.eye(3)[k] for k, axis in enumerate("XYZ")},
     "setIdentity": _identity, "Zero": _zero, "_pushed": _pushed, "matmul": _product,
     **{f"{name}f": FUNCTIONS[name].call for name in ("sin", "cos", "tan", "sqrt", "fabs")},
     **{name: FUNCTIONS[name.lower()].call for name in ("Cos", "Sin", "Tan", "Sqrt")},

@@ -7,7 +7,7 @@ import numpy as np
 from ...held.budget import Unsupported
 from ...held.factors import Multiplied
 from ...held.operators import multiplied, whole
-from ...held.values import Native, Unknown, plain
+from ...held.values import Native, Unknown, items_of, plain
 
 __all__ = ["asked", "place_of"]
 
@@ -22,6 +22,9 @@ def asked(run, value, name, structs):
     structs : list of tuple of str
         The fields of the program's records, of which a list may be one.
     """
+    over = EACH.get(name) if isinstance(value, list | Unknown) else None
+    if over:
+        return Native(name, lambda run, args, _: over(run, items_of(value), *args))
     if isinstance(value, list):
         if name in ("length", "Length", "Count"):
             return len(value)
@@ -60,6 +63,27 @@ def place_of(name):
     """
     found = PLACE.match(name)
     return (int(found[1]), int(found[2])) if found and max(found[1], found[2]) < "4" else None
+
+
+def _called(run, function, *args):
+    """The value of a function that takes as many of these arguments as it has parameters."""
+    node = getattr(function, "node", None)
+    return run.call(function, list(args[: len(node.args.args)] if node else args[:1]), {})
+
+
+def _mapped(run, items, function):
+    return [_called(run, function, item, k) for k, item in enumerate(items)]
+
+
+def _folded(run, items, function, *start):
+    value, *items = [*start, *items]
+    for k, item in enumerate(items, 1 - len(start)):
+        value = _called(run, function, value, item, k)
+    return value
+
+
+def _beside(run, items, other):
+    return [list(pair) for pair in zip(items, items_of(other))]
 
 
 def _into(value, found):
@@ -107,6 +131,7 @@ def _copy(run, value, args):
     return value.copy().view(Multiplied)
 
 
+EACH = {"map": _mapped, "Select": _mapped, "forEach": _mapped, "reduce": _folded, "Zip": _beside}
 MATRIX = {
     "set": _set, "SetRow": _row, "SetColumn": _column, "multiply": _times, "premultiply": _before,
     "multiplyMatrices": _of_two, "identity": _identity, "clone": _copy,

@@ -18,7 +18,10 @@ WORDS = {"true": "True", "false": "False", "null": "None", "nullptr": "None", "t
          "M_PI": "pi", "NULL": "None"}  # fmt: skip
 KEPT = ("lambda", "def", "class", "in", "is", "not", "and", "or", "None", "from", "import", "pass",
         "del", "raise", "with", "as", "assert", "yield", "except", "elif", "nonlocal")  # fmt: skip
+SIZES = re.compile(r"\[[ ]*,[ ]*\]")  # C#: double[,]
 MOST_CHOICES = 12  # a ? b : c in one expression
+MADE = ("]", "[]", "()")  # before a list in braces
+SPREAD = [("op", ".")] * 3
 TYPES = r"(?:const\s+)?(?:unsigned\s+)?(?:double|float|int|long|size_t|real_t|T|Scalar|f64|f32)"
 CAST = re.compile(rf"\(\s*{TYPES}\s*\)\s*(?=[\w(.-])")
 TEMPLATE = re.compile(
@@ -37,7 +40,7 @@ def simplified(text):
     """A text without casts and what stands in angle brackets."""
     text = CAST.sub("", text)
     text = TEMPLATE.sub(lambda match: match[0][: match.start(1) - match.start()], text)
-    return GENERIC.sub(r"\1", text)
+    return SIZES.sub("[][]", GENERIC.sub(r"\1", text))
 
 
 def tokens_of(text):
@@ -87,11 +90,25 @@ def expression(tokens):
         if kind == "op" and text in CLOSED:
             inside, at = _inside(tokens, at)
             parts = [part for part in split(inside, ",") if part]
-            if text == "{" and parts and all(_is_named(part) for part in parts):
+            if text == "{" and parts and _is_record(parts):
                 found.append(_record(parts))
                 continue
+            if text == "{" and parts and all(_is_placed(part) for part in parts):
+                found.append(_placed(parts))
+                continue
+            if text == "[" and _is_new(tokens, at, found):
+                sizes, at = [inside], at
+                while at < len(tokens) and tokens[at] == ("op", "["):
+                    inside, at = _inside(tokens, at)
+                    sizes.append(inside)
+                found[-1] = f"_new({','.join(expression(one) for one in sizes)})"
+                continue
             items = ",".join(expression(part) for part in parts)
-            if text == "{" and found and (found[-1].isidentifier() or found[-1] == "]"):
+            if (
+                text == "{"
+                and found
+                and (found[-1].isidentifier() or found[-1] in ("]", "[]", "()"))
+            ):
                 _drop_maker(found)
             found.append(f"{SAID.get(text, text)}{items}{SAID.get(CLOSED[text], CLOSED[text])}")
             continue
@@ -99,8 +116,11 @@ def expression(tokens):
         if kind == "op" and text == "::":
             while found and (found[-1].isidentifier() or found[-1] == "."):
                 found.pop()
-        elif kind == "name" and text == "new":
-            continue
+        elif (kind, text) == ("name", "new") or (text in ("&", "*") and not found):
+            continue  # an address, and what stands there
+        elif tokens[at - 1 : at + 2] == SPREAD:
+            at += 2
+            found.append("*")
         elif kind == "string":
             found.append(repr(text[1:-1]))
         elif kind == "name":
@@ -113,6 +133,41 @@ def expression(tokens):
     return "".join(found)
 
 
+def _is_record(parts):
+    """Whether items in braces are a record: all have names, or some have and the others are names
+    that stand for themselves, ``{...row, a: 0.3, d}``.
+    """
+    named = [_is_named(part) for part in parts]
+    return any(named or [False]) and all(
+        one or len(part) == 1 or part[:3] == SPREAD for one, part in zip(named, parts)
+    )
+
+
+def _is_new(tokens, at, found):
+    """Whether brackets that end at a place are the sizes of an array: new double[4][4]."""
+    end = at
+    while end < len(tokens) and tokens[end] == ("op", "["):
+        _, end = _inside(tokens, end)
+    start = next((k for k in range(at - 1, 0, -1) if tokens[k] == ("op", "[")), 0)
+    while start > 2 and tokens[start - 1] == ("op", "]"):
+        start -= 1
+    made = tokens[start - 2 : start - 1] == [("name", "new")] and bool(found)
+    braces = end < len(tokens) and tokens[end] == ("op", "{")
+    return made and not braces and tokens[at - 2] != ("op", "[")
+
+
+def _is_placed(tokens):
+    """Whether an item says its place: [2] = 0.3."""
+    return tokens[0] == ("op", "[") and ("op", "=") in tokens and split(tokens, "=")[0] != tokens
+
+
+def _placed(parts):
+    """Items with their places as a list."""
+    pairs = [split(part, "=") for part in parts]
+    said = ",".join(f"({expression(one[0][1:-1])},{expression(one[1])})" for one in pairs)
+    return f"_placed([{said}])"
+
+
 def _is_named(tokens):
     """Whether an item has a name: d: 0.3, "d": 0.3, .d = 0.3."""
     texts = [text for _, text in tokens[:3]]
@@ -123,6 +178,12 @@ def _record(parts):
     """Items with names as what _record makes an object of."""
     said = []
     for part in parts:
+        if part[:3] == SPREAD:
+            said.append(f"**{expression(part[3:])}")
+            continue
+        if len(part) == 1:
+            said.append(f"{part[0][1]!r}:{expression(part)}")
+            continue
         named = part[0][1] != "."
         name, value = (part[0][1], part[2:]) if named else (part[1][1], part[3:])
         said.append(f"{name.strip(chr(34) + chr(39))!r}:{expression(value)}")
@@ -131,7 +192,7 @@ def _record(parts):
 
 def _drop_maker(found):
     """Take away the name before a list in braces: Vector{1, 2}, double[]{1, 2}."""
-    while found and (found[-1].isidentifier() or found[-1] in (".", "[]")):
+    while found and (found[-1].isidentifier() or found[-1] in (".", *MADE)):
         found.pop()
 
 

@@ -16,7 +16,10 @@ from .declarations import (
     step,
     without_type,
 )  # fmt: skip
-from .tokens import NoProgram, expression, simplified, tokens_of
+from .inline import before, fields_taken, taken_apart
+from .preparing import prepared
+from .records import enumeration, fields, record
+from .tokens import NoProgram, expression, tokens_of
 
 __all__ = ["as_python", "is_clike"]
 
@@ -26,13 +29,7 @@ SURE = re.compile(
     r"\b(?:double|float|const|let|var|void|auto|int|function|Matrix\w*|std::\w+)\s+[\w\[*&<]"
 )
 OTHERS = re.compile(r"^\s*(?:def \w+\(|import numpy|from \w+ import|end\s*$|fn \w+)", re.MULTILINE)
-COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
-DEFINED = re.compile(r"^[ \t]*#define[ \t]+(\w+)[ \t]+([^\n]+)$", re.MULTILINE)
-PREPROCESSOR = re.compile(
-    r"^[ \t]*(?:#[^\n]*|@\w+[^\n]*|using [^\n]*|import [^\n]*|package [^\n]*)$", re.MULTILINE
-)
-OF_FOUR = re.compile(r"\bMatrix\s*<(?:\s*(?:double|float)\s*,)?\s*4\s*,\s*4\s*(?:,[^<>]*)?>")
-WORD = re.compile(r"[A-Za-z_]\w*")
+BEHIND = ("const", "noexcept", "override")  # the head of a function
 PUSHED = ("push_back", "push", "emplace_back", "add", "Add")
 
 
@@ -63,13 +60,12 @@ def as_python(text):
             i+=1
         return x[0]
     """
-    text = DEFINED.sub(r"\1 = \2;", COMMENT.sub(" ", text))
-    text = simplified(OF_FOUR.sub("Matrix4d", PREPROCESSOR.sub("", text)))
+    text, sizes = prepared(text)
     try:
         tokens = tokens_of(text)
     except NoProgram:
         return ""
-    writer = _Writer()
+    writer = _Writer(sizes)
     at = 0
     while at < len(tokens):  # what is cut out of a class ends more blocks than it begins
         at = writer.block(tokens, at)
@@ -79,16 +75,25 @@ def as_python(text):
 class _Writer:
     """The lines that are written."""
 
-    def __init__(self):
+    def __init__(self, sizes):
+        self.sizes = sizes
         self.lines: list = []
         self.depth = 0
         self.local: set | None = None  # what a function declares: other names belong to its object
         self.filled: set = set()  # the matrices of its caller
         self.fields_set: list = []  # by constructors
+        self.around: list = []  # what the functions around this one declare
+        self.inlined = 0
 
     def put(self, line):
         """Write a line."""
         self.lines.append("    " * self.depth + line)
+
+    def put_all(self, lines, end=None):
+        """Write lines; the place behind what they stand for."""
+        for line in lines:
+            self.put(line)
+        return end
 
     def block(self, tokens, at):
         """Write statements until the block ends; the place behind it."""
@@ -117,7 +122,7 @@ class _Writer:
             return at + 1
         if (kind, word) == ("op", "{"):
             return self.block(tokens, at + 1)
-        if word in ("if", "while", "for"):
+        if word in ("if", "while", "for", "foreach"):
             return self.controlled(tokens, at, word)
         if word == "else":
             if tokens[at + 1][1] == "if":
@@ -127,9 +132,16 @@ class _Writer:
         if word == "typedef":
             return at + 1
         if word == "struct":
-            self.fields(tokens, at)
-        if word in ("class", "struct", "namespace", "public", "private", "protected"):
-            end = next(k for k in range(at, len(tokens)) if tokens[k][1] in ("{", ";", ":", "("))
+            self.put_all(fields(tokens, at))
+        if word == "enum":
+            lines, end = enumeration(tokens, at)
+            return self.put_all(lines, end)
+        if word in ("class", "struct", "namespace", "public", "private", "protected", "record"):
+            ends = ("{", ";", ":", "(", "=")
+            end = next(k for k in range(at, len(tokens)) if tokens[k][1] in ends)
+            if "record" in [text for _, text in tokens[at:end]] and tokens[end][1] == "(":
+                lines, end = record(tokens, end)
+                return self.put_all(lines, end)
             if tokens[end][1] == "{":
                 return self.block(tokens, end + 1)
             if tokens[end][1] == ":" and end == at + 1:
@@ -138,20 +150,23 @@ class _Writer:
         if head:
             return head
         end = behind(tokens, at)
-        self.simple(tokens[at : end - (tokens[end - 1] == ("op", ";"))])
+        self.simple(before(self, tokens[at : end - (tokens[end - 1] == ("op", ";"))]))
         return end
 
-    def fields(self, tokens, at):
-        """Write the fields of a record."""
-        start = next(k for k in range(at, len(tokens)) if tokens[k][1] in ("{", ";", "(", "="))
-        if tokens[start][1] != "{":
-            return
-        names = []
-        for part in split(tokens[start + 1 : closing(tokens, start)], ";"):
-            if part and not any(text in ("(", "{") for _, text in part):
-                ends = [one for one in split(split(part, "=")[0], ",") if one]
-                names += [one[-1][1] for one in ends if one[-1][0] == "name"]
-        self.put(f"_struct({names!r})")
+    def inline(self, name, names, taken, tokens):
+        """Write a function that stands within an expression."""
+        self.put(f"def {name}({', '.join(names)}):")
+        self.inlined += 1
+        lines = [line for pattern, one in taken for line in fields_taken(pattern, one)]
+        kept = self.local, self.filled, self.around
+        self.around = [*self.around, self.local or set()]
+        self.local = {*names, *(line.split(" = ")[0] for line in lines)}
+        self.depth += 1
+        self.put_all(lines)
+        self.depth -= 1
+        block = tokens[:1] == [("op", "{")]
+        self.body(tokens if block else [("name", "return"), *tokens], 0)
+        self.local, self.filled, self.around = kept
 
     def body(self, tokens, at, last=""):
         """Write what a head governs: a block or one statement; the place behind it."""
@@ -170,7 +185,7 @@ class _Writer:
             raise NoProgram
         end = closing(tokens, at + 1)
         inside = tokens[at + 2 : end]
-        if word != "for":
+        if word not in ("for", "foreach"):
             self.put(f"{said or word} {expression(inside)}:")
             return self.body(tokens, end + 1)
         parts = split(inside, ";")
@@ -182,7 +197,10 @@ class _Writer:
         if len(over) == 1:
             at_word = next(k for k, one in enumerate(inside) if one[1] in ("of", "in"))
             over = [inside[:at_word], inside[at_word + 1 :]]
-        self.put(f"for {over[0][-1][1]} in {expression(over[1])}:")
+        names = [text for kind, text in over[0] if kind == "name"]
+        many = over[0][-1][1] in (")", "]")  # for (const [a, b] of rows)
+        names = [one for one in names if one not in ("var", "const", "let", "auto")]
+        self.put(f"for {', '.join(names) if many else over[0][-1][1]} in {expression(over[1])}:")
         return self.body(tokens, end + 1)
 
     def function(self, tokens, at):
@@ -196,11 +214,7 @@ class _Writer:
             return None
         end = closing(tokens, k)
         after = end + 1
-        while (
-            after < len(tokens)
-            and tokens[after][0] == "name"
-            and tokens[after][1] in ("const", "noexcept", "override")
-        ):
+        while tokens[after : after + 1] and tokens[after][1] in BEHIND:
             after += 1
         fields, after = initialised(tokens, after)
         if after >= len(tokens) or tokens[after] != ("op", "{"):
@@ -239,12 +253,18 @@ class _Writer:
             return
         texts = [text for _, text in tokens]
         if texts[1:2] == ["."] and texts[2:4] in (["setIdentity", "("], ["setZero", "("]):
-            self.put(f"{texts[0]} = {'Identity' if texts[2] == 'setIdentity' else 'Zero'}()")
+            zeros = f"_new({self.sizes[texts[0]]})" if texts[0] in self.sizes else "Zero()"
+            self.set(tokens[:1], "Identity()" if texts[2] == "setIdentity" else zeros)
             return
         if texts[-1] == ")" and texts[1:2] == ["."] and texts[2] in PUSHED and texts[3] == "(":
             self.put(f"{texts[0]} = _pushed({texts[0]}, {expression(tokens[4:-1])})")
             return
         bare = without_type(tokens)
+        if apart := taken_apart(bare):
+            self.put_all(apart)
+            if self.local is not None:
+                self.local.update(line.split(" = ")[0] for line in apart)
+            return
         for part in split(bare, ","):
             if part[:1] and part[0][1] in self.filled and part[1:2] == [("op", "=")]:
                 self.put(f"_into({part[0][1]}, {expression(part[2:])})")
@@ -255,8 +275,12 @@ class _Writer:
                 if len(bare) < len(tokens):
                     self.local.add(name[1])
                 elif name[1] not in self.local:
-                    self.put(f"global {name[1]}")
+                    self.put(f"{self.kept(name[1])} {name[1]}")
             self.put(line)
+
+    def kept(self, name):
+        """Where a name is kept that a function does not declare."""
+        return "nonlocal" if any(name in one for one in self.around) else "global"
 
     def set(self, target, value):
         """Write what fills a matrix."""

@@ -7,6 +7,7 @@ import numpy as np
 from ...held.factors import Multiplied
 from ...held.scopes import MISSING
 from ...held.values import Function, Instance, Method, Unknown, plain
+from ...interpreting.expressions import evaluate
 from .values import ALL, NAMES, Span, from_one, key_of, listed, picked
 
 __all__ = ["Matlab"]
@@ -34,7 +35,11 @@ class Matlab:
         """What a name is that the program does not define; None of others."""
         if name.startswith("SELF__"):  # obj.link(…): obj is the function's first argument
             method = scope.find(name.removeprefix("SELF__"))
-            return Method(method, Instance(None)) if isinstance(method, Function) else None
+            if not isinstance(method, Function):
+                return None
+            return method if method.kind == "staticmethod" else Method(method, Instance(None))
+        if "__" in name:
+            return _field(name, scope)
         return ALL if name == "_all" else NAMES.get(name)
 
     def is_index(self, held, args):
@@ -58,6 +63,14 @@ class Matlab:
         if scope.find(name) is MISSING:
             scope.put(name, {})
 
+    def prepare_record(self, run, target, scope):
+        """A record that is set field by field begins as nothing: ``s(2).d = 0.1``."""
+        name = target.value.id
+        self.prepare(name, target, scope)
+        held, key = scope.find(name), evaluate(run, target.slice, scope)
+        if isinstance(held, dict):
+            held.setdefault(key_of(key), Instance(None, path=f"{name}({key})"))
+
     def operands(self, kind, one, other):
         """The operation and its operands as Python has them."""
         one, other = (_matrix(value) for value in (one, other))
@@ -65,6 +78,13 @@ class Matlab:
             one, other = (np.asarray(v) if isinstance(v, np.ndarray) else v for v in (one, other))
             kind = ast.Mult if kind is ast.Mod else ast.Div
         return kind, one, other
+
+
+def _field(name, scope):
+    """The field of a record that was taken from elsewhere, ``p = L(2)``: ``p.q0`` is ``p__q0``."""
+    owner, _, field = name.partition("__")
+    held = scope.find(owner)
+    return held.attributes.get(field) if isinstance(held, Instance) else None
 
 
 def _matrix(value):

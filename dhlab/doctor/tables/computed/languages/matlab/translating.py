@@ -10,7 +10,7 @@ __all__ = ["as_python", "is_matlab"]
 MATLAB = re.compile(
     r"^[ \t]*(?:function\b[^\n:]*|for\s+\w+\s*=[^\n]*|end;?|clc\b.*|syms\b.*"
     r"|\w+\s*=\s*\[[^\n]*;\s*(?:\.\.\.)?)$"
-    r"|^[ \t]*%|;[ \t]*%|\beye\(4\);|SerialLink\(",
+    r"|^[ \t]*%|;[ \t]*%|\beye\(4\);|SerialLink\(|=\s*@\(|^(?:clear|close)\b[^\n=(]*$",
     re.MULTILINE,
 )
 NOT_MATLAB = re.compile(
@@ -164,7 +164,8 @@ class _Writer:
             said = f"if _is_case(_switched,{expression(rest)}):" if word == "case" else "if True:"
             self.open("case", said)
         elif word in ("try", "properties", "methods", "classdef"):
-            self.open(word, "if True:")
+            static = any(text == "Static" for _, text in rest)
+            self.open("static" if static else word, "if True:")
         elif word == "catch":
             self.blocks.pop()
             self.open("try", "if False:")
@@ -194,6 +195,8 @@ class _Writer:
         ]
         args = [f"_{k}" if arg == "~" else arg for k, arg in enumerate(args)]
         args = ["*varargin" if arg == "varargin" else arg for arg in args]
+        if "static" in self.blocks:
+            self.put("@staticmethod")
         self.open("function", f"def {name.split('.')[-1]}({', '.join(args)}):")
         self.results.append(", ".join(names) if names else "None")
 

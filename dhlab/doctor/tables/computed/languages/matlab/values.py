@@ -8,7 +8,7 @@ import numpy as np
 from ...held.budget import MOST_ITEMS, Unsupported
 from ...held.factors import Multiplied
 from ...held.operators import whole
-from ...held.values import Native, Unknown, is_number, number_of, plain
+from ...held.values import Instance, Native, Unknown, is_number, number_of, plain
 from ...library.functions import FUNCTIONS
 from ...library.symbols import SYMBOLS
 from ...library.toolbox import Link, robot
@@ -79,6 +79,9 @@ def picked(value, args):
         return value[key_of(key)]
     if isinstance(value, Unknown):
         return _of_unknown(value, args)
+    if isinstance(value, list) and isinstance(key, tuple) and isinstance(value[0], list):
+        rows = value[from_one(key[0])]
+        return rows[from_one(key[1])] if isinstance(rows, list) else rows
     if isinstance(value, list | tuple):
         at = from_one(key[-1] if isinstance(key, tuple) else key)
         return value[at]
@@ -147,8 +150,10 @@ def _part(one):
 
 
 def _cells(run, args, _):
-    flat = [one for row in args[0] for one in row]
-    return flat
+    rows = args[0]
+    if len(rows) > 1 and {len(row) for row in rows} - {1} and len({len(row) for row in rows}) == 1:
+        return [list(row) for row in rows]
+    return [one for row in rows for one in row]
 
 
 def _size(args):
@@ -237,6 +242,18 @@ def _robot(run, args, kwargs):
     return robot(run, [given], {})
 
 
+def _struct(run, args, _):
+    """``struct('d', 0.3, 'a', 0)``; without fields it is filled later."""
+    if not args:
+        return {}
+    fields = dict(zip(args[::2], args[1::2]))
+    if not all(isinstance(name, str) for name in fields) or any(
+        isinstance(value, list | dict) for value in fields.values()
+    ):
+        raise Unsupported("many records")
+    return Instance(None, fields, "struct")
+
+
 def _is_case(run, args, _):
     cases = args[1] if isinstance(args[1], list) else [args[1]]
     return any(isinstance(one, str) == isinstance(args[0], str) and one == args[0] for one in cases)
@@ -244,7 +261,7 @@ def _is_case(run, args, _):
 
 NAMES = {
     "_span": _span, "_matrix": _matrix, "_cells": _cells, "zeros": _filled(0.0),
-    "ones": _filled(1.0), "eye": _unit, "cell": lambda *_: {}, "struct": lambda *_: {},
+    "ones": _filled(1.0), "eye": _unit, "cell": lambda *_: {}, "struct": _struct,
     "length": _count, "numel": _count, "size": _sizes, "sym": _symbol, "_is_case": _is_case,
     "double": FUNCTIONS["copy"].call, "Link": _link, "Revolute": _of_kind("standard", "R"),
     "Prismatic": _of_kind("standard", "P"), "RevoluteMDH": _of_kind("craig", "R"),

@@ -1,0 +1,40 @@
+"""A text in a language with braces, without comments and what is for its preprocessor."""
+
+import re
+
+from .tokens import simplified
+
+__all__ = ["prepared"]
+
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
+MACRO = re.compile(r"^[ \t]*#define[ \t]+(\w+)\(([\w, ]+)\)[ \t]+([^\n]+)$", re.MULTILINE)
+DEFINED = re.compile(r"^[ \t]*#define[ \t]+(\w+)[ \t]+([^\n]+)$", re.MULTILINE)
+PREPROCESSOR = re.compile(
+    r"^[ \t]*(?:</?script[^\n>]*>|#[^\n]*|@\w+[^\n]*|using [^\n]*|import [^\n]*"
+    r"|package [^\n]*)$",
+    re.MULTILINE,
+)
+OF_FOUR = re.compile(r"\bMatrix\s*<(?:\s*(?:double|float)\s*,)?\s*4\s*,\s*4\s*(?:,[^<>]*)?>")
+COLUMN = re.compile(
+    r"\b(?:Matrix<\s*(?:double|float)\s*,\s*(\d+)\s*,\s*1\s*>|Vector(\d)[df])\s+([\w, ]+);"
+)
+WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def prepared(text):
+    """(The text with its macros as functions and numbers, the lengths of columns by their names:
+    ``Matrix<double, 6, 1> offset;``).
+
+    Examples
+    --------
+    >>> prepared("#define MM(x) (x / 1000)  // lengths")
+    ('double MM(x) { return (x / 1000)   ; }', {})
+    """
+    text = MACRO.sub(r"double \1(\2) { return \3; }", COMMENT.sub(" ", text))
+    text = DEFINED.sub(r"\1 = \2;", text)
+    sizes = {
+        name: size or short
+        for size, short, names in COLUMN.findall(text)
+        for name in re.findall(r"\w+", names)
+    }
+    return simplified(OF_FOUR.sub("Matrix4d", PREPROCESSOR.sub("", text))), sizes
