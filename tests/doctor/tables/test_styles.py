@@ -59,6 +59,24 @@ def forward(q):
     p[[0, 1, 2], 0] += np.array(q)[[0, 1, 2]]
     return A(*p[0]) @ A(*p[1]) @ A(*p[2])
 """
+GENERATED = f"""
+import numpy as np
+class Arm:
+    joints = [dict(d=0.25, a=0, tilt=90, zero=0), dict(d=0, a=0.32, tilt=0, zero=0),
+              dict(d=0, a=0.21, tilt=0, zero=90)]
+    def matrices(self, q):
+        for joint, angle in zip(self.joints, q):
+            yield self.matrix(angle + np.radians(joint["zero"]), joint)
+    def matrix(self, t, joint):
+        d, a, al = joint["d"], joint["a"], np.radians(joint["tilt"])
+        c, s, k, w = np.cos(t), np.sin(t), np.cos(al), np.sin(al)
+        return np.array([{MATRIX}])
+    def pose(self, q):
+        T = np.eye(4)
+        for A in self.matrices(q):
+            T = T @ A
+        return T
+"""
 CELLS = """
 function T = arm(q)
   rows = {0, 0.25, 0, 90; 0, 0, 0.32, 0; 90, 0, 0.21, 0};
@@ -214,7 +232,8 @@ public class Kinematics {{
 """
 STYLES = {
     "Python, named tuples": NAMED_TUPLES, "Python, SciPy's rotations": ROTATIONS,
-    "Python, indices in a list": PICKED, "MATLAB, cells": CELLS, "MATLAB, records": RECORDS,
+    "Python, indices in a list": PICKED, "Python, a generator": GENERATED,
+    "MATLAB, cells": CELLS, "MATLAB, records": RECORDS,
     "MATLAB, records by fields": FIELDS, "MATLAB, static methods": STATIC, "C, pointers": POINTERS,
     "C++, AngleAxis": ANGLE_AXIS, "JavaScript, map and reduce": MAPPED,
     "Java, arrays of zeros": ARRAYS_OF_ZEROS,

@@ -11,7 +11,9 @@ from ..held.values import Function, Module, Unknown, items_of
 from ..library.functions import LIBRARIES
 from ..library.methods import from_library
 
-__all__ = ["arguments", "assign", "evaluate"]
+__all__ = ["YIELDED", "arguments", "assign", "evaluate"]
+
+YIELDED = "yield"  # no name of a program
 
 
 def evaluate(run, node, scope):
@@ -193,6 +195,17 @@ def _named(run, node, scope):
     return value
 
 
+def _yielded(run, node, scope):
+    """What a generator gives: its function comes to the list of all of it."""
+    held = scope.names.setdefault(YIELDED, [])
+    value = None if node.value is None else evaluate(run, node.value, scope)
+    if isinstance(node, ast.YieldFrom):
+        held += items_of(value)
+    else:
+        held.append(value)
+    run.budget.checked(held)
+
+
 def assign(run, target, value, scope):
     """Let a target, ``x``, ``x[i]``, ``x.y`` or ``x, y``, hold a value."""
     if isinstance(target, ast.Name):
@@ -238,4 +251,5 @@ EXPRESSIONS = {
     ast.Attribute: _attribute, ast.Call: _call, ast.Lambda: _lambda,
     ast.ListComp: _comprehended, ast.GeneratorExp: _comprehended, ast.DictComp: _comprehended,
     ast.SetComp: _comprehended, ast.JoinedStr: _text, ast.NamedExpr: _named,
+    ast.Yield: _yielded, ast.YieldFrom: _yielded,
 }  # fmt: skip

@@ -26,7 +26,7 @@ from ..held.values import (
 from ..library.methods import attribute, from_library
 from ..library.toolbox import Link
 from .binding import bind
-from .expressions import evaluate
+from .expressions import YIELDED, evaluate
 from .products import OwnProducts
 from .statements import body
 
@@ -232,6 +232,7 @@ class Run:
                 if isinstance(node.body, list):
                     ended = body(self, node.body, scope)
                     result = ended[1] if ended and ended[0] == "return" else None
+                    result = scope.names.get(YIELDED, result)
                 else:
                     result = evaluate(self, node.body, scope)
         finally:
