@@ -26,6 +26,8 @@ def assignment(tokens):
                 raise NoProgram
             names = [declared(one) for one in targets]
             return f"{mark.join(names)}{mark}{expression(value)}"
+    if tokens[0][0] == "name" and tokens[1:2] == [("op", "{")]:  # vector<Row> rows{{…}};
+        return f"{tokens[0][1]} = {expression(tokens[1:])}"
     sizes = [k for k, one in enumerate(tokens) if one == ("op", "[")]
     if tokens[0][0] == "name" and sizes == [] and len(tokens) == 1:
         return f"{tokens[0][1]} = _new()"
@@ -73,6 +75,9 @@ def declared(tokens):
         last = len(tokens) - 1
         start = max(k for k in range(last) if closing_or_none(tokens, k) == last)
         places = [expression(one) for one in split(tokens[start + 1 : last], ",")]
+        owner, _, part = expression(tokens[:start]).rpartition(".")
+        if part in ("row", "col") and owner:  # T.row(0) << 1, 0, 0, 0;
+            return f"{owner}[{places[0]}]" if part == "row" else f"{owner}[:,{places[0]}]"
         return f"{expression(tokens[:start])}[{','.join(places)}]"
     return expression(tokens)
 

@@ -82,6 +82,10 @@ def _folded(run, items, function, *start):
     return value
 
 
+def _numbered(run, items):
+    return [[k, item] for k, item in enumerate(items)]
+
+
 def _beside(run, items, other):
     return [list(pair) for pair in zip(items, items_of(other))]
 
@@ -131,7 +135,14 @@ def _copy(run, value, args):
     return value.copy().view(Multiplied)
 
 
-EACH = {"map": _mapped, "Select": _mapped, "forEach": _mapped, "reduce": _folded, "Zip": _beside}
+EACH = {
+    "entries": _numbered,
+    "map": _mapped,
+    "Select": _mapped,
+    "forEach": _mapped,
+    "reduce": _folded,
+    "Zip": _beside,
+}
 MATRIX = {
     "set": _set, "SetRow": _row, "SetColumn": _column, "multiply": _times, "premultiply": _before,
     "multiplyMatrices": _of_two, "identity": _identity, "clone": _copy,

@@ -20,6 +20,17 @@ COLUMN = re.compile(
 )
 WORD = re.compile(r"[A-Za-z_]\w*")
 
+TYPED = re.compile(r":\s*(?:number|void|string|boolean)\b")  # TypeScript
+INTERFACE = re.compile(r"\binterface\s+\w+[^{}]*\{[^{}]*\}")
+RESULT = re.compile(r"\)\s*:\s*[\w\[\]<>,| ]{1,60}?\s*(?=\{|=>)")
+VARIABLE = re.compile(r"\b(const|let|var)\s+(\w+)\s*:\s*[\w\[\]<>,| ]{1,60}=(?![=>])")
+
+
+def _without_annotations(text):
+    """A program in TypeScript without its types."""
+    text = RESULT.sub(") ", INTERFACE.sub("", text))
+    return VARIABLE.sub(r"\1 \2 =", text)
+
 
 def prepared(text):
     """(The text with its macros as functions and numbers, the lengths of columns by their names:
@@ -31,6 +42,7 @@ def prepared(text):
     ('double MM(x) { return (x / 1000)   ; }', {})
     """
     text = MACRO.sub(r"double \1(\2) { return \3; }", COMMENT.sub(" ", text))
+    text = _without_annotations(text) if TYPED.search(text) else text
     text = DEFINED.sub(r"\1 = \2;", text)
     sizes = {
         name: size or short

@@ -139,6 +139,8 @@ class _Writer:
         if word in ("class", "struct", "namespace", "public", "private", "protected", "record"):
             ends = ("{", ";", ":", "(", "=")
             end = next(k for k in range(at, len(tokens)) if tokens[k][1] in ends)
+            if tokens[end][1] == ":" and end > at + 1:  # what it is derived from
+                end = next(k for k in range(end, len(tokens)) if tokens[k][1] in ("{", ";", "("))
             if "record" in [text for _, text in tokens[at:end]] and tokens[end][1] == "(":
                 lines, end = record(tokens, end)
                 return self.put_all(lines, end)
