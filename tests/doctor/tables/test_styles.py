@@ -230,13 +230,92 @@ public class Kinematics {{
   }}
 }}
 """
+BLOCKS = """
+Eigen::Matrix4d link(double t, double d, double a, double al) {
+  Eigen::Matrix3d R;
+  R = Eigen::AngleAxisd(t, Eigen::Vector3d::UnitZ()).toRotationMatrix()
+      * Eigen::AngleAxisd(al, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
+  T.block<3, 3>(0, 0) = R;
+  T.block<3, 1>(0, 3) = Eigen::Vector3d(a * cos(t), a * sin(t), d);
+  return T;
+}
+Eigen::Vector3d position(const Eigen::VectorXd& q) {
+  Eigen::Matrix4d T = link(q(0), 0.25, 0, M_PI / 2) * link(q(1), 0, 0.32, 0);
+  T = T * link(q(2) + M_PI / 2, 0, 0.21, 0);
+  return T.block<3, 1>(0, 3);
+}
+"""
+FILLED_ROWS = """
+struct DhRow { double theta, d, a, alpha; };
+Eigen::Matrix4d toMatrix(const DhRow& r, double q) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  const double c = cos(r.theta + q), s = sin(r.theta + q), k = cos(r.alpha), w = sin(r.alpha);
+  m.row(0) << c, -s * k, s * w, r.a * c;
+  m.row(1) << s, c * k, -c * w, r.a * s;
+  m.row(2) << 0, w, k, r.d;
+  return m;
+}
+Eigen::Matrix4d fk(const std::vector<double>& q) {
+  static const std::vector<DhRow> rows{{0, 0.25, 0, M_PI_2}, {0, 0, 0.32, 0}, {M_PI_2, 0, 0.21, 0}};
+  Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
+  for (size_t i = 0; i < rows.size(); ++i) T = T * toMatrix(rows[i], q[i]);
+  return T;
+}
+"""
+DERIVED = """
+public class ArmFK : MonoBehaviour {
+  public float[] jointAngles = new float[3];
+  private readonly float[] d = { 0.25f, 0f, 0f };
+  private readonly float[] a = { 0f, 0.32f, 0.21f };
+  private readonly float[] alpha = { 90f, 0f, 0f };
+  Matrix4x4 Link(int i) {
+    float t = (jointAngles[i] + (i == 2 ? 90f : 0f)) * Mathf.Deg2Rad;
+    float c = Mathf.Cos(t), s = Mathf.Sin(t);
+    float k = Mathf.Cos(alpha[i] * Mathf.Deg2Rad), w = Mathf.Sin(alpha[i] * Mathf.Deg2Rad);
+    Matrix4x4 m = Matrix4x4.identity;
+    m.SetRow(0, new Vector4(c, -s * k, s * w, a[i] * c));
+    m.SetRow(1, new Vector4(s, c * k, -c * w, a[i] * s));
+    m.SetRow(2, new Vector4(0, w, k, d[i]));
+    return m;
+  }
+  void Update() {
+    Matrix4x4 T = Matrix4x4.identity;
+    for (int i = 0; i < 3; i++) T *= Link(i);
+    transform.position = T.GetColumn(3);
+  }
+}
+"""
+TYPED = f"""
+interface Link {{ a: number; alpha: number; d: number; theta: number }}
+const links: Link[] = [
+  {{ a: 0, alpha: Math.PI / 2, d: 0.25, theta: 0 }}, {{ a: 0.32, alpha: 0, d: 0, theta: 0 }},
+  {{ a: 0.21, alpha: 0, d: 0, theta: Math.PI / 2 }},
+];
+function T(l: Link, q: number): number[][] {{
+  const c = Math.cos(q + l.theta), s = Math.sin(q + l.theta), a = l.a, d = l.d;
+  const k = Math.cos(l.alpha), w = Math.sin(l.alpha);
+  return [{MATRIX}];
+}}
+function times(A: number[][], B: number[][]): number[][] {{
+  return A.map((row) => B[0].map((_, j) => row.reduce((sum, v, k) => sum + v * B[k][j], 0)));
+}}
+export function fk(q: number[]): number[][] {{
+  let M = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+  for (const [i, l] of links.entries()) {{
+    M = times(M, T(l, q[i]));
+  }}
+  return M;
+}}
+"""
 STYLES = {
     "Python, named tuples": NAMED_TUPLES, "Python, SciPy's rotations": ROTATIONS,
     "Python, indices in a list": PICKED, "Python, a generator": GENERATED,
     "MATLAB, cells": CELLS, "MATLAB, records": RECORDS,
     "MATLAB, records by fields": FIELDS, "MATLAB, static methods": STATIC, "C, pointers": POINTERS,
     "C++, AngleAxis": ANGLE_AXIS, "JavaScript, map and reduce": MAPPED,
-    "Java, arrays of zeros": ARRAYS_OF_ZEROS,
+    "Java, arrays of zeros": ARRAYS_OF_ZEROS, "C++, blocks": BLOCKS, "C++, rows": FILLED_ROWS,
+    "C#, a derived class": DERIVED, "TypeScript": TYPED,
 }  # fmt: skip
 
 
@@ -266,3 +345,12 @@ def links(q1, q2, q3):
     found = recognise_table(text)
     assert len(found.readings) == 1
     assert np.allclose(found.arm.forward(Q), RIGHT.forward(Q), rtol=0, atol=1e-9)
+
+
+def test_a_matrix_of_which_a_part_is_set_in_an_unknown_way_is_no_link():
+    text = BLOCKS.replace("T.block<3, 1>(0, 3) =", "T.somewhere(3).there =")
+    try:
+        found = recognise_table(text)
+    except ValueError:
+        return
+    assert len(found.readings) > 1 or np.allclose(found.arm.forward(Q), RIGHT.forward(Q))

@@ -2,6 +2,8 @@
 
 import ast
 
+import numpy as np
+
 from ..held.budget import FAILURES
 from ..held.factors import is_known_pose
 from ..held.values import LOST, Instance, Unknown
@@ -30,6 +32,9 @@ def spoiled(run, node, scope):
             owner.attributes[target.attr] = Unknown(path, run.samples)
         elif isinstance(owner, Link):
             owner.row = None
+        elif isinstance(owner, np.ndarray) and isinstance(target.value, ast.Name):  # a part of it
+            _spoil_products(run, owner)
+            scope.put(target.value.id, Unknown(path, run.samples))
 
 
 def _spoil_products(run, value):

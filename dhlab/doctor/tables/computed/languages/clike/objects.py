@@ -131,6 +131,14 @@ def _identity(run, value, args):
     return _into(value, np.eye(4))
 
 
+def _turn(run, value, args):
+    return value[:3, :3].copy()
+
+
+def _part(run, value, args):
+    return run.unknown("part")
+
+
 def _copy(run, value, args):
     return value.copy().view(Multiplied)
 
@@ -146,4 +154,7 @@ EACH = {
 MATRIX = {
     "set": _set, "SetRow": _row, "SetColumn": _column, "multiply": _times, "premultiply": _before,
     "multiplyMatrices": _of_two, "identity": _identity, "clone": _copy,
+    "toRotationMatrix": _turn, "matrix": _copy,
+    **dict.fromkeys(("GetColumn", "GetRow", "GetPosition", "MultiplyPoint", "MultiplyPoint3x4",
+                     "MultiplyVector", "ToString", "toString", "eulerAngles"), _part),
 }  # fmt: skip

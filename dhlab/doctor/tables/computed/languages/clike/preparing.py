@@ -26,6 +26,28 @@ RESULT = re.compile(r"\)\s*:\s*[\w\[\]<>,| ]{1,60}?\s*(?=\{|=>)")
 VARIABLE = re.compile(r"\b(const|let|var)\s+(\w+)\s*:\s*[\w\[\]<>,| ]{1,60}=(?![=>])")
 
 
+BLOCK = re.compile(r"\.block\s*<\s*(\d)\s*,\s*(\d)\s*>\s*\(\s*(\d)\s*,\s*(\d)\s*\)")
+CORNER = re.compile(r"\.top(Left|Right)Corner\s*<\s*3\s*,\s*([13])\s*>\s*\(\s*\)")
+TRANSFORM = re.compile(r"\b(?:Affine|Isometry)3[df]\b")
+PART = re.compile(r"\.(linear|rotation|translation)\(\s*\)")
+
+
+def _with_parts(text):
+    """Eigen's parts of a matrix as ranges: ``T.block<3, 1>(0, 3)`` as ``T[0:3, 3:4]``."""
+
+    def ranged(match):
+        rows, columns, i, j = map(int, match.groups())
+        return f"[{i}:{i + rows}, {j}:{j + columns}]"
+
+    text = CORNER.sub(
+        lambda match: "[0:3, 3:4]" if match.groups() == ("Right", "1") else "[0:3, 0:3]", text
+    )
+    text = BLOCK.sub(ranged, text)
+    if not TRANSFORM.search(text):
+        return text
+    return PART.sub(lambda match: "[0:3, 3:4]" if match[1] == "translation" else "[0:3, 0:3]", text)
+
+
 def _without_annotations(text):
     """A program in TypeScript without its types."""
     text = RESULT.sub(") ", INTERFACE.sub("", text))
@@ -43,6 +65,7 @@ def prepared(text):
     """
     text = MACRO.sub(r"double \1(\2) { return \3; }", COMMENT.sub(" ", text))
     text = _without_annotations(text) if TYPED.search(text) else text
+    text = _with_parts(text)
     text = DEFINED.sub(r"\1 = \2;", text)
     sizes = {
         name: size or short
