@@ -194,6 +194,22 @@ def test_each_file_is_its_owners(tmp_path, called):
         assert all(any(part in name for name in names) for part in expected[student])
 
 
+@pytest.mark.parametrize("sid", ["Ada Lovelace", "ada", "ada@example.org"])
+def test_what_stands_in_the_place_of_a_students_number_is_no_name_and_no_address(tmp_path, sid):
+    other = f"submission_3:\n  :submitters:\n  - :name: Mallory M\n    :sid: '{sid}'\n"
+    for number in (1, 3):
+        put(tmp_path / f"submission_{number}" / "05.ipynb", day=number)
+    put(tmp_path / "submission_metadata.yml", (METADATA + other).encode())
+    assert taken(tmp_path, CLASS)["ada_l"] == ["ada_l/submission_1/05.ipynb"]
+
+
+@pytest.mark.parametrize("second", [".", "-", "..", "_"])
+def test_who_has_one_name_has_a_sign_for_the_second_on_moodle(tmp_path, second):
+    name = f"Cher {second}_79_assignsubmission_file_"
+    put(tmp_path / name / "05.ipynb")
+    assert taken(tmp_path, (*CLASS, Student("c1", "Cher"))) == {"c1": [f"{name}/05.ipynb"]}
+
+
 def test_a_group_on_gradescope_is_each_of_it(tmp_path):
     both = METADATA.replace(
         "  :created_at", "  - :name: Cy Twombly\n    :sid: cy\n  :created_at", 1

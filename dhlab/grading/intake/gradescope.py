@@ -81,9 +81,9 @@ def _of_block(text, names):
 def _person(told, names):
     """(id of one submitter, whether that is sure); None when not on the roster. The student's
     number is looked for first, then the address. A name is looked for last and is never sure, since
-    anybody may choose it.
+    anybody may choose it; what stands in the place of the number may be chosen too, and is no name.
     """
     sid, mail, name = (str(told.get(f":{key}") or "") for key in ("sid", "email", "name"))
-    sure = (sid and names.find(sid)) or (mail and names.find(mail))
+    sure = names.by_id(sid) or names.by_id(mail) or names.by_address(mail)
     found = sure or (name and names.by_name(name))
     return (found, bool(sure)) if found else None

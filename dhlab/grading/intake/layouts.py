@@ -68,6 +68,14 @@ class Names:
             for mail in (student.email, student.email.partition("@")[0]):
                 _add(self._mails, _plain(mail), student)
 
+    def by_id(self, called: str) -> str | None:
+        """The student of this id; None."""
+        return self.ids.get(_plain(called))
+
+    def by_address(self, mail: str) -> str | None:
+        """The one student of this address, all of it; None."""
+        return _only(self._mails.get(_plain(mail), ())) if "@" in mail else None
+
     def by_name(self, called: str) -> str | None:
         """The one student of this name; None."""
         return _only(self._so_called(called))
@@ -248,9 +256,11 @@ def _plain(text):
 
 
 def _words(name):
-    """A name's words in one order, so that "Lovelace, Ada" is "Ada Lovelace"."""
+    """A name's words in one order, so that "Lovelace, Ada" is "Ada Lovelace". A sign alone is no
+    word: Moodle wants two names of everybody, and who has one is "Cher ." there.
+    """
     return (
-        " ".join(sorted(re.findall(r"[^\s,_]+", _plain(name))))
+        " ".join(sorted(re.findall(r"[^\s,_]*[^\W_][^\s,_]*", _plain(name))))
         if SPACED.search(name.strip())
         else name
     )
