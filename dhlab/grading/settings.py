@@ -92,6 +92,8 @@ class Settings:
 
     def late_after(self, due: datetime, when: datetime) -> tuple[float, float]:
         """The same, for a due date of one student's own."""
+        # by the minute, as they are shown: 23:59 lasts until midnight
+        due, when = (at.replace(second=0, microsecond=0) for at in (due, when))
         # two times of one zone would be subtracted as the clocks show them, summer time or not
         days = (when.astimezone(UTC) - due.astimezone(UTC)).total_seconds() / 86400
         if days <= self.grace_hours / 24:

@@ -88,6 +88,15 @@ def test_lateness(tmp_path, hours, days, penalty):
     )
 
 
+def test_a_minute_is_over_when_the_next_begins(tmp_path):
+    course = read(tmp_path, 'lessons: {"05": {due: 2026-11-20 23:59}}\nlate: {percent_per_day: 10}')
+    late = [
+        course.lateness("05", datetime(2026, 11, day, hour, minute, second, tzinfo=UTC))[1]
+        for day, hour, minute, second in [(20, 23, 59, 0), (20, 23, 59, 59), (21, 0, 0, 0)]
+    ]
+    assert late == [0, 0, 0.1]
+
+
 def test_days_are_as_long_as_they_are_when_summer_time_ends(tmp_path):
     course = read(tmp_path, WHOLE.replace("2026-11-20", "2026-10-24"))
     due = course.lessons["05"].due
