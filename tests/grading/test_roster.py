@@ -20,6 +20,7 @@ def roster(tmp_path, text, encoding="utf-8"):
     [
         ("student,name,email,language\nada,Ada L.,ada@x.org,zh-CN\nbo,,,\n", "utf-8"),
         ("\ufeffstudent;name;email;language\r\nada;Ada L.;ada@x.org;zh\r\nbo;;;\r\n", "utf-8"),
+        ("sep=;\r\nstudent;name;email;language\r\nada;Ada L.;ada@x.org;zh\r\nbo;;;\r\n", "utf-8"),
         (
             'Name, Student ,group,EMAIL,language\n"Ada L.", ada ,3,ada@x.org,zh_CN\n\n,bo,,,\n',
             "utf-8-sig",
@@ -48,6 +49,8 @@ def test_names_may_be_anything(tmp_path):
     "text, words",
     [
         ("", "column names"),
+        ("student,Name,name\nada,Lovelace,Ada\n", "line 1: expected every column once"),
+        ("sep=;\nstudent;name\na/b;Ada\n", "line 3"),
         ("name\nada\n", 'one column "student"'),
         ("student,student\na,b\n", 'one column "student"'),
         ("student\n", "found none"),

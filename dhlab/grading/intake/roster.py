@@ -15,6 +15,7 @@ from ...formats.files import read_text
 __all__ = ["Student", "read_roster"]
 
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")  # what a terminal obeys; names are printed there
+SEPARATOR = re.compile(r"\ufeff?sep=([;,\t])[;,]*\r?", re.IGNORECASE)
 COLUMNS = ("student", "name", "email", "language", "section")
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
 # what names no file on Windows
@@ -65,7 +66,10 @@ def read_roster(path: str | Path) -> tuple[Student, ...]:
     """
     text = read_text(path, "a roster")
     first = text.partition("\n")[0]
-    delimiter = ";" if first.count(";") > first.count(",") else ","
+    if told := SEPARATOR.fullmatch(first):  # a line of Excel's own
+        text, delimiter = text[len(first) :], told[1]
+    else:
+        delimiter = ";" if first.count(";") > first.count(",") else ","
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
     try:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
@@ -95,6 +99,12 @@ def _columns(path, head):
             f'{path}: expected a first line of column names with one column "student", found'
             f' {found}; name the column of ids "student"'
         )
+    for name in COLUMNS:
+        if names.count(name) > 1:
+            raise ValueError(
+                f'{path}: line 1: expected every column once, found "{name}" {names.count(name)}'
+                " times; keep one of them, and call the other something else"
+            )
     for name in names:
         near = (
             []
