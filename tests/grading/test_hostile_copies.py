@@ -223,6 +223,37 @@ def test_an_honest_notebook_makes_no_program_while_it_runs():
     assert made_while_running({"05.4": saved, "05.6": "df.to_csv('table.csv')"}) == []
 
 
+@pytest.mark.parametrize(
+    "source",
+    [
+        "import cProfile\ncProfile.runctx(f'{a}', globals(), {})",
+        "import code\ncode.InteractiveInterpreter(globals()).runsource(a)",
+        "from code import (\n    InteractiveConsole as Own,\n)\nOwn(globals()).push(a)",
+        "import typing\nf = typing.get_type_hints(A)['x']",
+        "from sys import modules as known\nknown['built' + 'ins']",
+        "import sys\n1 in sys.modules\\\n    .values()",
+        "import importlib.util\nimportlib.util.find_spec('m').loader.load_module()",
+    ],
+)
+def test_a_text_that_a_part_of_python_runs_is_told(source):
+    assert made_while_running({"05.6": source}) == ["05.6"]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "import sys\nIN_COLAB = 'google.colab' in sys.modules\nif IN_COLAB:\n    print(1)",
+        "import sys, importlib.util\nif importlib.util.find_spec('dhlab') is None:\n    print(1)",
+        "get_ipython().system('pip install dhlab')\n"
+        "get_ipython().run_line_magic('matplotlib', 'inline')",
+        "modules = 3\nlengths = [0.1] * modules",
+        "from dhlab.transform import *",
+    ],
+)
+def test_who_asks_whether_a_package_is_there_makes_no_program(source):
+    assert made_while_running({"05.6": source}) == []
+
+
 @pytest.mark.parametrize("option, told", [("", []), ("-a ", ["05.6"])])
 def test_a_file_that_is_run_is_told_where_it_is_written_in_pieces(option, told):
     cells = [

@@ -15,10 +15,28 @@ __all__ = ["made_while_running"]
 MAKERS = frozenset(
     """exec eval compile marshal pickle dill cloudpickle FunctionType CodeType __import__ importlib
     import_module runpy run_path run_module linecache ctypes builtins __builtins__ get_ipython
-    _getframe codeop""".split()
+    _getframe codeop cProfile bdb pdb doctest get_type_hints""".split()
 )
 # the same of whatever it is an attribute
-INNER = frozenset("__code__ __globals__ __subclasses__ __builtins__ allow_pickle modules".split())
+INNER = frozenset(
+    """__code__ __globals__ __subclasses__ __builtins__ allow_pickle modules runctx runsource
+    runcode InteractiveInterpreter InteractiveConsole get_type_hints""".split()
+)
+# what only asks whether a package is there, or brings one: Colab's notebooks often begin so
+ASKS = re.compile(
+    r"""\bin\s+sys\.modules\b(?![\s\\]*[.\[])
+    | \bimportlib\.util\.find_spec\(\s*["'][\w.]+["']\s*\)(?=\s*(?:is\b|:))
+    | \bimportlib\.metadata\.version\b
+    | ^[ \t]*import[ \t]+(?:sys[ \t]*,[ \t]*)?importlib\.(?:util|metadata)[ \t]*$
+    | \bget_ipython\(\)\.(?:system\(|run_line_magic\(\s*["'](?:matplotlib|config|pip)["'])""",
+    re.MULTILINE | re.VERBOSE,
+)
+# names of these that are imported, and need no attribute
+IMPORTED = re.compile(
+    r"^[ \t]*from[ \t]+(?:sys[ \t]+import[ \t]*\*|[\w.]+[ \t]+import\b(?:[^\n(]*|[ \t]*\([^)]*)"
+    rf"\b(?:{'|'.join(sorted(INNER))})\b)",
+    re.MULTILINE,
+)
 WRITERS = frozenset("open Path write_text write_bytes tofile savetxt dump".split())
 IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\w+)|import[ \t]+([^\n#]+))", re.MULTILINE)
 # beside Python's own
@@ -43,11 +61,12 @@ def made_while_running(codes: Mapping[str, str]) -> list[str]:
     >>> made_while_running({"05.4": "open('m.py', 'w').write(a)", "05.6": "from m import f"})
     ['05.4', '05.6']
     """
-    read = {exercise: tokens_of(code) for exercise, code in codes.items()}
+    read = {exercise: tokens_of(ASKS.sub("0", code)) for exercise, code in codes.items()}
     makes = {
         exercise
         for exercise, found in read.items()
-        if any(text in INNER or (kind == "name" and text in MAKERS) for kind, text in found)
+        if any(text in (MAKERS if kind == "name" else INNER) for kind, text in found)
+        or IMPORTED.search(codes[exercise])
     }
     writes = {
         exercise
