@@ -254,6 +254,12 @@ def test_who_asks_whether_a_package_is_there_makes_no_program(source):
     assert made_while_running({"05.6": source}) == []
 
 
+def test_what_a_magic_runs_is_compared():
+    cells = [code(f"{begin} f = lambda x: x + 1\n%timeit f(1)") for begin in ("%time", "  %prun")]
+    found = answers({"cells": [*cells, code("check('05.6', f)")]})["05.6"]
+    assert found.count("f = lambda x: x + 1\n") == 2 and "timeit" not in found
+
+
 @pytest.mark.parametrize("option, told", [("", []), ("-a ", ["05.6"])])
 def test_a_file_that_is_run_is_told_where_it_is_written_in_pieces(option, told):
     cells = [

@@ -36,6 +36,7 @@ APART = "\f"  # no letter of a program that means anything
 NO_CODE = re.compile(r"^[ \t]*(?:[#!%?][^\n]*)?(?:\n|\Z)|^[\w, \t]+=[ \t]*[!%][^\n]*", re.M)
 # magics by which a program comes to run that stands nowhere whole, and Python that does the same
 RUNS, APPENDS = re.compile(r"[ \t]*%run\b"), re.compile(r"[ \t]*%%(?:writefile|file)\b.* -a\b")
+TIMED = re.compile(r"[ \t]*%(?:time|prun)\b[ \t]*")  # what stands behind it is Python, and runs
 AGAIN = 10  # lines with an open bracket in a cell below which is read anew
 STRING = 40  # letters of a text that may be a program
 SKIPPED = (tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER)
@@ -99,7 +100,11 @@ def _written_in(notebook):
 
 
 def _left(line):
-    """What is left of a line that is no Python: that a file is run, or that one is added to."""
+    """What is left of a line that is no Python: that a file is run, or that one is added to, and
+    what a magic runs.
+    """
+    if timed := TIMED.match(line[0]):
+        return line[0][timed.end() :]
     if RUNS.match(line[0]):
         return "import file_that_is_run\n"
     return "open\n" if APPENDS.match(line[0]) else ""
