@@ -169,3 +169,32 @@ def test_two_students_of_one_address_are_told(tmp_path):
     with pytest.raises(ValueError, match="ada and mallory"):
         export_gradescope(tmp_path / "a.zip", roster, b"k" * 32)
     assert not (tmp_path / "a.zip").exists()
+
+
+@pytest.mark.parametrize("login", ["lovelace-a", "adalovelace", "LovelaceAda"])
+def test_a_login_like_a_name_or_an_address_beside_the_others_own(tmp_path, login):
+    roster = (Student("1001", "Ada Lovelace", "lovelace-a@x.org"), Student("1002", "Bo"))
+    put(tmp_path / login / "05.ipynb", day=9)
+    put(tmp_path / "1002" / "05.ipynb")
+    assert taken(tmp_path, *roster)["1001"] == [f"{login}/05.ipynb"]
+    put(tmp_path / "1001" / "05.ipynb")
+    found = submissions(tmp_path, roster)
+    assert [one.name for one in found["1001"].notebooks] == ["1001/05.ipynb"]
+    assert f"{login}, perhaps 1001" in found["1001"].notes[0]
+
+
+@pytest.mark.parametrize("called", ["1001", "ada x", "lovelace-a@x.org"])
+def test_what_no_login_is_stays_the_students(tmp_path, called):
+    """Several files of one student, named in several ways."""
+    roster = (Student("1001", "Ada X", "lovelace-a@x.org"), Student("1002", "Bo"))
+    put(tmp_path / "ada x.ipynb")
+    put(tmp_path / called / "05.ipynb")
+    assert f"{called}/05.ipynb" in taken(tmp_path, *roster)["1001"]
+
+
+def test_two_long_names_in_doubt_are_two_peoples(tmp_path):
+    put(tmp_path / "ada" / "05.ipynb")
+    for end in ("one", "two"):
+        put(tmp_path / f"{'x' * 75} ada {end}" / "05.ipynb")
+    found = taken(tmp_path, ADA, MALLORY)
+    assert [len(files) for files in found.values()] == [1, 0, 1, 1]

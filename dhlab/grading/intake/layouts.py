@@ -29,7 +29,9 @@ class Owner(NamedTuple):
     people, ``called``, ``number`` and ``place`` are the name and the number that it wrote, and the
     folders around them. ``sure`` is False where the student's id is only part of a longer name,
     which anybody may have chosen. ``within`` is the student whom a name further inside a stranger's
-    folder or zip mentions; all names in there are the stranger's own.
+    folder or zip mentions; all names in there are the stranger's own. ``login`` is True where one
+    word says it that is the student's name, or what is before the @ of the address: both may be
+    anybody's login.
     """
 
     student: str
@@ -39,6 +41,7 @@ class Owner(NamedTuple):
     place: tuple[str, ...] = ()
     sure: bool = True
     within: str = ""
+    login: bool = False
 
 
 class Names:
@@ -175,7 +178,8 @@ def student_of(
         # an id is one person's, whatever numbers stand beside it
         if _plain(known) in (_plain(name), number):
             name, number, where = "", "", ()
-        return Owner(known, True, name, number, where, sure)
+        login = sure and not written(part) and _is_login(part.removeprefix(prefix), known)
+        return Owner(known, True, name, number, where, sure, login=login)
     called = _called(part, names, is_file=len(parts) == 1)
     called = unicodedata.normalize("NFC", called or folder)
     safe = _safe(called)
@@ -183,6 +187,11 @@ def student_of(
         # other signs stood there, which a file's name cannot have: somebody else may be called so
         safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
     return Owner(safe, False, name, number, where, within=named_in(parts, names))
+
+
+def _is_login(called, student):
+    """Whether what names a student is one word, no whole address, and without the id."""
+    return not re.search(r"[\s,@]", called) and _plain(student) not in _plain(called)
 
 
 def named_in(parts: Sequence[str], names: Names) -> str:

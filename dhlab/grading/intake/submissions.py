@@ -1,5 +1,6 @@
 """What was handed in, by student, in any layout of folders and zips."""
 
+import hashlib
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -110,7 +111,7 @@ def submissions(
     for entry, owner in owned:
         apart = f"{owner.called} {owner.number}" if owner in namesakes else ""
         if not apart and _in_doubt(entry, owner, sure.get(owner.student, set())):
-            apart = f"{printable(_outermost(entry))[:80]}, perhaps {owner.student}"
+            apart = f"{_short(_outermost(entry))}, perhaps {owner.student}"
             doubts.setdefault(owner.student, []).append(apart)
         on_roster = (owner.known and not apart) or not roster
         student = apart or owner.student
@@ -131,11 +132,18 @@ def submissions(
 
 
 def _owned(entries: Sequence[Entry], names: Names, folder: str) -> list[tuple[Entry, Owner]]:
-    """Each file with its owner."""
+    """Each file with its owner, which is not sure by a word that may be another's login where
+    something else is surely the student's.
+    """
     begin = prefixes(entries, names)
-    return [
+    owned = [
         (entry, student_of(entry.parts, names, folder, entry.outer, begin.get(entry.outer, "")))
         for entry in entries
+    ]
+    surely = {owner.student for _, owner in owned if owner.sure and not owner.login}
+    return [
+        (entry, owner._replace(sure=owner.sure and not (owner.login and owner.student in surely)))
+        for entry, owner in owned
     ]
 
 
@@ -151,11 +159,19 @@ def _outermost(entry):
     return (*entry.outer, entry.parts[0])[0]
 
 
+def _short(name):
+    """A name as it is shown, no longer than 80 signs; two that are long are not one."""
+    told = printable(name)
+    if len(told) <= 80:
+        return told
+    return f"{told[:73]}-{hashlib.sha256(name.encode('utf-8', 'replace')).hexdigest()[:6]}"
+
+
 def _tell_doubts(found, doubts):
     """Note at each student which files with the student's id are held apart."""
     for student, others in doubts.items():
         found[student].notes.append(
-            f"{some(others)}: has this id in its name and is held apart; if it is this student's,"
+            f"{some(others)}: may be this student's by its name and is held apart; if it is,"
             " move it to what is surely theirs, or give it the id alone as its name"
         )
 
