@@ -33,7 +33,7 @@ ASKS = re.compile(
 )
 # names of these that are imported, and need no attribute
 IMPORTED = re.compile(
-    r"^[ \t]*from[ \t]+(?:sys[ \t]+import[ \t]*\*|[\w.]+[ \t]+import\b(?:[^\n(]*|[ \t]*\([^)]*)"
+    r"^[ \t]*from[ \t]+(?:sys[ \t]+import[ \t]*\*|[\w.]+[ \t]+import\b(?:[^\n(]*|[ \t]*\([^()]*)"
     rf"\b(?:{'|'.join(sorted(INNER))})\b)",
     re.MULTILINE,
 )

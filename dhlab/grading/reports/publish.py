@@ -99,8 +99,8 @@ def _made(code):
     """A sentence on the answers of which nobody can see what ran."""
     if found := made_while_running(code):
         yield (
-            f"{some(found, len(found))}: made while it runs, from a text, bytes or a file, and not"
-            " compared: look at the answer"
+            f"{some(found, len(found))}: may be made while it runs, from a text, bytes or a file,"
+            " and is then not compared: look at the answer"
         )
 
 
