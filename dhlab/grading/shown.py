@@ -2,10 +2,22 @@
 writing.
 """
 
+import hashlib
 import unicodedata
 from collections.abc import Iterable
 
-__all__ = ["printable", "readable", "some"]
+__all__ = ["fingerprint", "printable", "readable", "some"]
+
+
+def fingerprint(name: str) -> str:
+    """Six signs that tell a name from others that are shortened, or written otherwise, to the same.
+
+    Examples
+    --------
+    >>> fingerprint("ada") != fingerprint("Ada")
+    True
+    """
+    return hashlib.sha256(name.encode("utf-8", "replace")).hexdigest()[:6]
 
 
 def printable(name: str) -> str:

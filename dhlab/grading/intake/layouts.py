@@ -1,11 +1,11 @@
 """Whose submission is it? The names of files and folders, matched with the roster."""
 
-import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from ..shown import fingerprint
 from .platforms import BLACKBOARD, CANVAS, from_platform, without_group, written
 from .roster import Student
 
@@ -185,7 +185,7 @@ def student_of(
     safe = _safe(called)
     if safe != called or safe.casefold() in names.files:
         # other signs stood there, which a file's name cannot have: somebody else may be called so
-        safe = f"{safe}-{hashlib.sha256(called.encode('utf-8', 'replace')).hexdigest()[:6]}"
+        safe = f"{safe}-{fingerprint(called)}"
     return Owner(safe, False, name, number, where, within=named_in(parts, names))
 
 
@@ -285,5 +285,5 @@ def _safe(called):
     text = re.sub(r"[^\w.@+ -]", "_", text).strip(" .")
     if len(text.encode()) > LONGEST:
         cut = text.encode()[:LONGEST].decode("utf-8", "ignore")
-        text = f"{cut}-{hashlib.sha256(text.encode()).hexdigest()[:6]}"
+        text = f"{cut}-{fingerprint(text)}"
     return text or "unnamed"

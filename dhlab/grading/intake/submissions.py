@@ -1,6 +1,5 @@
 """What was handed in, by student, in any layout of folders and zips."""
 
-import hashlib
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -10,7 +9,7 @@ from functools import cached_property
 from itertools import count
 from pathlib import Path
 
-from ..shown import printable, some
+from ..shown import fingerprint, printable, some
 from .files import LARGEST, Entry, Read
 from .layouts import Names, Owner, student_of
 from .namesakes import namesakes_of
@@ -164,7 +163,7 @@ def _short(name):
     told = printable(name)
     if len(told) <= 80:
         return told
-    return f"{told[:73]}-{hashlib.sha256(name.encode('utf-8', 'replace')).hexdigest()[:6]}"
+    return f"{told[:73]}-{fingerprint(name)}"
 
 
 def _tell_doubts(found, doubts):

@@ -8,8 +8,9 @@ from ..library.toolbox import keep_robot
 from .expressions import evaluate
 from .linking import tables_in
 
-__all__ = ["call_all"]
+__all__ = ["INLINE", "call_all"]
 
+INLINE = "_inline"  # begins the names of functions that have none
 AT_ONCE = 12_000  # steps of one function
 MOST_CALLED = 30
 TABLE = re.compile(r"(?!n_|num|len|max).*(?:table|params|links|rows|dh$)", re.IGNORECASE)
@@ -25,7 +26,7 @@ def call_all(run, named, thorough):
     asked: list = []
     for value in defined:
         if isinstance(value, Function):
-            if value.name.startswith("_inline"):  # it stands within an expression
+            if value.name.startswith(INLINE):  # it stands within an expression
                 continue
             asked.append((value, None))
         elif id(value) not in made:

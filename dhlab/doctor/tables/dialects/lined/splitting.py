@@ -9,6 +9,8 @@ from .spaced import spaced_cells
 __all__ = ["splitter"]
 
 MARKS = ("|", "\t", ";", ",")
+# at spaces, wide ones or any
+WIDE, NARROW = ((lambda line, wide=wide: spaced_cells(line, wide), None) for wide in (True, False))
 FEWEST_BELOW = 2  # rows that are split as their heading is
 
 
@@ -27,10 +29,8 @@ def splitter(lines):
         return ways[0]
     if ways:
         return headed
-    wide, narrow = ([spaced_cells(line, gap) for line in lines] for gap in (True, False))
-    if _alike(wide) >= max(_alike(narrow), 1):
-        return (lambda line: spaced_cells(line, True)), None
-    return (lambda line: spaced_cells(line, False)), None
+    wide, narrow = (_alike(map(split, lines)) for split, _ in (WIDE, NARROW))
+    return WIDE if wide >= max(narrow, 1) else NARROW
 
 
 def _split_at(mark):
@@ -50,11 +50,7 @@ def _headed(lines):
     """The way in which the heading of the table, and most of the lines below it, are split; None
     without one. A table of constants in the same text may have another mark.
     """
-    ways = [
-        *((_split_at(mark), mark) for mark in MARKS),
-        *((lambda line, wide=wide: spaced_cells(line, wide), None) for wide in (True, False)),
-    ]
-    for split, mark in ways:
+    for split, mark in (*((_split_at(mark), mark) for mark in MARKS), WIDE, NARROW):
         for k, line in enumerate(lines):
             cells = split(line) if mark is None or mark in line else []
             below = [split(one) for one in lines[k + 1 : k + 1 + FEWEST_BELOW]]

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 
+from ......rotations import from_rotation_vectors
 from ...held.budget import Unsupported
 from ...held.factors import Multiplied, is_pose
 from ...held.operators import indexed, whole
@@ -162,10 +163,8 @@ def _copied(run, args, _):
 
 def _turned(run, args, _):
     """Eigen's AngleAxis: an angle about an axis."""
-    x, y, z = plain(args[1]).reshape(3)
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    T, angle = np.eye(4), number_of(args[0])
-    T[:3, :3] += np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+    T = np.eye(4)
+    T[:3, :3] = from_rotation_vectors(number_of(args[0]) * plain(args[1]).reshape(3))
     return T.view(Multiplied)
 
 

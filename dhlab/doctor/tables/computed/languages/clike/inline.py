@@ -1,12 +1,11 @@
 """Functions within an expression of a language with braces: they are written before it."""
 
+from ...interpreting.calling import INLINE
 from ..brackets import deeper, split
 from .declarations import closing, closing_or_none
 from .tokens import NoProgram, expression
 
 __all__ = ["before", "fields_taken", "taken_apart"]
-
-INLINE = "_inline"  # begins the names of functions that have none
 
 
 def before(writer, tokens):

@@ -18,18 +18,16 @@ OF_FOUR = re.compile(r"\bMatrix\s*<(?:\s*(?:double|float)\s*,)?\s*4\s*,\s*4\s*(?
 COLUMN = re.compile(
     r"\b(?:Matrix<\s*(?:double|float)\s*,\s*(\d+)\s*,\s*1\s*>|Vector(\d)[df])\s+([\w, ]+);"
 )
-WORD = re.compile(r"[A-Za-z_]\w*")
-
 TYPED = re.compile(r":\s*(?:number|void|string|boolean)\b")  # TypeScript
 INTERFACE = re.compile(r"\binterface\s+\w+[^{}]*\{[^{}]*\}")
 RESULT = re.compile(r"\)\s*:\s*[\w\[\]<>,| ]{1,60}?\s*(?=\{|=>)")
 VARIABLE = re.compile(r"\b(const|let|var)\s+(\w+)\s*:\s*[\w\[\]<>,| ]{1,60}=(?![=>])")
-
-
+# parts of a matrix of Eigen's
 BLOCK = re.compile(r"\.block\s*<\s*(\d)\s*,\s*(\d)\s*>\s*\(\s*(\d)\s*,\s*(\d)\s*\)")
 CORNER = re.compile(r"\.top(Left|Right)Corner\s*<\s*3\s*,\s*([13])\s*>\s*\(\s*\)")
 TRANSFORM = re.compile(r"\b(?:Affine|Isometry)3[df]\b")
 PART = re.compile(r"\.(linear|rotation|translation)\(\s*\)")
+TURN, PLACE = "[0:3, 0:3]", "[0:3, 3:4]"
 
 
 def _with_parts(text):
@@ -39,13 +37,11 @@ def _with_parts(text):
         rows, columns, i, j = map(int, match.groups())
         return f"[{i}:{i + rows}, {j}:{j + columns}]"
 
-    text = CORNER.sub(
-        lambda match: "[0:3, 3:4]" if match.groups() == ("Right", "1") else "[0:3, 0:3]", text
-    )
+    text = CORNER.sub(lambda match: PLACE if match.groups() == ("Right", "1") else TURN, text)
     text = BLOCK.sub(ranged, text)
     if not TRANSFORM.search(text):
         return text
-    return PART.sub(lambda match: "[0:3, 3:4]" if match[1] == "translation" else "[0:3, 0:3]", text)
+    return PART.sub(lambda match: PLACE if match[1] == "translation" else TURN, text)
 
 
 def _without_annotations(text):

@@ -104,11 +104,7 @@ def expression(tokens):
                 found[-1] = f"_new({','.join(expression(one) for one in sizes)})"
                 continue
             items = ",".join(expression(part) for part in parts)
-            if (
-                text == "{"
-                and found
-                and (found[-1].isidentifier() or found[-1] in ("]", "[]", "()"))
-            ):
+            if text == "{" and found and (found[-1].isidentifier() or found[-1] in MADE):
                 _drop_maker(found)
             found.append(f"{SAID.get(text, text)}{items}{SAID.get(CLOSED[text], CLOSED[text])}")
             continue

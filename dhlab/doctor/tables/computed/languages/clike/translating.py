@@ -199,10 +199,11 @@ class _Writer:
         if len(over) == 1:
             at_word = next(k for k, one in enumerate(inside) if one[1] in ("of", "in"))
             over = [inside[:at_word], inside[at_word + 1 :]]
-        names = [text for kind, text in over[0] if kind == "name"]
-        many = over[0][-1][1] in (")", "]")  # for (const [a, b] of rows)
-        names = [one for one in names if one not in ("var", "const", "let", "auto")]
-        self.put(f"for {', '.join(names) if many else over[0][-1][1]} in {expression(over[1])}:")
+        item = over[0][-1][1]
+        if item in (")", "]"):  # for (const [a, b] of rows)
+            names = [text for kind, text in over[0] if kind == "name"]
+            item = ", ".join(one for one in names if one not in ("var", "const", "let", "auto"))
+        self.put(f"for {item} in {expression(over[1])}:")
         return self.body(tokens, end + 1)
 
     def function(self, tokens, at):
