@@ -1,6 +1,7 @@
 # make lab      the course in JupyterLab, on your own copy of the lessons (my-course)
 # make check    lint, imports, types and the quick tests: for the one who is writing
 # make test     everything that is tested, as CI does
+# make thorough make test with every case that a test names, none drawn: before a release
 # make fuzz     the quick tests on other numbers in every run
 # make site     the static pages, in docs/_build/html; make site LIVE=1: lessons run in their page
 #               make site CLASS=1: the class edition, without the worked answers
@@ -21,7 +22,7 @@ SPARED := jedi parso debugpy widgetsnbextension setuptools
 COSTLY := browser or cage or notebook or slow
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
 
-.PHONY: lab check lint quick test notebooks whole test-deps fuzz site lessons bench
+.PHONY: lab check lint quick test thorough notebooks whole test-deps fuzz site lessons bench
 .DELETE_ON_ERROR:
 
 lab: .venv/lab
@@ -44,6 +45,9 @@ lint: .venv/test
 # the quick ones at the end leave no core without work
 test: .venv/test test-deps
 	@$(MAKE) --no-print-directory --jobs=3 lint notebooks whole
+
+thorough: export DHLAB_THOROUGH := yes
+thorough: test
 
 notebooks: .venv/test
 	$(BIN)/python -m pytest -q -o addopts= --nbval --nbval-sanitize-with tests/nbval.cfg solutions

@@ -1,16 +1,16 @@
-"""How much of what is endless, or the same for every arm, a run looks at: a few each time, and all
-that a test names under ``make fuzz``.
+"""How much of what is endless, or the same for every arm, a run looks at: a few under ``make test``,
+and all that a test names under ``make thorough`` and ``make fuzz``.
 """
 
 import os
 
 __all__ = ["few", "shared_out", "variants"]
 
-ALL = bool(os.environ.get("DHLAB_SEED"))
+ALL = any(map(os.environ.get, ("DHLAB_THOROUGH", "DHLAB_SEED")))
 
 
 def few(items, most):
-    """At most ``most`` of the items, spread evenly over them; all under ``make fuzz``."""
+    """At most ``most`` of the items, spread evenly over them; all in a thorough run."""
     items = list(items)
     if ALL or len(items) <= most:
         return items
@@ -19,7 +19,7 @@ def few(items, most):
 
 def shared_out(items, k, among):
     """The share of the items that falls to the ``k``-th of several arms, where every so many arms
-    see all of them; all under ``make fuzz``.
+    see all of them; all in a thorough run.
     """
     items = list(items)
     return items if ALL else items[k % among :: among]
