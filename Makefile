@@ -86,5 +86,5 @@ bench: .venv/test
 	@touch $@
 
 .venv/test: .venv/bin/python pyproject.toml constraints.txt
-	$(PIP) --editable '.[test,oracles]'
+	$(PIP) --no-compile --editable '.[test,oracles]'
 	@touch $@ .venv/lab
