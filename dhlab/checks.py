@@ -47,7 +47,7 @@ def checked_rows(rows: Any, where: str) -> NDArray[np.float64]:
             todo = (
                 "fill in what is missing"
                 if len(row) < 4
-                else "take out what is too much (is there an index column?)"
+                else "take out what is too much (is there an index column, or a decimal comma?)"
             )
             raise ValueError(
                 f"{where}: row {i} has {_count(row)}, expected 4 (theta, d, a, alpha); {todo}"
@@ -68,9 +68,12 @@ def _is_number(value):
 
 def _as_number(value: object, where: str) -> float:
     if not _is_number(value):
-        raise ValueError(
-            f"{where}: expected a number, found {_shown(value)}; write it as a plain number"
+        todo = (
+            "with a decimal point and no quotation marks"
+            if isinstance(value, str) and value.count(",") == 1
+            else "as a plain number"
         )
+        raise ValueError(f"{where}: expected a number, found {_shown(value)}; write it {todo}")
     return float(np.asarray(value))
 
 

@@ -78,6 +78,17 @@ def test_what_holds_no_numbers_is_told_in_a_plain_sentence(spoil, words):
     assert words in E["01.3"].judge(spoil(right("01.3"))).headline
 
 
+def test_decimal_commas_are_told_in_text_and_as_the_two_numbers_that_python_makes_of_each():
+    verdict = E["00.1"].judge(["4,59", "4,35", 8])
+    assert verdict.headline == "expected 3 numbers, found text with decimal commas"
+    assert verdict.next == "Write a decimal point, and no quotation marks: 0.5."
+    asked = "Is there a decimal comma? Python reads 0,5 as two numbers; write 0.5."
+    assert E["00.1"].judge([4, 59, 4, 35, 8]).next == asked  # 4,59, 4,35, 8
+    assert E["00.1"].judge([4.59, 4.35, 8, 1]).next != asked
+    assert "with a decimal point" in E["02.7"].judge([["0,1", 0, 0, 0]] * 6).headline
+    assert "a decimal comma" in E["02.7"].judge([[0, 1, 0, 0, 0]] * 6).headline
+
+
 @pytest.mark.parametrize("key", ["00.1", "02.1", "02.3", "02.7", "04.2", "05.4", "06.6", "09.1"])
 def test_a_question_mark_is_always_an_answer(key):
     for answer in ("?", ["?"] * 4):

@@ -2,13 +2,15 @@
 SymPy; and a plain sentence for what holds no numbers.
 """
 
+import re
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Unreadable", "as_numbers", "is_array_of", "plain", "unusable"]
+__all__ = ["Unreadable", "as_numbers", "is_array_of", "plain", "split_at_commas", "unusable"]
 
+DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d+\s*")
 NO_IMAGINARY = 1e-9  # what an imaginary part may be to be the dust of rounding
 
 
@@ -42,7 +44,8 @@ def plain(answer: Any) -> NDArray[Any]:
     if array.dtype.kind in "iufb":
         return array if array.dtype.kind != "b" else array.astype(float)
     if array.dtype.kind == "U" and array.ndim:
-        raise Unreadable("text where a number belongs")
+        commas = any(DECIMAL_COMMA.fullmatch(text) for text in array.flat)
+        raise Unreadable(f"text {'with decimal commas' if commas else 'where a number belongs'}")
     if array.dtype.kind != "O":
         raise Unreadable(type(answer).__name__)
     try:
@@ -82,6 +85,18 @@ def _array(answer):
         return np.asarray(answer)
     except ValueError:
         raise Unreadable("rows of different lengths") from None
+
+
+def split_at_commas(array: NDArray[Any], amount: int) -> bool:
+    """Whether an answer may be so many numbers with decimal commas: Python reads ``0,5`` as two
+    whole numbers.
+
+    Examples
+    --------
+    >>> split_at_commas(np.array([0, 5, 1, 25, 3]), 3), split_at_commas(np.array([0.5, 1.25]), 1)
+    (True, False)
+    """
+    return amount < array.size <= 2 * amount and bool(np.all(array == np.round(array)))
 
 
 def as_numbers(answer: Any) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from ..verdict import Verdict
 from .exercise import Exercise, Said, no_draw
 from .kept import kept, kept_apart
 from .partial import PART_IS_RIGHT, filled_up
-from .reading import Unreadable, plain
+from .reading import Unreadable, plain, split_at_commas
 from .wrong.drawn import drawn_pose, drawn_row
 from .wrong.twofold import FRAMES, SIGNS, TWO, by_entries, of_any_pose, of_any_vector, under_another
 from .wrong.units import FACTORS, LOOSELY, Group, in_other_units, of_places
@@ -28,6 +28,9 @@ ROUNDED = Said(
     "these are the right numbers, rounded too early",
     next="Give more digits, or let numpy compute the numbers.",
 )
+PLAIN = "Give plain numbers, all of them, no text."
+DECIMAL_POINT = "Write a decimal point, and no quotation marks: 0.5."
+SPLIT = "Is there a decimal comma? Python reads 0,5 as two numbers; write 0.5."
 NOTHING = Said(
     "every number is 0", next="Was each number written in its place before this was handed in?"
 )
@@ -82,14 +85,17 @@ class Value(Exercise):
         except Unreadable as found:
             return self.wrong(
                 headline=f"expected {_amount(expected)}, found {found}",
-                next="Give plain numbers, all of them, no text.",
+                next=DECIMAL_POINT if "commas" in str(found) else PLAIN,
             )
         if array.size == expected.size == 1:
             array = array.reshape(expected.shape)  # one number in a list is that number
         if expected.ndim == 1 and max(array.shape, default=0) == array.size:
             array = array.ravel()  # a column n×1, or a row 1×n, is a vector
         if array.shape != expected.shape:
-            return self.wrong(headline=f"expected {_amount(expected)}, found {_amount(array)}")
+            said = f"expected {_amount(expected)}, found {_amount(array)}"
+            if split_at_commas(array, expected.size):
+                return self.wrong(headline=said, next=SPLIT)
+            return self.wrong(headline=said)
         if not np.isfinite(array).all():
             return self.wrong(headline="expected finite numbers, found NaN or infinity")
         return self._compared(array, expected, given, answer)
