@@ -67,6 +67,10 @@ def test_names_may_be_anything(tmp_path):
         ("student\n" + "a" * 101 + "\n", "names files"),
         ("student\nCON:\n", "names files"),
         ("student,language\nada,klingon!\n", "language"),
+        (
+            "Student,ID,SIS Login ID,Section,05\n    Points Possible,,,,12\nCher,77,cher,A,\n",
+            'Canvas\'s gradebook, where it holds names; call it "name"',
+        ),
     ],
 )
 def test_what_is_wrong_is_said_in_one_sentence(tmp_path, text, words):

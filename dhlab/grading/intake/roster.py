@@ -17,6 +17,7 @@ __all__ = ["Student", "read_roster"]
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")  # what a terminal obeys; names are printed there
 SEPARATOR = re.compile(r"\ufeff?sep=([;,\t])[;,]*\r?", re.IGNORECASE)
 COLUMNS = ("student", "name", "email", "language", "section")
+CANVAS = frozenset(("sis user id", "sis login id"))  # columns of its gradebook alone
 ID = re.compile(r"\w[\w.@+-]{0,99}(?<!\.)\Z")  # an id names files and folders, on every system
 # what names no file on Windows
 RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?\Z", re.IGNORECASE)
@@ -93,6 +94,12 @@ def read_roster(path: str | Path) -> tuple[Student, ...]:
 
 def _columns(path, head):
     names = [cell.strip().lower() for cell in head]
+    if not CANVAS.isdisjoint(names):
+        raise ValueError(
+            f'{path}: expected ids in the column "student", found Canvas\'s gradebook, where it'
+            ' holds names; call it "name", call the column of ids ("SIS Login ID", or "ID")'
+            ' "student", and take out the line "Points Possible"'
+        )
     if names.count("student") != 1:
         found = ", ".join(names) or "nothing"
         raise ValueError(
