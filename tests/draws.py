@@ -27,4 +27,4 @@ def shared_out(items, k, among):
 
 def variants(most):
     """The numbers of the variants of an exercise that are drawn."""
-    return range(most if ALL else min(most, 3))
+    return range(most if ALL else min(most, 2))
