@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import corpus
 from corpus_honest import HONEST
 from corpus_inside import INSIDE
+from draws import few
 
 from dhlab.grading.grade import grade
 from dhlab.grading.reports.publish import publish
@@ -21,16 +22,18 @@ LIMITS = Limits(cell_seconds=0.9, seconds=12.0, memory_mb=256, files_mb=8, threa
 # these take long and hurt nobody else; benchmarks/hostile.py runs them
 LONG = {"stops itself", "a tracer over the room", "twenty thousand cells"}
 ATTACKS = [one for one in INSIDE if one[0] not in LONG]
+MOST = {"bubblewrap": len(INSIDE), "landlock": 12}  # all where marks are given
 CANARY = "canary-8086"
 
 
 @pytest.fixture(scope="module", params=["bubblewrap", "landlock"])
 def graded(request, tmp_path_factory):
-    """(marks by student, the folder that they were written to)."""
+    """(marks by student, the folder that they were written to, the attacks)."""
     top = tmp_path_factory.mktemp(request.param)
     (top / "teacher.key").write_text(CANARY)
     facts = {"key": str(top / "teacher.key"), "class": str(top / "class")}
-    makes = {f"a{k}": one[2] for k, one in enumerate(ATTACKS)}
+    attacks = few(ATTACKS, MOST[request.param])
+    makes = {f"a{k}": one[2] for k, one in enumerate(attacks)}
     makes |= {f"h{k}": make for k, (_, make) in enumerate(HONEST)}
     for name, make in makes.items():
         corpus.put(top / "class" / name, make, facts)
@@ -47,13 +50,13 @@ def graded(request, tmp_path_factory):
             request.param == "bubblewrap"
         ):  # what is shown depends on what was found, not on the cage
             publish(planned, results, (), top / "out")
-    return {one.student: one for one in results}, top
+    return {one.student: one for one in results}, top, attacks
 
 
 def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
-    results, top = graded
+    results, top, attacks = graded
     unfair = {}
-    for k, (name, _, _, lost) in enumerate(ATTACKS):
+    for k, (name, _, _, lost) in enumerate(attacks):
         one = results[f"a{k}"]
         fair = lost == corpus.ANY or one.status == "graded"
         if lost != corpus.ANY:
@@ -65,13 +68,13 @@ def test_no_attack_earns_a_mark_or_gets_at_anything(graded):
 
 
 def test_honest_notebooks_keep_their_marks(graded):
-    results, _ = graded
+    results, _, _ = graded
     found = {name: corpus.lost(results[f"h{k}"]) for k, (name, _) in enumerate(HONEST)}
     assert found == {name: set() for name, _ in HONEST}
 
 
 def test_nothing_leaks_and_no_cursor_moves(graded):
-    _, top = graded
+    _, top, _ = graded
     for path in (one for one in (top / "out").rglob("*") if one.is_file()):
         text = path.read_text(encoding="utf-8")
         assert CANARY not in text and "\x1b" not in text and "\\u001b" not in text, path
