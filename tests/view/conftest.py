@@ -25,19 +25,22 @@ MODEL = """(state) => {
 }"""
 
 
+BLIND = """const canvas = HTMLCanvasElement.prototype, get = canvas.getContext;
+    canvas.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : get.call(this, kind, ...more); };"""
 OFFLINE = {"offline": True, "viewport": {"width": 1280, "height": 900}}
 
 
 @pytest.fixture
 def opened(new_page):
     """``opened(explorer, …)`` is a page without a kernel and without a network that shows them;
-    whatever goes wrong on it fails the test.
+    whatever goes wrong on it fails the test. With ``webgl=False`` it has none, so that no picture is
+    drawn, which is most of what a page of numbers costs.
     """
     pages, faults = [], []
 
-    def get(*explorers, script="", stills=False, **settings):
+    def get(*explorers, webgl=True, stills=False, **settings):
         page = new_page(**OFFLINE, **settings)
-        page.add_init_script(script)
+        page.add_init_script("" if webgl else BLIND)
         page.goto("about:blank")  # where the script is run for the first time
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.on(
