@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
+from draws import few
 
 import dhlab as dh
 from tests.oracles import shift, turn
@@ -78,14 +79,14 @@ def mutated(text, rng):
 def test_a_mutated_text_gives_a_reading_or_one_plain_sentence():
     rng = np.random.default_rng(12)
     answers = 0
-    for _ in range(250):
+    for _ in few(range(250), 120):
         text = mutated(FORMS[int(rng.integers(len(FORMS)))]["text"], rng)
         try:
             answers += bool(str(dh.recognise_table(text)))
         except ValueError as error:
             said = str(error)
             assert said.startswith("recognise_table") and "\n" not in said and len(said) < 400
-    assert answers > 50
+    assert answers > 25
 
 
 @pytest.mark.slow
