@@ -1,5 +1,5 @@
-"""How much of what is endless, or the same for every arm, a run looks at: a few under ``make test``,
-and all that a test names under ``make thorough`` and ``make fuzz``.
+"""How much of what is endless, or the same for every arm, a run looks at: a few under
+``make test``, and all that a test names under ``make thorough`` and ``make fuzz``.
 """
 
 import os
