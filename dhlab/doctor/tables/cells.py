@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 
+from .language.decorated import decorated, is_doubled
 from .language.expressions import NoExpression, Value, evaluate
 from .language.letters import KEPT, plain, unified
 
@@ -25,7 +26,7 @@ __all__ = [
 LONGEST = 200
 TWO_JOINTS = re.compile(r"\bprismatic\b.*\brevolute\b|\brevolute\b.*\bprismatic\b", re.IGNORECASE)
 BESIDE = re.compile(  # theta2 (-90), where q(2) is an element
-    r"((?:theta|th|q)_?\d+)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
+    r"((?:theta|th|q)_?\d+|variable|var)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
 )
 NAMED_NUMBER = re.compile(  # L_ARM (0.146), d1 (290 mm), and no element L(2)
     r"([LDAHR]\w*)(?:\s*\(\s*([-+]?\d*\.\d+\s*(?:mm|cm|m)?)\s*\)|\s+\(\s*([-+]?\d{2,}\s*(?:mm|cm|m)?)\s*\))",
@@ -111,8 +112,9 @@ def cell_of(value: Value, text=""):
     return Cell(value.number + 0.0, tuple(value.letters.items()), value.unit, text)
 
 
-def read_cell(text, known=None):
-    """The Cell in a text; ``known`` says what letters stand for.
+def read_cell(text, known=None, loosely=False):
+    """The Cell in a text; ``known`` says what letters stand for. Read ``loosely``, there may be
+    more in it than an expression, as in ``L1 = 0.2 (see note 1)``.
 
     Raises
     ------
@@ -137,8 +139,15 @@ def read_cell(text, known=None):
             " Write a row for each"
         )
     try:
-        written = _trimmed(unified(text))
-        return cell_of(_once(written, evaluate(written, known)), text.strip())
+        if loosely and is_doubled(unified(text)):
+            return cell_of(decorated(unified(text), known), text.strip())
+        try:
+            written = _trimmed(unified(text))
+            return cell_of(_once(written, evaluate(written, known)), text.strip())
+        except NoExpression:
+            if not loosely:
+                raise
+        return cell_of(decorated(unified(text), known), text.strip())
     except NoExpression:
         shown = text.strip() if len(text.strip()) <= 40 else text.strip()[:37] + "…"
         expected = "a number, a multiple of pi, or a joint variable such as q2 - 90"

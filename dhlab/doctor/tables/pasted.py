@@ -17,7 +17,8 @@ class Pasted:
     known; ``units`` by role; ``convention`` as far as it is said, and ``because`` how; ``labels``,
     ``kinds`` ("R", "P", "fixed" or ""), ``signs``, ``zeros`` (Cells that the text adds to theta
     beside the rows) and ``limits`` one per row; ``form`` is what dialect it is, in words;
-    ``length`` and ``angle`` what words of the text say of all numbers, ``joints`` how many it
+    ``length`` and ``angle`` what words of the text say of all numbers, ``measured`` the one unit in
+    which it measures anything, "" without one, ``joints`` how many it
     speaks of and ``worded`` how many in words, ``poses`` the lists that it calls joint values,
     ``adds`` whether it says that theta is added to them, ``each`` whether its program does so in a
     loop over all rows, ``slides`` whether it has a "word" of a
@@ -43,6 +44,7 @@ class Pasted:
     form: str = ""
     length: str = ""
     angle: str = ""
+    measured: str = ""
     joints: tuple = ()
     worded: tuple = ()
     poses: tuple = ()

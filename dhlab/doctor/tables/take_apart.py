@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from .completing.accounted import require_accounted
-from .completing.alike import holds, repeats
+from .completing.alike import holds, repeats, same_arm
 from .completing.lists import with_lists
 from .completing.turns import with_turns
 from .completing.uses import with_uses
@@ -231,6 +231,8 @@ def _larger(found, source):
     alone = len(found.rows) == 1
     if found.roles is None and (named := _read_or_none(numbered.read, source)):
         return named  # numbers with names say more than a list without
+    if found.form.startswith("calls") and (named := _with_zeros(found, source)):
+        return named
     called = _read_or_none(functions.read, source) if alone else None
     if called:
         return called
@@ -244,6 +246,21 @@ def _larger(found, source):
     except ValueError:
         return found
     return other if other.roles is not None and len(other.rows) > len(found.rows) else found
+
+
+def _with_zeros(found, source):
+    """The numbers that a dictionary has for the letters of calls, ``q2: q2 - pi/2``, where these
+    have no zeros; None without them.
+    """
+    named = _read_or_none(numbered.read, source)
+    if named is None or len(named.rows) != len(found.rows) or not same_arm(named, found):
+        return None
+    own, theirs = (
+        [row[table.roles.index("theta")].value for row in table.rows]
+        for table in (found, named)
+        if "theta" in (table.roles or ())
+    )
+    return named if any(theirs) and not any(own) else None
 
 
 def _drawn(source, least):

@@ -7,7 +7,7 @@ import re
 from ..dialects.flat import arrays_in
 from ..language.roles import role_of
 from ..meaning.columns import is_a_table
-from .alike import repeats, same_arm
+from .alike import repeats, same_arm, stands_for
 from .zeros import require_zeros
 
 __all__ = ["counts_in", "joints_said", "require_accounted", "speaks_of_sliding"]
@@ -121,7 +121,7 @@ def require_accounted(table, source, others=()):
         _require_sliding(table, source)
     _require_senses(table, source)
     for other in others:
-        same = same_arm(table, other) or repeats(other, table)
+        same = same_arm(table, other) or repeats(other, table) or stands_for(other, table)
         if (
             len(other.rows) >= len(table.rows) > 1
             and other.roles

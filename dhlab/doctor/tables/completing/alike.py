@@ -1,6 +1,7 @@
 """Whether two tables of one text are one arm: the same numbers in any order, unit and scale."""
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 
@@ -35,13 +36,22 @@ def stands_for(letters, numbers):
     if None in (letters.roles, numbers.roles) or len(letters.rows) != len(numbers.rows):
         return False
     own, theirs = (
-        [dict(zip(table.roles, row)) for row in table.rows] for table in (letters, numbers)
+        [_with_zero(dict(zip(table.roles, row))) for row in table.rows]
+        for table in (letters, numbers)
     )
     named = any(row[role].letters for row in own for role in ("d", "a") if role in row)
     return named and all(
         set(one) == set(other) and all(_agree(one[role], other[role], role) for role in one)
         for one, other in zip(own, theirs)
     )
+
+
+def _with_zero(row):
+    """The Cells of a row, with the zero of a column of its own added to theta."""
+    zero, theta = row.pop("offset", None), row.get("theta")
+    if zero is None or not zero.value or theta is None:
+        return row
+    return {**row, "theta": replace(theta, value=theta.value + zero.value)}
 
 
 def _agree(letter, number, role):
@@ -51,7 +61,9 @@ def _agree(letter, number, role):
     turned = [
         np.deg2rad(c.value) if abs(c.value) > MOST_TURNS else c.value for c in (letter, number)
     ]
-    return letter.letters == number.letters and abs(turned[0] - turned[1]) < 1e-3
+    variable = role == "theta" and not (letter.letters and number.letters)  # or left out
+    same = variable or letter.letters == number.letters
+    return same and abs(turned[0] - turned[1]) < 1e-3
 
 
 def _numbers(table, with_twists):

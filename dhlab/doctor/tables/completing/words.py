@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from ..evidence.poses import adds_each, adds_theta, poses_in
-from ..meaning.scales import measured_in, multiples_said, takes_thousandths
+from ..meaning.scales import measured_in, multiples_said, takes_thousandths, the_measure
 from .accounted import counts_in, joints_said, speaks_of_sliding
 from .conventions import with_convention
 
@@ -43,6 +43,7 @@ def _with_sayings(table, source):
         table,
         length=table.length or source.length or measured_in(source.text, table.rows, table.roles),
         angle=table.angle or source.angle,
+        measured=the_measure(source.text),
         joints=counts_in(source),
         worded=tuple(joints_said(source)),
         poses=poses_in(source),

@@ -34,7 +34,8 @@ BY_NAME = re.compile(
 )
 # joint 2 has an offset of -90 deg
 STATED = re.compile(
-    r"\b(?:joint|axis|theta|q)[ _]?\d[^.,;|\n]{0,30}\b(?:offset|zero|shift|rotated)\w*"
+    r"\b(?:(?:joint|axis|theta|q)[ _]?\d|(?:first|second|third|fourth|fifth|sixth) (?:joint|axis))"
+    r"[^.,;|\n]{0,30}\b(?:offset|zero|shift|rotated)\w*"
     r"[^.,;|\n\d]{0,20}[-+]?(?:90|180|1\.57\d*|pi)\b",
     re.IGNORECASE,
 )
@@ -82,6 +83,7 @@ def _named_zero(source, table):
         placed = any(note.startswith(f"{name} is taken for a place") for note in table.notes)
         if name in used or OF_AN_END.search(name) or placed:
             continue  # a length by its name
+        said = re.split(r",\s*\w+\s*=(?!=)", said)[0]  # theta_offset=0, d=0.1
         said = said if re.match(r"[^;]*[\[{(]", said) else said.partition(";")[0]
         value = source.value(said.strip(" ,;"))
         if value is not None and (abs(value.number) in lengths or _is_length(value, table)):

@@ -68,13 +68,14 @@ def _by_role(source, twice, notes):
     named: dict = {}
     unread: dict = {}
     arrays = _unnumbered(arrays_in(source, twice, unread))
-    said = {**_taken_by_calls(source, arrays), **_said_beside(source, arrays)}
+    said = {**_twists_named_a(arrays), **_taken_by_calls(source, arrays)}
+    said.update(_said_beside(source, arrays))
     for name, values in arrays.items():
         if re.search(r"delta_", name):
             continue
         role = source.role(re.sub(r"([a-z])([A-Z])", r"\1_\2", name))
         role = "r" if re.fullmatch(r"links?|l", name.lower()) else role
-        role = "offset" if re.fullmatch(r"th(?:eta)?_?0_?", name.lower()) else role
+        role = "offset" if re.fullmatch(r"t(?:h|heta)?_?0_?", name.lower()) else role
         role = "sign" if re.search(r"joint_direction|sign", name.lower()) else role
         if role == "offset" and OF_AN_END.search(name):
             continue  # where an end is, no zero
@@ -158,6 +159,13 @@ def _taken_by_calls(source, arrays):
             if name and role in ("d", "a", "alpha"):
                 said[name] = role
     return said
+
+
+def _twists_named_a(arrays):
+    """{name: role} where lists d and r of lengths stand beside a list a of angles."""
+    d, r, a = (arrays.get(name, ()) for name in "dra")
+    angles = any(value.unit in ("rad", "deg") for value, _ in a) and len(a) == len(d) == len(r)
+    return {"a": "alpha", "r": "a"} if angles and not {"alpha", "alphas"} & set(arrays) else {}
 
 
 def _said_beside(source, arrays):

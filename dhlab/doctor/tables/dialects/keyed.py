@@ -16,7 +16,9 @@ PAIR = re.compile(
     r"(?<![\w.\])])['\"]?([A-Za-z_][A-Za-z_]*?)_?(\d*)['\"]?\s*(?:=|:(?!:))\s*"
     r"([^=:,;\n{}|\[\]]+?)(?:\s*\[(\w+)\])?(?=\s*(?:[,;\n{}|]|$|\s[A-Za-z_]+_?\d*\s*[=:]|\s['\"]))"
 )
-LOOSE = re.compile(r"(-?\s*\b(?:theta|th|q)_?\d+\b\s*\*?(?:\s*[-+]\s*[\w./*]+°?)?)")
+LOOSE = re.compile(
+    r"((?:-(?=\w)|(?<=[,=(:;])\s*-\s*)?\b(?:theta|th|q)_?\d+\b\s*\*?(?:\s*[-+]\s*[\w./*]+°?)?)"
+)
 WORDED = re.compile(  # theta 0 d 0.42; link length 0.06, link twist -90
     r"([A-Za-z][A-Za-z_ -]{0,30}?)\s*(?:\bis|\bof|=|:)?\s+"
     r"(-?\d[\d.]*\s*(?:deg|°|mm|cm|m|rad)?(?![\w*/])"
@@ -120,6 +122,8 @@ def _is_statement(rows, behind):
 def _said(line):
     """A line in which words and numbers stand side by side, with ``=`` between them."""
     if "|" in line or len(WORDED.findall(line)) < 3 or re.search(r"[=({\[]", line):
+        return line
+    if len(_roles(line)) > 2:
         return line
     named = []
     for words, number in WORDED.findall(line):

@@ -8,7 +8,14 @@ from collections import Counter
 
 from ..language.roles import role_of
 
-__all__ = ["added_at_joints", "row_of", "sliding_at_joints", "slid_by_calls", "turned_at_joints"]
+__all__ = [
+    "added_at_joints",
+    "added_in_words",
+    "row_of",
+    "sliding_at_joints",
+    "slid_by_calls",
+    "turned_at_joints",
+]
 
 CONDITION = r"if\s*\(?\s*(\w+)\s*==\s*(\d+)\s*\)?"
 BRANCH = re.compile(
@@ -42,6 +49,13 @@ CALL = re.compile(r"(?<!def )\b(\w+)\s*\(((?:[^()\n]|\([^()\n]*\))*)\)")
 COMMA = re.compile(r",(?![^(\[]*[)\]])")
 ELEMENT, NUMBERED = re.compile(r"(\w+)([\[(])(\d+)[\])]"), re.compile(r"(?:q|d|joint)_?\d")
 SET = re.compile(r"^\s*d\w*(?:\[\w+\]|\(\w+\))?\s*(\+?=)(?!=)([^\n;]*)", re.MULTILINE)
+ORDINALS = "first second third fourth fifth sixth seventh".split()
+TOLD = re.compile(  # the second joint angle has an offset of -90 deg
+    rf"\b(?:(?:joint|axis)[ _]?(?P<k>\d)|(?P<nth>{'|'.join(ORDINALS)}) (?:joint|axis))\b"
+    r"(?: (?:angle|variable|has|have|with|an?|the|zero|constant|fixed|angular|theta|joint))*"
+    r" offset (?:of|is|=) (?P<zero>[-+]?(?:\d[\d.]* ?(?:°|deg(?:rees)?\b)|\d?\*?pi(?:/\d)?\b))",
+    re.IGNORECASE,
+)
 BEFORE = re.compile(rf"{CONDITION}[ \t]*[:{{]?[ \t]*\n?[^\n]*$")
 BEHIND = re.compile(rf"\s+{CONDITION}\s+else\b")
 FROM_ZERO = r"\bfor\s+{0}\b(?:\s*,\s*(?:\w+|\([\w, ]*\)))?\s+in\s+(?:range|enumerate)\s*\([^,\n]*:"
@@ -77,6 +91,20 @@ def added_at_joints(code, indexed=False):
         if match := ASSIGNED.match(line):
             found[int(match[2]) - (match[1] == "(")] = match[3] + match[4]
     return found
+
+
+def added_in_words(text):
+    """{row, counted from 0: what is added}, as sentences say it of single joints.
+
+    Examples
+    --------
+    >>> added_in_words("The second joint has an offset of -90 deg.")
+    {1: '-90 deg'}
+    """
+    return {
+        int(match["k"] or ORDINALS.index(match["nth"].lower()) + 1) - 1: match["zero"]
+        for match in TOLD.finditer(text)
+    }
 
 
 def turned_at_joints(code):

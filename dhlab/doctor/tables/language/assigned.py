@@ -18,7 +18,8 @@ __all__ = [
 
 DEFINED = re.compile(r"^\s*#\s*define\s+(\w+)\s+(.+?)\s*$", re.MULTILINE)
 ASSIGNED = re.compile(
-    r"(?:^|[;,{(\s|])([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*(?::=|=(?!=)|:(?![:=]))[ \t]*"
+    r"(?:^|[;,{(\s|])['\"]?([A-Za-z_]\w*(?:(?:\.|->)[A-Za-z_]\w*)*)['\"]?\s*"
+    r"(?::=|=(?!=)|:(?![:=]))[ \t]*"
     r"((?:[^=;\n,|{}\[\]:'\"()]|(?<=\w)\[\d\]|\((?:[^=;\n|{}\[\]:'\"()]|\([^=;\n|{}\[\]:'\"()]{0,40}\)){0,80}\)|[()]){1,120})"
 )
 # the cells of a table that says what letters are
@@ -41,11 +42,18 @@ COLUMN = re.compile(r"(?:alphas?|alfas?|[ad]|d?dist\w*|lengths?|twists?)\[\d+\]"
 TOLD = re.compile(
     r"(?:\band[ \t]+)?`?(?<!\w)([adlhrADLHR]_?\d+)`?(?:"
     r"[ \t]+\([^()=:|\n]*[a-z]{3}[^()=:|\n]*\)`?[ \t]*[:=][ \t]*(?=[-+]?\d)"
-    r"|[ \t]+(?:is|equals|beträgt|est|vale)[ \t]+"
+    r"|[ \t]+(?:is|equals|equal to|of|being|beträgt|est|vale)[ \t]+"
     r"(?=[-+]?[\d.]+ ?(?:mm|cm|m)[ \t]*(?:[.;,)\n]|and\b|$)))"
 )
 TAKEN = re.compile(r"\b(?:def|function|func|fn)\s[^()\n]*\(([^()]*)\)")
 OF_ANOTHER = re.compile(r"(?<![A-Za-z_])(?!pi\b|np\b|math\b)[a-z]+_?\d")  # joint's variable
+JOINED = re.compile(
+    r"\s*(?:\b(?:and|und|sowie|et|y|e|en|och|oraz|ve|dan|и)\b|和|及|と)\s*(?=\w+\s*=)"
+)
+RANGED = re.compile(
+    r"\s*[-+]?[\d.]+\s*(?:°|deg|mm|cm|m)?\s*(?:\bto\b|\bbis\b|\.{2,3}|…|~)\s*[-+]?\d"
+    r"|\s*(?:0|-[\d.]+)\s*(?:°|deg|mm|cm|m)?\s*-\s*\+?[\d.]+\s*(?:°|deg|mm|cm|m)\s*$"
+)
 EQUAL = re.compile(  # a2 = a3 = 125 mm
     r"\b([A-Za-z_]\w*)\s*=\s*(?=[A-Za-z_]\w*\s*=\s*([^=;,\n]+?)\s*(?:[;\n]|,|\.\s|$))"
 )
@@ -87,8 +95,10 @@ def assigned_in(text):
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
     text = re.sub(r"(?<=\w):[ \t]+(?=\w+[ \t]*=(?!=))", "; ", text)  # link lengths: l1 = 0.5
     text = TOLD.sub(r"; \1 = ", EQUAL.sub(r"\1 = \2; ", text))
-    for name, value in ASSIGNED.findall(re.sub(r"\s+(?:and|und|et)\s+(?=\w+\s*=)", ", ", text)):
+    for name, value in ASSIGNED.findall(JOINED.sub(", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
+        if RANGED.match(value):
+            continue  # d4: 0 to 0.15 m says how far the joint goes
         for said in (value, *_shorter(value)):
             said = said.strip().rstrip(".)")
             said += ")" * max(said.count("(") - said.count(")"), 0)

@@ -29,6 +29,8 @@ SAME = str.maketrans(
         "β": "beta",
         "γ": "gamma",
         "ⱼ": "_j",
+        **dict.fromkeys("₍₎⁽⁾", ""),  # a₍ᵢ₋₁₎
+        "ℓ": "l",
         "ᵢ": "_i",
         "ₙ": "_n",
         "₊": "+",
@@ -54,7 +56,7 @@ VULGAR = re.compile("(-?)([0-9]*)([¼-¾⅐-⅞])")  # 7½
 FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 SHORT_FRACTION = re.compile(r"\\[dt]?frac\s*(\d|\\pi)\s*(\d|\{\d+\})")
 WRAPPERS = re.compile(
-    r"\\(?:mathrm|text|textbf|textit|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
+    r"\\(?:mathrm|text|textbf|textit|textsc|emph|underline|caption|mbox|section\*?|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
     r"\s*\{([^{}]*)\}"
 )
 DEGREES = re.compile(
@@ -77,6 +79,14 @@ SIUNITX = (
     (re.compile(r"\\num\s*\{([^{}]*)\}"), r"\1"),
     (re.compile(r"\\milli\\met(?:re|er)"), "mm"),
     (re.compile(r"\\met(?:re|er)\b"), "m"),
+)
+# what lays out the cells of a table
+SPANS = re.compile(
+    r"\\multi(?:column|row)\s*(?:\{[^{}]*\}|\*)\s*(?:\{[^{}]*\}|\*)|\\(?:row|cell|column)color\s*(?:\[[^\]]*\])?\s*\{[^{}]*\}"
+)
+IN_CELL = re.compile(
+    r"\\(?:makecell|shortstack|thead|specialcell)\s*(?:\[[^\]]*\])?\s*"
+    r"\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
 )
 ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
 LAYOUT = re.compile(
@@ -105,7 +115,7 @@ def unified(text):
     """
     text = STYLED.sub(lambda m: unicodedata.normalize("NFKC", m[0]), text)
     text = VULGAR.sub(_vulgar, text.replace("−", "-")).translate(SAME)
-    text = re.sub(r"\\[()]", "", text)  # \(x\) is $x$
+    text = re.sub(r"(?<!\\)\\[()]", "", text)  # \(x\) is $x$
     text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
     text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
     text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)
@@ -121,6 +131,7 @@ def _vulgar(match):
 
 
 def _from_tex(text):
+    text = IN_CELL.sub(lambda m: m[1].replace(r"\\", " "), SPANS.sub("", text))
     text = TEX_FUNCTION.sub(r" \\", MATRIX.sub(_in_brackets, text))
     for pattern, written in SIUNITX:
         text = pattern.sub(written, text)

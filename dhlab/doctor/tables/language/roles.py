@@ -199,6 +199,8 @@ def _role_of(text):
     text = LOST_MINUS.sub(r"\1 \2-1", text)
     if told := EXPLAINED.match(text):
         return told[1], False
+    if re.match(r"(?:cos|sin|tan)[ _({]*(?:alpha|theta)", text):
+        return "room", False  # the twist once more
     if text in LABELS or not text or NUMBERED.fullmatch(text):
         return "label", False
     found = UNIT.search(text)

@@ -6,7 +6,13 @@ import re
 from dataclasses import replace
 
 from ..cells import Cell, cell_of, cell_or_none
-from ..evidence.branches import added_at_joints, slid_by_calls, sliding_at_joints, turned_at_joints
+from ..evidence.branches import (
+    added_at_joints,
+    added_in_words,
+    slid_by_calls,
+    sliding_at_joints,
+    turned_at_joints,
+)
 from ..language.words import KINDS
 
 __all__ = [
@@ -82,7 +88,8 @@ def with_added(table, source):
     n, notes = len(table.rows), []
     zeros = list(table.zeros) or [Cell(0.0)] * n
     by_name = table.why == "as the names of the arrays say"
-    for k, text in added_at_joints(source.code, by_name).items():
+    added = {**added_in_words(source.text), **added_at_joints(source.code, by_name)}
+    for k, text in added.items():
         value = source.value(text)
         if k is None or not 0 <= k < n or value is None:
             raise ValueError(

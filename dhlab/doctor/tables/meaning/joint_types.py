@@ -5,13 +5,15 @@ from dataclasses import replace
 
 from ..cells import Cell
 from ..language.words import KINDS
+from .columns import IMPLIED
 
-__all__ = ["kinds_by_number", "with_made_joints", "with_sigma"]
+__all__ = ["kinds_by_number", "kinds_by_star", "with_made_joints", "with_sigma"]
 
 # setFixedTransform(body3.Joint, dh(3,:), 'dh'), setFixedTransform(jnt1, [0 pi/2 0 0], 'dh')
 FIXED_TRANSFORM = re.compile(
     r"\bsetFixedTransform\s*\(\s*([A-Za-z_][\w.]*(?:\{\d+\}[\w.]*)?)\s*,\s*(?:\w+\((\d+)\s*,\s*:\)|\[)"
 )
+STAR = re.compile(r"^[^*]+\*$")  # 0.15*
 JOINT_MADE = r"(?<![\w.]){}\s*=\s*rigidBodyJoint\s*\(\s*[^,()]+(?:,\s*['\"](\w+)['\"]\s*)?\)"
 
 
@@ -30,6 +32,36 @@ def number_of_sliding(text):
             if re.search(f"{before}|{behind}", text, re.IGNORECASE):
                 return slides
     return "0" if re.search(r"(?:alpha|theta)\W+(?:is_?)?revolut", text, re.IGNORECASE) else ""
+
+
+def kinds_by_star(kinds, rows, roles):
+    """(kinds, notes) of rows with a star behind a number: behind each theta it marks a joint that
+    turns; behind others it is a footnote's, where the row has a variable.
+
+    Raises
+    ------
+    ValueError
+        The star may mark the joint that slides, or rows without it may have no joint.
+    """
+    starred = [
+        {role for role, cell in zip(roles, row) if cell.is_constant and STAR.search(cell.text)}
+        for row in rows
+    ]
+    if not any(starred) or "theta" not in roles:
+        return kinds, ()
+    k = roles.index("theta")
+    marked = ["theta" in one for one in starred]
+    for i, (row, one) in enumerate(zip(rows, starred)):
+        still = row[k].is_constant and row[k] != IMPLIED and not kinds[i]
+        if still and (any(marked) != marked[i] or (one == {"d"} and not marked[i])):
+            raise ValueError(
+                f"recognise_table: row {i + 1}: does the star behind a number mark the joint's"
+                " variable, or a footnote? Write q for theta, or d + 0.1 for d, where a joint"
+                " moves, and no star elsewhere"
+            )
+    if all(marked):
+        return tuple(kind or "R" for kind in kinds), ("a star behind theta marks the variable",)
+    return kinds, ("a star behind a number is taken for a footnote's: look what it says",)
 
 
 def with_sigma(table, source):

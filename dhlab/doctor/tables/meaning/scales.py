@@ -14,6 +14,7 @@ __all__ = [
     "UNIT_WORDS", "angle_units", "in_metres", "in_radians", "length_units",
     "measured_in",
     "multiples_said", "reached", "takes_thousandths",
+    "the_measure",
     "units_by_size",
 ]  # fmt: skip
 
@@ -41,6 +42,7 @@ OPEN = "m", "cm", "mm"  # what multiples may be in, as far as anybody can tell
 REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05, 1.5)}
 LONGEST = {"cm": 70.0, "in": 70.0}  # a link, in its unit
 SHORT_LINK = 0.5  # a number as small as this is in metres, where metres make an arm at all
+FARTHEST = 8.0  # metres, of an arm whose text measures something else in the same unit
 TOY = 3.0  # the longest number: up to it, "mm" in the text is doubtful
 DOUBTFUL = 0.015, 25.0  # an arm that reaches less or more, in metres, is in another unit than said
 
@@ -90,6 +92,8 @@ def _checked_angle(unit, cells, why):
         return [("deg", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
     if unit == "deg" and all(snapped(value)[1] for value in values):
         return [("rad", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
+    if unit == "deg" and any(snapped(value)[1] and value % 1 for value in values):  # 1.5708
+        return [("mixed", f"though the text says {UNIT_WORDS[unit]}"), (unit, why)]
     return [(unit, why)]
 
 
@@ -123,6 +127,10 @@ def length_units(table, columns, given):
     found = units_by_size(sizes)
     if len(found) > 1 and "mm" in found and table.scaled and longest >= TOY:
         return [("mm", "by the factor in the program")]
+    if len(found) > 1 and table.measured in found:
+        reach = sum(sizes) * TO_METRES[table.measured]
+        if REACHES["cm"][0] < reach <= FARTHEST:
+            return [(table.measured, "as the text measures")]
     return [(unit, reached(sizes, unit)) for unit in found]
 
 
@@ -147,6 +155,18 @@ def measured_in(text, rows, roles):
     }
     fits = [unit for unit, numbers in units.items() if len(lengths) > 1 and lengths <= numbers]
     return fits[0] if len(fits) == 1 else ""
+
+
+def the_measure(text):
+    """The one unit in which a text measures lengths, "" where it does in several or in none.
+
+    Examples
+    --------
+    >>> the_measure("a camera 0.5 m above"), the_measure("1 m or 5 cm")
+    ('m', '')
+    """
+    units = {unit for _, unit in MEASURE.findall(text)}
+    return units.pop() if len(units) == 1 else ""
 
 
 def takes_thousandths(code):

@@ -4,16 +4,17 @@ without headings, labels and joint types; also rows of numbers.
 
 import math
 import re
-from dataclasses import replace
 
 import numpy as np
 
 from ...cells import FOOTNOTE, Cell, cell_or_none, plain, read_cell
-from ...language.roles import ROLES
+from ...language.roles import ROLES, unit_in
 from ...language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
 from ...meaning.beside import DASH, require_no_fifth, slid, with_theta
 from ...meaning.columns import IMPLIED
-from ...meaning.joint_types import kinds_by_number
+from ...meaning.indexed import with_index
+from ...meaning.joint_types import kinds_by_number, kinds_by_star
+from ...meaning.twofold import say_one_thing
 from ...meaning.unnamed import explained
 from ...pasted import Pasted
 from .heading import header, units_of
@@ -24,6 +25,7 @@ __all__ = ["NoRows", "from_grid"]
 KEPT = (*ROLES, "offset", "sigma", "r")
 EMPTY = ("-", "--", "---", "/", "n/a", "n.a.", "none")  # a dash, or what stands for one
 JOINT = re.compile(r"joint|gelenk|articula|关节|關節|関節", re.IGNORECASE)
+TOTAL = re.compile(r"[\W_]*(?:total|sum|summe|gesamt|somme|suma|合计|總計|总计)\b", re.IGNORECASE)
 OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
 
@@ -60,21 +62,22 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             below = [other for place, other in grid if place != where and not units_of(other)]
             named, (roles, beside) = roles, explained(roles, cells, below)
             notes, taken = (*notes, *beside), roles != named
-            _require_once(roles, cells)
+            roles = _once(roles, cells, below)
             if behind and source and OWN_D.search(source.text):
                 notes, behind = (
                     (*notes, "d is that of its own row, as the text defines d(i)"),
                     False,
                 )
             names = [plain(str(cell)).strip("_ij$* ") for cell in cells]
-            why, because, first = "as the header says", _because(said), str(cells[0]).strip(" *`")
+            why, first = "as the header says", str(cells[0]).strip(" *`")
+            because = "by the index i-1 in the header" if said == "craig" else ""
             continue
         below = units_of(cells) if roles and not rows else None
         if below:
             named = zip(reversed(roles), reversed(below))  # empty first cells may be lost
             heads = {**{role: unit for role, unit in named if unit and role}, **heads}
             continue
-        if not rows and _is_title(cells):
+        if (not rows and _is_title(cells)) or (rows and TOTAL.match(plain(str(cells[0])))):
             continue
         rows.append(_row(_counted(cells, roles, first), roles, where, source))
         require_no_fifth(names, cells, where)
@@ -87,6 +90,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     kinds, numbered = kinds_by_number(kinds, source.text if source else "")
     notes = (*notes, *numbered)
     kept = roles and tuple(role for role in roles if role in KEPT)
+    kinds, starred = kinds_by_star(kinds, cells, kept or ())
+    notes = (*notes, *starred)
     if any(cell is DASH for row in cells for cell in row):
         notes = (*notes, "a dash, or n/a, is taken for 0")
     if any(cell is IMPLIED for row in cells for cell in row):
@@ -104,15 +109,8 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
         lines=(min(lines), max(lines)) if lines else (), behind=behind,
     )  # fmt: skip
     table = even(table)
-    named = source.convention if source else ""
-    if said == "i" and named != "craig" and _ends_as_standard(table):
-        table = replace(table, convention="standard", because=_because("i"))
-    elif said == "i" and named != "craig" and _is_planar(table):
-        because = (
-            "since all headings carry the index i, and each row of the planar arm has a length"
-        )
-        table = replace(table, convention="standard", because=because)
-    return table
+    craig = source is not None and source.convention == "craig"
+    return with_index(table) if said == "i" and not craig else table
 
 
 def _has_numbers(roles, rows):
@@ -122,15 +120,28 @@ def _has_numbers(roles, rows):
     return any(2 * sum(cell is not None for cell in column) > len(column) for column in cells)
 
 
-def _require_once(roles, cells):
-    """Two columns of one name: nobody can say which is meant."""
-    for role in ROLES:
-        names = [str(cell).strip() for cell, one in zip(cells, roles) if one == role]
-        if len(names) > 1:
+def _once(roles, heading, rows):
+    """The roles, without a second column of one name that says the same in another unit.
+
+    Raises
+    ------
+    ValueError
+        It says something else: nobody can say which is meant.
+    """
+    for role in (*ROLES, "offset"):
+        at = [k for k, one in enumerate(roles) if one == role]
+        if len(at) < 2:
+            continue
+        names = [str(heading[k]).strip() for k in at]
+        cells = [[_try(str(row[k])) for row in rows if len(row) == len(roles)] for k in at]
+        if say_one_thing(cells, [unit_in(plain(name)) for name in names]):
+            roles = tuple("room" if k in at[1:] else one for k, one in enumerate(roles))
+        elif role in ROLES:
             raise ValueError(
                 f"recognise_table: expected one column {role}, found {' and '.join(names)[:60]};"
                 " which one is it? Leave the other out"
             )
+    return roles
 
 
 def _with_directions(roles, grid):
@@ -150,33 +161,6 @@ def _with_directions(roles, grid):
         note = "the column of directions is taken for the sense in which each joint counts"
         return roles, (note,)
     return roles, ()
-
-
-def _because(said):
-    return {
-        "craig": "by the index i-1 in the header",
-        "i": "since all headings carry the index i, and the last row has neither a nor alpha",
-    }.get(said, "")
-
-
-def _ends_as_standard(table):
-    if table.roles is None or not {"a", "alpha"} <= set(table.roles):
-        return False
-    at = [table.roles.index("a"), table.roles.index("alpha")]
-    first, last = ([table.rows[k][j] for j in at] for k in (0, -1))
-    return any(c.value or c.letters for c in first) and not any(c.value or c.letters for c in last)
-
-
-def _is_planar(table):
-    """Whether all axes are parallel and each row has a length a: the last one leads from the last
-    joint to the tip, as in standard rows, and the first one is no step before the first joint.
-    """
-    if table.roles is None or not {"a", "alpha", "theta"} <= set(table.roles):
-        return False
-    column = {role: [row[k] for row in table.rows] for k, role in enumerate(table.roles)}
-    parallel = all(c.is_constant and not c.value for c in column["alpha"])
-    turning = not any(c.is_constant for c in column["theta"])
-    return parallel and turning and all(c.value or c.letters for c in column["a"])
 
 
 def _counted(cells, roles, first):
@@ -238,7 +222,7 @@ def _row(cells, roles, where, source):
         elif role == "theta" and word in STILL:
             kept.append(Cell(0.0, text=word))
             kind = "fixed"
-        elif role == "theta" and isinstance(cell, str) and (not word or RANGE.fullmatch(word)):
+        elif role == "theta" and isinstance(cell, str) and (not word or _is_range(word)):
             kept.append(IMPLIED)
         elif role in KEPT:
             kept.append(_cell(cell, where, k, source))
@@ -248,6 +232,11 @@ def _row(cells, roles, where, source):
             else:
                 kept.append(_cell(cell, where, k, source))
     return tuple(kept), label, kind, sign
+
+
+def _is_range(word):
+    """Whether a cell holds the range of a joint's values, perhaps with a word behind it."""
+    return bool(RANGE.fullmatch(re.sub(r"(?<=\S)\s*\([^()\d]*\)$", "", word)))
 
 
 def _is_remark(cell):
@@ -283,6 +272,6 @@ def _cell(cell, where, k, source):
             " is meant"
         )
     try:
-        return read_cell(str(cell), source.known if source else None)
+        return read_cell(str(cell), source.known if source else None, loosely=True)
     except ValueError as error:
         raise ValueError(f"recognise_table: {where}, cell {k + 1}: {error}") from None

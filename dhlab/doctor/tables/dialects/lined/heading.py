@@ -50,7 +50,7 @@ def header(cells):
         previous = False  # a(i) beside alpha(i-1)
     return (
         roles,
-        {role: unit for role, (_, _, unit) in zip(roles, found) if unit and role},
+        {role: unit for role, _, unit in reversed(found) if unit and role},  # the first counts
         "craig" if previous else "i" if indexed and not previous else None,
         behind,
     )

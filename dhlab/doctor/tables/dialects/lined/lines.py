@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 from ...cells import cell_or_none, read_cell
 from ...evidence.orders import order_of_names
@@ -94,17 +95,38 @@ def _from_lines(texts, source):
     split, mark = splitter([line for _, line in lines])
     grid = [(f"line {k}", split(line)) for k, line in lines if mark is None or mark in line]
     grid = _with_heading(_upright(grid), source, split)
-    grid = one_cell_a_line(grid, lines) or named_one_a_line(lines) or _table_only(grid)
+    whole = _is_whole(grid)
+    grid = (not whole and one_cell_a_line(grid, lines)) or (
+        named_one_a_line(lines) or _table_only(grid)
+    )
     if len(grid) > MOST_LINES:
         raise ValueError(
             f"recognise_table: expected at most {MOST_LINES} lines, found {len(grid)}; paste the"
             " rows only"
         )
     order = None if any(header(cells) for _, cells in grid) else source.order
+    grid = _by_fours(grid) if order else grid
     widths = {len(cells) for _, cells in grid}
     if order and widths in ({4}, {5}):
         return from_grid(grid, source, with_fifth(order[0], grid), order[2], order[1])
     return from_grid(grid, source)
+
+
+def _is_whole(grid):
+    """Whether two rows of numbers, as wide as the heading, follow each other."""
+    widths = [len(cells) for _, cells in grid if header(cells)]
+    full = [
+        len(cells) in widths and all(cell_or_none(str(cell)) for cell in cells) for _, cells in grid
+    ]
+    return any(a and b for a, b in pairwise(full))
+
+
+def _by_fours(grid):
+    """A line of all numbers, one row behind the other, with a line for each row."""
+    cells = grid[0][1] if len(grid) == 1 else []
+    if len(cells) < 8 or len(cells) % 4 or not all(map(is_cell, cells)):
+        return grid
+    return [(grid[0][0], cells[k : k + 4]) for k in range(0, len(cells), 4)]
 
 
 def _listed(line):

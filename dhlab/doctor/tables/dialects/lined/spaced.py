@@ -21,7 +21,8 @@ SIGNED = re.compile(
 INDEXED = re.compile(r"(?<!\w)(alpha|theta|[adrq]) (?=[ijkn](?:-1)?(?:\s|$))", re.IGNORECASE)
 # a row behind its name, without brackets: 1: q1, 0.2, 0, 90 and link1 = 0 200 0 90
 BARE_ROW = re.compile(
-    r"\s*[-*]?\s*((?:(?:link|joint|axis|row|achse|[jl])[ _]?)?\d+)\s*[:=)]\s*(\S.*)", re.I
+    r"\s*[-*]?\s*((?:(?:link|joint|axis|row|achse|[jl])[ _]?)?\d+)(?:\s*[:=)]|\.(?=\s))\s*(\S.*)",
+    re.I,
 )
 LABEL = re.compile(r"^\s*(?:[A-Za-z][A-Za-z_]*\s*\d*|\d+)\s*[.:)]?\s+")  # Joint 1:
 

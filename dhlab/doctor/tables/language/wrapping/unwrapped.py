@@ -6,6 +6,7 @@ import html
 import re
 
 from ..restated import restated
+from ..sentences import in_lines
 from .markup import as_html, with_pipes
 from .pictures import without_pictures
 
@@ -13,6 +14,9 @@ __all__ = ["unwrapped"]
 
 FIELDS = re.compile(  # theta: float, as a class has it
     r"(?:^[ \t]+\w+[ \t]*:[ \t]*(?:float|int|str|bool)\b[^\n]*(?:\n|$))+", re.MULTILINE
+)
+STYLED = re.compile(  # <b>210</b>
+    r"<(b|i|u|em|strong|small|code|kbd|span|font)\b[^<>\n]*>([^<>\n]*)</\1>", re.IGNORECASE
 )
 LENGTH = re.compile(r"[ \t]+[A-Za-z]\w*\d[ \t]*:[ \t]*\w+[ \t]*=[ \t]*-?[\d.]+[ \t]*(?:#.*)?")
 RULE = r"[ \t]*\+[-=+]{3,}\+[ \t]*"
@@ -26,7 +30,7 @@ def unwrapped(text):
     text = text.replace("\r\n", "\n").replace("\r", "\n").expandtabs(1) if "\r" in text else text
     text = re.sub(r"[ \t]+$", "", _without_diff(without_pictures(text)), flags=re.MULTILINE)
     text = re.sub(r"<(sub|sup)>\s*(.*?)\s*</\1>", r"_\2", text, flags=re.IGNORECASE)
-    text = as_html(text)
+    text = as_html(STYLED.sub(r"\2", text))
     if re.search(r"<t[dh]\b", text, re.IGNORECASE):
         text = re.sub(r"</t[dh]\s*>\s*", " | ", text, flags=re.IGNORECASE)
         text = re.sub(r"</?(tr|table|thead|tbody)[^>]*>", "\n", text, flags=re.IGNORECASE)
@@ -41,7 +45,7 @@ def unwrapped(text):
     text = re.sub(r"'(\[[^'\]\n]*\])'", r"\1", text)
     if len(re.findall(r"^.*\|\|.*\|\|.*$", text, re.MULTILINE)) > 1:
         text = text.replace("||", "|")
-    text = restated(text)
+    text = restated(in_lines(text))
     text = _listed_table(text)
     text = _joined_heading(re.sub(r":math:`([^`\n]*)`", r"\1", text))
     text = re.sub("[┌┐└┘├┤┬┴┼─━┏┓┗┛┣┫┳┻╋═╔╗╚╝╠╣╦╩╬]+", "", text)
