@@ -135,7 +135,7 @@ def _read(source, nominal, length):
         if read in (rows.read, functions.read) and found is not None:
             found = _larger(found, source)
         elif read in (keyed.read, numbered.read) and found is not None:
-            found = _drawn(source, len(found.rows)) or found
+            found = _drawn(source, found) or found
         if stumbled and found is not None and not _is_likelier(found, read):
             raise stumbled
         if found is not None:
@@ -263,14 +263,26 @@ def _with_zeros(found, source):
     return named if any(theirs) and not any(own) else None
 
 
-def _drawn(source, least):
+def _drawn(source, found):
     """A table drawn with bars and a heading, of which the numbers named in the text are the
     letters' values, or remarks; None without one of so many rows.
+
+    Raises
+    ------
+    ValueError
+        Both are tables, with other numbers.
     """
     if not any("|" in line and header(line.strip(" |").split("|")) for line in source.lines):
         return None
     table = _read_or_none(lines.read, source)
-    return table if table and table.roles is not None and len(table.rows) >= least else None
+    if table is None or table.roles is None or len(table.rows) < len(found.rows):
+        return None
+    if is_a_table(found) and is_a_table(table) and not (holds(table, found) or holds(found, table)):
+        raise ValueError(
+            "recognise_table: expected one table, found a list of links and a table with other"
+            " numbers; which one is meant? Leave the other out"
+        )
+    return table
 
 
 def _read_or_none(read, source):

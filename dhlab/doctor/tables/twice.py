@@ -1,6 +1,8 @@
 """Two tables of one text that are one: in letters, and again with numbers; or one twice."""
 
 from .completing.alike import stands_for
+from .evidence.source import source_of
+from .language.letters import unified
 from .take_apart import take_apart
 
 __all__ = ["told_once"]
@@ -19,12 +21,23 @@ def told_once(parts):
         return None
     if isinstance(one, list) or isinstance(other, list):
         return None
-    if stands_for(one, other) and one.lines:
+    source = source_of("\n".join(parts))
+    if stands_for(one, other) and one.lines and not _are_given(one, source):
         return "\n".join([_without(parts[0], one), parts[1]]), LETTERS
-    note = LETTERS if stands_for(other, one) else AGAIN if _are_one(one, other) else ""
+    letters = stands_for(other, one) and not _are_given(other, source)
+    note = LETTERS if letters else AGAIN if _are_one(one, other) else ""
     if not note or not other.lines:
         return None
     return "\n".join([parts[0], _without(parts[1], other)]), note
+
+
+def _are_given(table, source):
+    """Whether the text has numbers for the letters of a table: they may be others than in the
+    table with numbers.
+    """
+    letters = (cell.text for row in table.rows for cell in row if cell.letters)
+    given = (source.value(unified(text)) for text in letters)
+    return any(value is not None and not value.letters for value in given)
 
 
 def _without(text, table):

@@ -121,3 +121,65 @@ def test_a_numeric_table_beside_the_same_in_letters_is_read():
         for t, d, a, al in ((0, 210, 0, 90), (90, 0, 340, 0), (0, 60, 270, -90))
     )
     assert holds(LETTERS + f"\ndh_table = [\n{numbers}]\n")
+
+
+TEX = r"""\begin{table}\caption{Classical DH parameters\label{t}}
+\begin{tabular}{cccccc}
+\multirow{2}{*}{Joint} & \multicolumn{4}{c}{Parameters} & \multirow{2}{*}{Range} \\ \cline{2-5}
+ & \makecell{$\theta_i$\\(deg)} & $d_i$ [mm] & $a_i$ [mm] & $\alpha_i$ (\textdegree) & \\ \hline
+\rowcolor{gray} 1 & \ensuremath{\theta_1} & 210\tnote{a} & 0 & $\nicefrac{180}{2}$ & $\pm 170$ \\
+2 & $\theta_2+90$ & 0 & 340 & 0 & $\pm 100$ \\
+3 & $\theta_3^*$ & 60 & 270 & --90 & $\pm 150$ \\
+\end{tabular}\end{table}
+"""
+ALIGNED = r"""% standard DH, mm and degrees
+\begin{align}
+\theta_1 &= q_1, & d_1 &= 210, & a_1 &= 0, & \alpha_1 &= 90 \\
+\theta_2 &= q_2 + 90, & d_2 &= 0, & a_2 &= 340, & \alpha_2 &= 0 \\
+\theta_3 &= q_3, & d_3 &= 60, & a_3 &= 270, & \alpha_3 &= -90
+\end{align}
+"""
+JSON = """{"convention": "standard", "rows": [
+ {"d": {"value": 210, "unit": "mm"}, "a": {"value": 0, "unit": "mm"},
+  "alpha": {"value": 90, "unit": "deg"}, "theta": {"value": 0, "unit": "deg"}},
+ {"d": {"value": 0, "unit": "mm"}, "a": {"value": 340, "unit": "mm"},
+  "alpha": {"value": 0, "unit": "deg"}, "theta": {"value": 90, "unit": "deg"}},
+ {"d": {"value": 60, "unit": "mm"}, "a": {"value": 270, "unit": "mm"},
+  "alpha": {"value": -90, "unit": "deg"}, "theta": {"value": 0, "unit": "deg"}}]}
+"""
+NUMBERED = """standard_dh:  # mm, degrees
+  link_1: {theta_1: q1, d_1: 210, a_1: 0, alpha_1: 90}
+  link_2: {theta_2: q2 + 90, d_2: 0, a_2: 340, alpha_2: 0}
+  link_3: {theta_3: q3, d_3: 60, a_3: 270, alpha_3: -90}
+"""
+TITLED = """In the modified DH convention the frames are placed otherwise; we use the standard one.
+
+### Standard DH parameters (mm, degrees)
+""" + TABLE.format(**CELLS)
+
+
+@pytest.mark.parametrize("text", [TEX, ALIGNED, JSON, NUMBERED, TITLED])
+def test_pages_files_and_titles(text):
+    assert holds(text)
+
+
+def test_an_empty_cell_of_a_length_is_nought_where_no_nought_is_written():
+    assert holds(
+        HEAD
+        + TABLE.format(**CELLS)
+        .replace("| 0 | 90 |", "| | 90 |")
+        .replace("| 0 | 340 | 0 |", "| | 340 | 0 |")
+    )
+    with pytest.raises(ValueError, match="empty cell"):
+        dh.recognise_table(HEAD + TABLE.format(**{**CELLS, "d3": " ", "a3": "0"}))
+
+
+def test_two_tables_with_other_numbers_are_asked_about():
+    links = "".join(
+        f"- Joint {k}: θ = q{k}, d = {d}, a = {a}, α = {alpha}\n"
+        for k, d, a, alpha in ((1, 210, 0, 90), (2, 0, 340, 0), (3, 60, 270, -90))
+    )
+    old = TABLE.format(**{**CELLS, "d": "200", "a": "350"})
+    for text in (links + "\n" + old, LETTERS + "\n" + old + "\nL1 = 1, L2 = 2, L3 = 3, L4 = 4"):
+        with pytest.raises(ValueError, match="expected one table"):
+            dh.recognise_table(HEAD + text)

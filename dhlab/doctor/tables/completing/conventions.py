@@ -8,6 +8,7 @@ from dataclasses import replace
 from ..evidence.conventions import convention_in, defined_in, has_formula
 from ..evidence.makers import called_convention
 from ..evidence.orders import previous_in
+from ..evidence.source import convention_titled
 
 __all__ = ["with_convention"]
 
@@ -96,4 +97,7 @@ def _said(table, source):
         return replace(table, convention=source.convention, because="as the text says")
     if defined := defined_in(source):
         return replace(table, convention=defined, because="as the text defines a and alpha")
+    first = table.lines[0] if table.lines else 0
+    if titled := "" if has_formula(source.text) else convention_titled(source, first):
+        return replace(table, convention=titled, because="as the title of the table says")
     return table

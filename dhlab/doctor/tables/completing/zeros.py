@@ -20,7 +20,7 @@ SHIFTED = re.compile(
 )
 # an angle brought back between -pi and pi
 WRAPPED = re.compile(
-    r"^[^\n]*[-+]=?\s*2(?:\.0)?\s*\*\s*[\w.]*pi\b[^\n]*$"
+    r"^[^\n]*[-+]=?\s*2(?:\.0)?\s*\*\s*[\w.]*pi\b[^\n]*$|[-+]\s*(?:2\s*\*?\s*pi\b(?!\s*/)|360\b)"
     r"|\b(?:if|while|else)\b[^\n]*\n?[ \t]*(\w+)\s*(?:=\s*\1\s*)?[-+]=?\s*[\w.]*pi\s*;?\s*$",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -39,6 +39,7 @@ STATED = re.compile(
     r"[^.,;|\n\d]{0,20}[-+]?(?:90|180|1\.57\d*|pi)\b",
     re.IGNORECASE,
 )
+MOST = 360  # degrees
 OF_AN_END = re.compile(r"grip|tool|tcp|ee|end|flange|base|hand|camera|link", re.IGNORECASE)
 
 
@@ -88,6 +89,9 @@ def _named_zero(source, table):
         value = source.value(said.strip(" ,;"))
         if value is not None and (abs(value.number) in lengths or _is_length(value, table)):
             continue  # wrist_offset: 0.072, which is the d of the wrist
+        counts = re.match(r"\s*-?(\d+)", said)
+        if counts and int(counts[1]) > MOST:
+            continue  # 2048 steps of a servo
         none = re.match(r"\s*(?:\w+\.)?zeros\(", said)
         number = not none and re.search(r"(?<!\w)[\d.]*[1-9]|pi\b", said)
         if number and (role_of(name)[0] == "offset" or re.search(r"zero|bias", name.lower())):

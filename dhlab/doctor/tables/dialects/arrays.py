@@ -225,8 +225,8 @@ def _known_form(source):
     if re.search(r"robot\.DH\.\w+|\bARTE\b", source.text):
         return {"form": "ARTE", "convention": "standard", "because": "as ARTE has it"}
     if re.search(
-        r"\bdelta_(?:theta|d|a|alpha)\b|^\s*\[DH\]|\bdh_theta\s*[:=]\s*\[[^,\]]*\]|joint_checksum",
-        source.text,
+        r"\bdelta_(?:theta|d|a|alpha)\b|^\s*\[DH\](?=[^\[]*=\s*\[)|\bdh_theta\s*[:=]\s*\[[^,\]]*\]|joint_checksum",
+        source.pasted,
         re.MULTILINE,
     ):
         return {

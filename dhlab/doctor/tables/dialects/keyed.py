@@ -45,6 +45,7 @@ TYPES = "number", "float", "double", "real"  # type Link = { a: number }
 UNITS = re.compile(
     r"m|mm|cm|in|met(?:er|re)s?|milli-?met(?:er|re)s?|inch(?:es)?|deg(?:rees?)?|°|rad(?:ians?)?"
 )
+COUNT = re.compile(r"_?\d+$")
 LABELS = ("name", "joint", "link", "label", "id", "frame")
 
 
@@ -188,7 +189,7 @@ def in_groups(source):
         named = NAMED.match(source.lines[group.line - 1])
         row = {"label": ((named and named[1]) or said.get(group.line, "")).strip()}
         for pair in _items(group):
-            role = role_of(pair[0])[0] if pair else None
+            role = _role(pair[0], group) if pair else None
             value = (
                 source.value(pair[1])
                 if role in NAMES and pair[1].strip().lower() not in TYPES
@@ -224,6 +225,12 @@ def in_groups(source):
     )
 
 
+def _role(name, group):
+    """The parameter that a name means; d_2 is d where all names of the row have one number."""
+    numbers = {found[0] for one in filter(None, _items(group)) if (found := COUNT.search(one[0]))}
+    return role_of(name)[0] or (role_of(COUNT.sub("", name))[0] if len(numbers) == 1 else None)
+
+
 def _tells_units(group):
     """Whether a group says units, {"length": "m", "angle": "deg"}, and no numbers."""
     said = [pair[1].strip("'\" ").lower() for pair in filter(None, _items(group))]
@@ -253,7 +260,7 @@ def _values(row):
 def _require_read(group, row):
     """A number that is named and cannot be read must not be taken for 0."""
     for name, text in filter(None, _items(group)):
-        role = role_of(name)[0]
+        role = _role(name, group)
         if role in ("d", "a", "alpha", "r") and role not in row and re.search(r"[(\d]", text):
             raise ValueError(
                 f"recognise_table: line {group.line}: {name}: expected a number, found"

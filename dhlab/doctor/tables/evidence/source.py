@@ -28,7 +28,7 @@ from .makers import called_convention
 from .matrix.matrices import link_matrix_in
 from .orders import order_in
 
-__all__ = ["Source", "source_of"]
+__all__ = ["Source", "convention_titled", "source_of"]
 
 MOST_CHARACTERS, MOST_LINES, LONGEST_LINE, LONGEST_WORD = 12_000, 400, 2_000, 120
 WORDS_FOR = {
@@ -39,7 +39,8 @@ WORDS_FOR = {
     r"|(?:d-?h|quy ước)[ ,(]*(?:cải tiến|sửa đổi)|degistirilmis",
     "standard": r"(?<![a-z])(standard(?! (?:units|deviation|robot|gripper|tool|pose|position|arm"
     r"|size|model|config)s?)|classic(?:al)?|distal|paul|spong|siciliano|stddh|sdh|std\.?(?= d-?h)"
-    r"|est[aá]ndar|padrão"
+    r"|std(?=\.?\))"
+    r"|est[aá]ndar|padrão|standardow\w*|standardn\w*"
     r"|klassisch\w*|classique|cl[aá]ss?ic[oa]"
     r"|(?:original|originale[nrs]?) (?:d-?h|denavit|19|paper|method)|algoritmo original"
     r"|denavit and hartenberg \(?1955)(?![a-z])|стандарт|классич|标准|標準|标準|표준|klasyczn"
@@ -91,6 +92,11 @@ OF_TABLES = re.compile(
     re.IGNORECASE,
 )
 SENTENCE, LONG = re.compile(r"[^.:;!?\n]+"), 7  # words
+# the lines above a table in which its title may stand, and what a title has
+TITLE = 8
+OF_A_TABLE = re.compile(
+    r"d-?h(?![a-z])|denavit|param|parám|paramèt|tab[el]|表|таблиц|^\s*#|:\W*$", re.IGNORECASE
+)
 CONVERTED = re.compile(  # a (mm -> m): what the numbers were in before
     r"(?<![\w.])(?:mm|cm|inch(?:es)?|milli-?met(?:er|re)s?)\s*(?:->|=>|→|⇒|\bto\b|\binto\b)"
     r"\s*(m|cm|mm|met(?:er|re)s?)\b(?!\s*\()",
@@ -196,11 +202,16 @@ def source_of(text, values=None):
         known,
         comments,
         {**{name: said for name, said in known.items() if name not in stands}, **given},
-        called_convention(code) or _convention(text),
+        called_convention(code) or _convention(text) or _convention(_of_tex(pasted)),
         _only(_prose(text, known), LENGTH_WORDS),
         _only(_prose(text, known), ANGLE_WORDS),
         pasted=pasted,
     )
+
+
+def _of_tex(text):
+    """The comments of a text in TeX."""
+    return "\n".join(re.findall(r"(?<!\\)%(.*)", text)) if "\\begin{" in text else ""
 
 
 def _prose(text, known):
@@ -216,6 +227,17 @@ def _convention(text):
     """What a line ``convention: …`` says, else what words in the text do."""
     said = [_only(value, WORDS_FOR) for value in CONVENTION.findall(text)]
     return said[0] if len(said) == 1 and said[0] else _only(text, WORDS_FOR)
+
+
+def convention_titled(source, line):
+    """The convention that the title of a table names, which begins in a line, where the text speaks
+    of both; where the line is not known, 0, what all titles of the text name; "" without one.
+    """
+    lines = source.text.split("\n")
+    above = lines[max(line - 1 - TITLE, 0) : line - 1] if line else lines
+    titles = (one for one in reversed(above) if OF_A_TABLE.search(one))
+    said = [named for one in titles if (named := _convention(one))]
+    return said[0] if said and (line or len(set(said)) == 1) else ""
 
 
 def _only(text, words):

@@ -55,7 +55,7 @@ RANGED = re.compile(
     r"|\s*(?:0|-[\d.]+)\s*(?:°|deg|mm|cm|m)?\s*-\s*\+?[\d.]+\s*(?:°|deg|mm|cm|m)\s*$"
 )
 EQUAL = re.compile(  # a2 = a3 = 125 mm
-    r"\b([A-Za-z_]\w*)\s*=\s*(?=[A-Za-z_]\w*\s*=\s*([^=;,\n]+?)\s*(?:[;\n]|,|\.\s|$))"
+    r"\b((?:[A-Za-z_]\w*\s*=\s*){2,})([^=;,\n]+?)\s*(?=[;\n]|,|\.\s|\.?$)"
 )
 # numbers under one name, used one by one: lengths = [0.33, 0.37], then lengths[0]
 LISTED = re.compile(
@@ -94,7 +94,7 @@ def assigned_in(text):
     """What each name of a text is said to be."""
     known = {key(name): value.split("//")[0] for name, value in DEFINED.findall(text)}
     text = re.sub(r"(?<=\w):[ \t]+(?=\w+[ \t]*=(?!=))", "; ", text)  # link lengths: l1 = 0.5
-    text = TOLD.sub(r"; \1 = ", EQUAL.sub(r"\1 = \2; ", text))
+    text = TOLD.sub(r"; \1 = ", EQUAL.sub(_each, text))
     for name, value in ASSIGNED.findall(JOINED.sub(", ", text)):
         value = re.split(r"(?<=[\w)])\s{2,}(?=[A-Za-z])", value)[0]
         if RANGED.match(value):
@@ -118,6 +118,11 @@ def assigned_in(text):
         for k, item in enumerate(cells_in(items)):
             known.setdefault(key(f"{name}[{k}]"), item.strip())
     return known
+
+
+def _each(match):
+    """``a2 = a3 = 125 mm`` with the number behind each name."""
+    return "; ".join(f"{name.strip()} = {match[2]}" for name in match[1].split("=")[:-1]) + "; "
 
 
 def _again_before_use(name, text):

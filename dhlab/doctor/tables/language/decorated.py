@@ -32,7 +32,7 @@ DOMAIN = re.compile(  # of a joint: ∈ [-120, 120]
     r"\s*(?:∈|\bin\s*(?=\[)).*|(?:\s*\[|\s{2,})\s*-?\d[^\[\],]*[,;][^\[\],]*\]?$"
 )
 DOUBLED = re.compile(  # 210 (d1), d1 [210], -90 / -1.5708: no product, element or quotient
-    r"[-+]?(?:\d{2,}|\d*\.\d+)\s*(?:mm|cm|m|°|deg)?\s*\(\s*[A-Za-z]\w*\s*\)|[A-Za-z]\w*\s+\[\s*[\d.]+\s*\]"
+    r"[-+]?(?:\d{2,}|\d*\.\d+)\s*(?:mm|cm|m|°|deg)?\s*\(\s*[A-Za-z]\w*\s*\)|[A-Za-z]\w*\s+\[\s*[\d.]{2,}\s*\]"
     r"|[-+]?\d[\d.]*\s*(?:mm|cm|m|in|°|deg|rad)?\s+\(\s*[-+]?(?:[\d.]{2,}|\d+\s*[a-z°]+)[^()]*\)"
     r"|[-+]?[\d.]+°?\s*/\s*[-+]?\d\.\d{2,}(?:\s*rad)?"
 )

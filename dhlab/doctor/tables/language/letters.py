@@ -53,10 +53,10 @@ SAME = str.maketrans(
     }
 )
 VULGAR = re.compile("(-?)([0-9]*)([¼-¾⅐-⅞])")  # 7½
-FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
-SHORT_FRACTION = re.compile(r"\\[dt]?frac\s*(\d|\\pi)\s*(\d|\{\d+\})")
+FRACTION = re.compile(r"\\(?:[dtcs]|nice)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+SHORT_FRACTION = re.compile(r"\\(?:[dtcs]|nice)?frac\s*(\d|\\pi)\s*(\d|\{\d+\})")
 WRAPPERS = re.compile(
-    r"\\(?:mathrm|text|textbf|textit|textsc|emph|underline|caption|mbox|section\*?|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
+    r"\\(?:mathrm|text|textbf|textit|textsc|emph|underline|caption|mbox|ensuremath|section\*?|mathbf|mathit|boldsymbol|bm|rm|operatorname|mathsf|si|hspace)"
     r"\s*\{([^{}]*)\}"
 )
 DEGREES = re.compile(
@@ -82,7 +82,11 @@ SIUNITX = (
 )
 # what lays out the cells of a table
 SPANS = re.compile(
-    r"\\multi(?:column|row)\s*(?:\{[^{}]*\}|\*)\s*(?:\{[^{}]*\}|\*)|\\(?:row|cell|column)color\s*(?:\[[^\]]*\])?\s*\{[^{}]*\}"
+    r"\\multi(column|row)\s*(?:\{([^{}]*)\}|\*)\s*(?:\{[^{}]*\}|\*)\s*(?=\{([^{}]*)\})"
+    r"|\\(?:row|cell|column)color\s*(?:\[[^\]]*\])?\s*\{[^{}]*\}"
+)
+FOOTNOTE = re.compile(
+    r"\\(?:tnote|tablefootnote|footnotemark|footnote|label|cite)\s*(?:\{[^{}]*\}|\[[^\]]*\])"
 )
 IN_CELL = re.compile(
     r"\\(?:makecell|shortstack|thead|specialcell)\s*(?:\[[^\]]*\])?\s*"
@@ -91,7 +95,8 @@ IN_CELL = re.compile(
 ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
 LAYOUT = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|cline\s*\{[^{}]*\}|centering|left|right|displaystyle"
-    r"|quad|qquad|limits|small|large|noindent|label\s*\{[^{}]*\}"
+    r"|quad|qquad|limits|small|large|footnotesize|scriptsize|normalsize|boldmath|bfseries|itshape"
+    r"|endhead|endfirsthead|noindent|label\s*\{[^{}]*\}"
     r"|(?:begin|end)\s*\{[^{}]*\}(?:\s*\[[^\]]*\])?(?:\s*\{[|lcrp@{}!.\s\d*]*\})?)"
 )
 TEX_NAMES = {"vartheta": "theta", "cdot": "*", "times": "*", "arctan": "atan", "star": "*"}
@@ -117,7 +122,7 @@ def unified(text):
     text = VULGAR.sub(_vulgar, text.replace("−", "-")).translate(SAME)
     text = re.sub(r"(?<!\\)\\[()]", "", text)  # \(x\) is $x$
     text = SPACED.sub(lambda m: m[1].replace(" ", ""), text)
-    text = re.sub(r"\^\s*\{?\s*\*\s*\}?", "*", text)
+    text = re.sub(r"\^\s*(?:\{\s*\*\s*\}|\*)", "*", text)
     text = re.sub(r"_\{([^{}\\]*)\}", lambda m: "_" + m[1].replace(" ", ""), text)
     if "\\" in text or "$" in text:
         text = _from_tex(text) if TEX.search(ESCAPED.sub("", PATH.sub("", text))) else text
@@ -131,7 +136,8 @@ def _vulgar(match):
 
 
 def _from_tex(text):
-    text = IN_CELL.sub(lambda m: m[1].replace(r"\\", " "), SPANS.sub("", text))
+    text = re.sub(r"--(?=[\d$\\])", "-", FOOTNOTE.sub("", text).replace(r"\textdegree", "°"))
+    text = IN_CELL.sub(lambda m: m[1].replace(r"\\", " "), SPANS.sub(_spanned, text))
     text = TEX_FUNCTION.sub(r" \\", MATRIX.sub(_in_brackets, text))
     for pattern, written in SIUNITX:
         text = pattern.sub(written, text)
@@ -144,11 +150,20 @@ def _from_tex(text):
         if text == before:
             break
     text = LAYOUT.sub("\n" if "\n" not in text else " ", text)
+    if "\n" in text:  # an empty cell at the end of a row is one
+        text = re.sub(r"&[ \t]*$", "& -", re.sub(r"^[ \t]*&", "- &", text, flags=re.M), flags=re.M)
     text = text.replace("&", "|")
     text = re.sub(r"(?<!\\)\\([A-Za-z]+)", lambda m: TEX_NAMES.get(m[1], m[1]) + _gap(m), text)
     text = text.replace("$", "")
     text = re.sub(r"_\s*\{\s*([^{}]*?)\s*\}", lambda m: "_" + m[1].replace(" ", ""), text)
     return text.replace("{", "").replace("}", "")
+
+
+def _spanned(match):
+    """Nothing; for a heading over several columns, empty cells before what it holds."""
+    wide = match[1] == "column" and (match[2] or "").isdigit() and 1 < int(match[2]) < 9
+    behind = match.string[match.end(3) + 1 : match.end(3) + 9] if wide else ""
+    return "- & " * (int(match[2]) - 1) if wide and "\\\\" not in behind else ""
 
 
 def _gap(match):

@@ -68,7 +68,7 @@ DECLARED = (  # define("L1", 0.4), double L1{0.4}, (defconstant L1 0.4), @l1 0.4
     re.compile(r"\((?:def\w+|setq|setf|define)\s+([\w*+-]+)\s+([-+\d.][^()\s]*)\s*\)"),
     re.compile(r"^[ \t]*@(\w+)[ \t]+(?=[-\d\[{(])([^\n]+)$", re.MULTILINE),
 )
-LISP = re.compile(r"(?<=[\s(]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)])")
+LISP = re.compile(r"(?<=[\s({]):([A-Za-z]\w*)\s+(-?[\w.]+|\([^()\n]*\))(?=[\s)}])")
 # --- makers: new double[][] {…}, vec![…], []float64{…}, [_]f64{…}, .{…}, %{…}, @[…], (/ … /), <|…|>
 MAKER = re.compile(
     r"\bnew\s+[\w.]+(?:\s*<[^>\n]*>+)?\s*(?:\[[\w,\s]*\]\s*)+(?=\{)|\bnew\s*\[\]\s*(?=\{)"

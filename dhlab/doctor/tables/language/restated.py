@@ -42,6 +42,10 @@ PROPERTY = re.compile(
     r"^[ \t]*<\S+\s+name\s*=\s*[\"'](\w+)[\"']\s+value\s*=\s*[\"']([^\"'\n]*)[\"']\s*/>",
     re.MULTILINE,
 )
+# {"value": 210, "unit": "mm"}
+MEASURED = re.compile(
+    r"\{\s*['\"]?val(?:ue)?['\"]?\s*:\s*([^,{}\[\]\n]+?)\s*,\s*['\"]?units?['\"]?\s*:\s*['\"]?(\w+)['\"]?\s*\}"
+)
 # dh["alpha"] = [0, 90], C#'s float[] a = new float[6] {0, …}, Markdown's `L1 = 0.2`
 UNDER_KEY = re.compile(
     r"^[ \t]*\w+\[['\"]([A-Za-z]\w*)['\"]\]\s*=\s*(?=\[|[\w.]*array\()", re.MULTILINE
@@ -107,6 +111,7 @@ def restated(text):
     text = SETP.sub(lambda m: f"{m[1].lower()}{m[2]} = {m[3]}", text)
     text = "\n".join(_with_points(_named(line)) for line in text.split("\n"))
     text = ONE_LINE.sub(lambda m: re.sub(r"\\\\\s*(?:\\hline)?", "\n", m[0]), text)
+    text = "\n".join(_in_columns(line) for line in text.split("\n"))
     text = EQUATION.sub(r"\1 = \2", text)
     text = DECIMAL_COMMA.sub(r"\1.\2", text)
     text = MIXED.sub(lambda m: f"{m[1]}{int(m[2]) + int(m[3]) / max(int(m[4]), 1):g}", text)
@@ -118,17 +123,17 @@ def restated(text):
     text = COUNTED.sub(lambda m: m[1] + m[4].replace(f"({m[2]})", f"({m[3]})"), text)
     text = OF_RAD.sub(lambda m: re.sub(r"\brad\b", "theta", m[0]), text)
     text = ONTO_Q.sub(r"\1theta_offset = ", text)
-    text = CODE_SPAN.sub(r"\1", MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
+    text = CODE_SPAN.sub(_span, MADE_ROOM.sub("= ", UNDER_KEY.sub(r"\1 = ", text)))
     if not re.search(r"\bmm_?(?:2|to)_?m\s*=", text, re.IGNORECASE):
         text = TO_METRES.sub(" / 1000", text)
     text = STRUCT.sub(lambda m: "\n".join(f"{n} = [{v}];" for n, v in LISTED.findall(m[0])), text)
+    text = MEASURED.sub(r"\1 \2", PROPERTY.sub(r"\1 = \2", text))
     text = OF_UNIT.sub(r"\1 \2", _with_brackets(text))
     if len(PRINTED.findall(text)) > 2:
         text = PRINTED.sub(lambda m: m[2].replace("\\t", "\t"), text)
     text = COLUMN.sub(r"\2 = \1;", text) if len(COLUMN.findall(text)) > 2 else text
     text = _with_sigma(text)
     text = SYMBOL.sub(r"\2", IN_QUOTES.sub(r"([\1])", text))
-    text = PROPERTY.sub(r"\1 = \2", text)
     text = VALUED.sub(lambda m: f"{m[1]}: {m[2]}, " if role_of(m[1])[0] in ROLES else m[0], text)
     text = TAG.sub(lambda m: ATTRIBUTE.sub(r"\1 = \2,", m[0]), text)
     for name, number in ANCHOR.findall(text):
@@ -137,6 +142,22 @@ def restated(text):
     for name, kind in KDL_JOINT.findall(text):
         text = re.sub(rf"\b{name}\b(?!\s*[({{])", f"Joint({kind})", text)
     return _without_indices(text)
+
+
+def _span(match):
+    """What stands between grave accents, and nothing of a link that names parameters alone, as in
+    ``Link([theta d a alpha])``.
+    """
+    names = re.findall(r"\w+", match[1].partition("(")[2])
+    link = re.match(r"[\w.]*(?:link|revolute|prismatic)\w*\(", match[1], re.IGNORECASE)
+    return "" if link and len(names) > 3 and all(role_of(n)[0] for n in names) else match[1]
+
+
+def _in_columns(line):
+    r"""``d_1 &= 2, & a_1 &= 0 \\`` with nothing but commas between what it says."""
+    if len(re.findall(r"&\s*=", line)) < 2:
+        return line
+    return re.sub(r",?\s*&\s*", ", ", re.sub(r"&\s*=", "=", line))
 
 
 def _with_points(line):

@@ -15,7 +15,8 @@ PREVIOUS = re.compile(
 LOST_MINUS = re.compile(r"^(alpha|theta|[adr]) ?([ijn]) 1\b")  # a page without its signs
 # a - length along x, d along z
 EXPLAINED = re.compile(
-    r"(?!theta.*off)(alpha|theta|[adr])(?:_?[ijkn])? (?:- |: |along |about |around )[a-z]"
+    r"(?!theta.*off)(alpha|theta|[adr])(?:_?[ijkn])? "
+    r"(?:- |: |along |about |around |\((?=[a-z]{4}))[a-z]"
 )
 FOREIGN_UNITS = {
     **dict.fromkeys(
@@ -201,7 +202,7 @@ def _role_of(text):
         return told[1], False
     if re.match(r"(?:cos|sin|tan)[ _({]*(?:alpha|theta)", text):
         return "room", False  # the twist once more
-    if text in LABELS or not text or NUMBERED.fullmatch(text):
+    if text in LABELS or not text.strip("-") or NUMBERED.fullmatch(text):
         return "label", False
     found = UNIT.search(text)
     bare = text[: found.start()] if found and found.start() else text

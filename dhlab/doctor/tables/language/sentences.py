@@ -8,15 +8,16 @@ from .roles import ROLES, role_of
 __all__ = ["in_lines"]
 
 UNITS = r"(?:mm|cm|m|deg|°|rad)"
+NAME = r"\$?[^\W\d][\w{}]*\$?"
 NUMBER = r"[-+−]?\d*\.?\d+"
 # d (mm) = 210
 UNIT_BEFORE = re.compile(
     rf"(?<![\w.])([^\W\d]\w*)(?:[ \t]*(?!\(m\))|[ \t]+)[(\[]({UNITS})[)\]]"
-    rf"[ \t]*([=:])[ \t]*({NUMBER})(?=[ \t]*(?:[,;|\n]|$))"
+    r"[ \t]*([=:])[ \t]*([^,;|\n=:()]+?)(?=[ \t]*(?:[,;|\n]|$))"
 )
 # (d1, a2) = (210, 340) mm
 TUPLES = re.compile(
-    r"\(\s*((?:[^\W\d]\w*\s*,\s*)+[^\W\d]\w*)\s*\)\s*(?:=|are|sind|:=)\s*"
+    rf"\(\s*((?:{NAME}\s*,\s*)+{NAME})\s*\)\s*(?:=|are|sind|:=)\s*"
     rf"\(([^()=\n]+)\)[ \t]*({UNITS}\b)?"
 )
 # L1/L2 = 210/340 mm, and two lines of a table
@@ -35,7 +36,7 @@ BOLD = re.compile(r"(?<![\w)\]*])\*\*(?=[^\s*])([^*\n]+?)(?<=\S)\*\*(?![\w(*])")
 ITALIC = re.compile(r"(?<![\w)\]*])[*_]([^\W\d_]\w*?)[*_](?=[ \t]*[=:][^=])")
 NAMED_SO = re.compile(
     rf"^([ \t]*(?:[-*•][ \t]+)?[^\W\d]\w{{0,12}})[ \t]*(?:→|->|=>|⇒|≈|≃|~|\.{{2,}})[ \t]*"
-    rf"(?=[~≈]?{NUMBER}[ \t]*{UNITS}?\b[^|\n]*$)",
+    rf"(?=[~≈]?{NUMBER}(?:[ \t]*{UNITS})?[ \t]*(?:\([^()\n]*\))?[ \t]*[.,;]?[ \t]*$)",
     re.MULTILINE,
 )
 # L1: base height, 210 mm
@@ -52,7 +53,7 @@ BETWEEN_BARS = re.compile(
 # link 2 has d = 0, a = 340 mm and alpha = 0; link 3 has …
 LINK = re.compile(
     r"(?:(?<=[;:.,])|(?<=\band)|^)[ \t]*(?:and[ \t]+)?(?:for[ \t]+|the[ \t]+)?"
-    r"((?:link|joint|axis)[ \t]*#?\d)\b[ \t]*(?:has|is|uses|with|having|:|,)?[ \t]+",
+    r"((?:link|joint|axis)[ \t]*#?\d|[jl]\d(?=:))\b[ \t]*(?:has|is|uses|with|having|:|,)?[ \t]+",
     re.IGNORECASE | re.MULTILINE,
 )
 NAMED = re.compile(r"(?<!\w)(?:theta|alpha|[θαadr])[₀-₉\d]?[ \t]*[=:]", re.IGNORECASE)
@@ -77,7 +78,7 @@ def in_lines(text):
     'a = [0, 0.3]\\nd = [1, 0]\\nalpha = [90, 0]'
     """
     text = ITALIC.sub(r"\1", BOLD.sub(r"\1", _without_quotes(text)))
-    text = UNIT_BEFORE.sub(r"\1 \3 \4 \2", NAMED_SO.sub(r"\1 = ", text))
+    text = UNIT_BEFORE.sub(_with_unit, NAMED_SO.sub(r"\1 = ", text))
     for several in (TUPLES, SLASHES, BELOW):
         text = several.sub(_one_by_one, text)
     text = WORDS_BETWEEN.sub(r"\1 = \2", text)
@@ -89,10 +90,17 @@ def in_lines(text):
     return _lists("\n".join(map(_links, text.split("\n"))))
 
 
+def _with_unit(match):
+    """``d (mm) = 210`` as ``d = 210 mm``; what has no number, or pi, needs no unit."""
+    name, unit, mark, said = match.groups()
+    bare = not re.search(r"\d", re.sub(r"[^\W\d]\w*", "", said)) or re.search(r"pi\b|π", said)
+    return f"{name} {mark} {said}" if bare else f"{name} {mark} {said} {unit}"
+
+
 def _one_by_one(match):
     names, cells = (cells_in(re.sub(r"[/|]", ",", match[k])) for k in (1, 2))
     unit = f" {match[3]}" if match[3] else ""
-    if len(names) != len(cells) or not all(re.search(r"\d\W*$", name) for name in names):
+    if len(names) != len(cells) or not all(re.search(r"[\d₀-₉]\W*$", name) for name in names):
         return match[0]
     bare = all(re.fullmatch(NUMBER, cell) for cell in cells)
     unit = unit if bare else ""

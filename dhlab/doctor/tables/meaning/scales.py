@@ -42,6 +42,7 @@ OPEN = "m", "cm", "mm"  # what multiples may be in, as far as anybody can tell
 REACHES = {"m": (0.0, 6.0), "cm": (0.05, 2.0), "mm": (0.05, np.inf), "in": (0.05, 1.5)}
 LONGEST = {"cm": 70.0, "in": 70.0}  # a link, in its unit
 SHORT_LINK = 0.5  # a number as small as this is in metres, where metres make an arm at all
+TINY = 0.003  # metres, all links in a row: nobody has such an arm
 FARTHEST = 8.0  # metres, of an arm whose text measures something else in the same unit
 TOY = 3.0  # the longest number: up to it, "mm" in the text is doubtful
 DOUBTFUL = 0.015, 25.0  # an arm that reaches less or more, in metres, is in another unit than said
@@ -108,7 +109,8 @@ def length_units(table, columns, given):
         return [(marked.pop() if len(marked) == 1 else "m", "as the cells say")]
     longest = max(sizes)
     heads = {table.units.get(role) for role in ("d", "a")} & set(LENGTHS)
-    said = heads.pop() if len(heads) == 1 else table.length
+    headed = len(heads) == 1
+    said = heads.pop() if headed else table.length
     if said:
         why = (
             "as the heading says"
@@ -121,7 +123,9 @@ def length_units(table, columns, given):
         if said == "m" and table.scaled and "mm" in _better(said, sizes):
             return [("mm", "by the factor in the program")]
         doubt = f"though the text says {UNIT_WORDS[said]}"
-        return [*((unit, doubt) for unit in _better(said, sizes)), (said, why)]
+        better = [(unit, doubt) for unit in _better(said, sizes)]
+        tiny = not headed and sum(sizes) * TO_METRES[said] < TINY  # said of something else
+        return better if better and tiny else [*better, (said, why)]
     if table.multiple:
         return [(unit, reached(sizes, unit)) for unit in OPEN]
     found = units_by_size(sizes)

@@ -48,6 +48,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     said, because, rows, heads, names, notes = None, "", [], units or {}, [], ()
     first = ""
     lines: list = []
+    empty: list = []
     taken = behind = False
     for where, cells in grid:
         lines += [int(word) for word in where.split() if "line" in where and word.isdigit()]
@@ -63,6 +64,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             named, (roles, beside) = roles, explained(roles, cells, below)
             notes, taken = (*notes, *beside), roles != named
             roles = _once(roles, cells, below)
+            empty = _left_empty(roles, below)
             if behind and source and OWN_D.search(source.text):
                 notes, behind = (
                     (*notes, "d is that of its own row, as the text defines d(i)"),
@@ -79,6 +81,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             continue
         if (not rows and _is_title(cells)) or (rows and TOTAL.match(plain(str(cells[0])))):
             continue
+        cells = ["-" if k in empty and not str(c).strip() else c for k, c in enumerate(cells)]
         rows.append(_row(_counted(cells, roles, first), roles, where, source))
         require_no_fifth(names, cells, where)
     if not rows:
@@ -93,7 +96,12 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
     kinds, starred = kinds_by_star(kinds, cells, kept or ())
     notes = (*notes, *starred)
     if any(cell is DASH for row in cells for cell in row):
-        notes = (*notes, "a dash, or n/a, is taken for 0")
+        notes = (
+            *notes,
+            "a dash, n/a or an empty cell of a length is taken for 0"
+            if empty
+            else "a dash, or n/a, is taken for 0",
+        )
     if any(cell is IMPLIED for row in cells for cell in row):
         notes = (*notes, "an empty cell of theta, or a range, is taken for the joint's variable")
     if any(FOOTNOTE.search(cell.text) for row in cells for cell in row):
@@ -118,6 +126,20 @@ def _has_numbers(roles, rows):
     unknown = [k for k, role in enumerate(roles) if role is None]
     cells = [[_try(row[k]) for row in rows] for k in unknown]
     return any(2 * sum(cell is not None for cell in column) > len(column) for column in cells)
+
+
+def _left_empty(roles, rows):
+    """The columns of lengths in which an empty cell is 0: numbers stand in others, and no 0."""
+    found = []
+    for k, role in enumerate(roles):
+        column = [
+            _try(str(row[k])) for row in rows if len(row) == len(roles) and str(row[k]).strip()
+        ]
+        numbers = [cell for cell in column if cell is not None]
+        zeros = any(cell.is_constant and not cell.value for cell in numbers)
+        if role in ("d", "a", "r") and numbers and len(numbers) == len(column) and not zeros:
+            found.append(k)
+    return found
 
 
 def _once(roles, heading, rows):

@@ -11,6 +11,7 @@ from ...meaning.columns import LENGTHS
 
 __all__ = ["header", "units_of"]
 
+OF_ANGLES = re.compile(r"(?:cos|sin)[ _({]*(?:theta|alpha|θ|α)", re.IGNORECASE)
 BY_N = re.compile(r"(theta|alpha|[adr])_?\{?n\}?")
 
 
@@ -20,6 +21,8 @@ def header(cells):
     """
     if any(isinstance(cell, (int, float, np.number)) for cell in cells):
         return None
+    if 2 * sum(bool(OF_ANGLES.search(str(cell))) for cell in cells) > len(cells):
+        return None  # a row of a link matrix
     if sum(bool(BY_N.fullmatch(str(cell).strip())) for cell in cells) > 2:  # theta_n, d_n, a_n
         cells = [BY_N.sub(r"\1_i", str(cell).strip()) for cell in cells]
     found = [(*role_of(cell), unit_in(plain(str(cell)))) for cell in cells]

@@ -23,6 +23,9 @@ ROW = re.compile(
     r"\s*[-*]?\s*([A-Za-z][\w ]{0,20}?)\s*[:=-]?\s*"
     r"[(\[{]((?:[^()\[\]{}]|\([^()\[\]{}]*\))*)[)\]}]\s*[,;]?\s*"
 )
+TOLD = re.compile(  # - d1 (link 0): 296.5 mm
+    r"\s*[-*•]?\s*[adlhr]_?\d+\s*(?:\([^()]*\)\s*)?[:=]\s*[-+]?[\d.]+\s*(?:mm|cm|m)?[.,;]?\s*", re.I
+)
 LIST = re.compile(r"\s*(\w+)\s*=[^=\[{(]*[\[{(]")
 MOST_LINES = 60
 
@@ -198,7 +201,7 @@ def _is_column(name, source):
 
 def _assignment(line):
     """Whether the line says what one letter is."""
-    return (
+    return bool(TOLD.fullmatch(line)) or (
         bool(re.match(r"\s*(?:where\b.*|[A-Za-z_]\w*\s*)=\s*[^\[{|\t]*$", line)) and "|" not in line
     )
 
@@ -226,7 +229,7 @@ def _table_only(grid):
         long = width and len(grid[k][1]) == width and _is_row(["", *grid[k][1][1:]], width)
         if k - 1 in rows and k not in rows and long and here == before + 1:
             rows = sorted([*rows, k])
-    rows = _without_what_follows(rows, grid) if len(heads) < 2 else rows
+    rows = _without_what_follows(rows, grid, width) if len(heads) < 2 else rows
     if len(heads) > 1 and any(k > heads[1] for k in rows) and any(k < heads[1] for k in rows):
         raise TwoTables(
             f"recognise_table: expected one table, found two, at {grid[heads[0]][0]} and"
@@ -250,9 +253,9 @@ def _table_only(grid):
     return [grid[heads[0]], *kept] if heads else kept
 
 
-def _without_what_follows(rows, grid):
-    """The rows up to where two lines or more stand between, and more than between the rows before:
-    there something else begins, unless the numbers of the rows go on.
+def _without_what_follows(rows, grid, width):
+    """The rows up to where two lines or more stand between, and more than between the rows before,
+    or where rows of another width begin: something else begins there, unless the numbers go on.
     """
     at = [int(grid[k][0].split()[1]) for k in rows]
     first = [str(grid[k][1][0]).strip() for k in rows]
@@ -261,7 +264,8 @@ def _without_what_follows(rows, grid):
         gap = at[n] - at[n - 1]
         goes_on = first[n].isdigit() and first[n - 1].isdigit()
         goes_on = goes_on and int(first[n]) == int(first[n - 1]) + 1
-        if n > 1 and gap > widest and not goes_on:
+        other = width and gap > 1 and len(grid[rows[n]][1]) < width == len(grid[rows[n - 1]][1])
+        if n > 1 and (gap > widest or other) and not goes_on:
             return rows[:n]
         widest = max(widest, gap)
     return rows

@@ -69,5 +69,5 @@ def _trimmed(cells, mark):
     cells = [cell.strip() for cell in cells]
     if mark == "|":
         cells = cells[1:] if cells and not cells[0] else cells
-        cells = cells[:-1] if cells and not re.search(r"[^\W_]|-|[?…]", cells[-1]) else cells
+        cells = cells[:-1] if cells and not re.search(r"[^\W_]|[-/?…]", cells[-1]) else cells
     return cells
