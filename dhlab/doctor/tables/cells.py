@@ -25,6 +25,9 @@ __all__ = [
 
 LONGEST = 200
 TWO_JOINTS = re.compile(r"\bprismatic\b.*\brevolute\b|\brevolute\b.*\bprismatic\b", re.IGNORECASE)
+TURNED = re.compile(  # theta2 (reversed)
+    r"^[^-−]*(?:θ|theta|\bq)[₀-₉_\d].*\b(?:revers|invert|flip|mirror|opposit)", re.IGNORECASE
+)
 BESIDE = re.compile(  # theta2 (-90), where q(2) is an element
     r"((?:theta|th|q)_?\d+|variable|var)\s*\(\s*([-+]?(?:\d[\d.]*°?|\d*\*?pi(?:/\d)?)(?:[-+][A-Za-z]\w*)?)\s*\)"
 )
@@ -137,6 +140,11 @@ def read_cell(text, known=None, loosely=False):
         raise ValueError(
             f"expected one joint in a row, found {text.strip()[:60]!r}; which of them moves first?"
             " Write a row for each"
+        )
+    if TURNED.search(text):
+        raise ValueError(
+            f"expected a joint variable with its sign, found {text.strip()[:60]!r}; does the joint"
+            " count against its axis? Write -q or q"
         )
     try:
         if loosely and is_doubled(unified(text)):

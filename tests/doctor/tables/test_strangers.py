@@ -49,11 +49,16 @@ def test_a_cell_that_says_its_number_and_more(column, cell):
 
 
 @pytest.mark.parametrize(
-    "cell", ["210 (=100+120)", "210 (+20 flange)", "L1 = 210 = 220", "210 (0.2 m)"]
+    "cell", ["210 (=100+120)", "210 (+20 flange)", "L1 = 210 = 220", "210 / 250", "210 (0.2 m)"]
 )
 def test_a_cell_that_says_two_numbers_is_refused(cell):
     with pytest.raises(ValueError, match="expected a number"):
         dh.recognise_table(HEAD + TABLE.format(**{**CELLS, "d": cell}))
+
+
+def test_a_joint_that_a_remark_turns_round_is_asked_about():
+    with pytest.raises(ValueError, match="against its axis"):
+        dh.recognise_table(HEAD + TABLE.format(**{**CELLS, "theta": "θ2 + 90 (reversed)"}))
 
 
 def test_a_star_behind_a_number_is_the_variable_s_or_a_footnote_s():

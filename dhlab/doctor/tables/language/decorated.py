@@ -36,6 +36,7 @@ DOUBLED = re.compile(  # 210 (d1), d1 [210], -90 / -1.5708: no product, element 
     r"|[-+]?\d[\d.]*\s*(?:mm|cm|m|in|°|deg|rad)?\s+\(\s*[-+]?(?:[\d.]{2,}|\d+\s*[a-z°]+)[^()]*\)"
     r"|[-+]?[\d.]+°?\s*/\s*[-+]?\d\.\d{2,}(?:\s*rad)?"
 )
+QUOTIENT = re.compile(r"(\d+\.?\d*) / (\d+\.?\d*)")
 TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 NEAR = 2e-3
 
@@ -48,6 +49,9 @@ def is_doubled(text):
     >>> is_doubled("210 (d1)"), is_doubled("2*(L1)")
     (True, False)
     """
+    if two := QUOTIENT.fullmatch(text.strip()):
+        one, other = float(two[1]), float(two[2])
+        return other > 10 and 0.2 < one / other < 5  # 210 / 250 are two lengths
     return bool(DOUBLED.fullmatch(text.strip()))
 
 

@@ -2,7 +2,7 @@
 
 import re
 
-__all__ = ["KINDS", "NO_UNIT", "RANGE", "ROOM", "SIGNS", "STILL", "TURNED"]
+__all__ = ["KINDS", "NO_UNIT", "RANGE", "ROOM", "SIGNS", "STILL", "TOTAL", "TURNED"]
 
 TURNED = {"yes": -1, "true": -1, "1": -1, "y": -1, "x": -1, "no": 1, "false": 1, "0": 1, "n": 1}
 ROOM = re.compile(
@@ -22,6 +22,10 @@ STILL = ("fixed", "const", "constant", "static", "locked", "none")  # in place o
 RANGE = re.compile(  # of a joint's values, in the place of its variable: -180..180, ±90°
     r"\W*-?\d[\d.]*\s*(?:°|deg)?\s*(?:\.{2,3}|…|to|~|bis|<|≤)\W*-?\d[\d.]*\W*(?:deg)?\W*"
     r"|[(\[]?\s*(?:±|\+/-)\s*\d[\d.]*\W*(?:deg)?\W*|\[\s*-?\d[\d.]*\s*[,;]\s*-?\d[\d.]*\s*\]"
+)
+TOTAL = re.compile(  # below the rows
+    r"[\W_]*(?:total|sum|summe|gesamt|somme|suma|合计|总计)(?: (?:length|reach|height))?[\W_]*",
+    re.IGNORECASE,
 )
 SIGNS = {
     **dict.fromkeys(("+", "+1", "1", "+z", "z+", "z", "ccw", "positive", "normal"), 1),

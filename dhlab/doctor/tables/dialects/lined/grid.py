@@ -9,7 +9,7 @@ import numpy as np
 
 from ...cells import FOOTNOTE, Cell, cell_or_none, plain, read_cell
 from ...language.roles import ROLES, unit_in
-from ...language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TURNED
+from ...language.words import KINDS, RANGE, ROOM, SIGNS, STILL, TOTAL, TURNED
 from ...meaning.beside import DASH, require_no_fifth, slid, with_theta
 from ...meaning.columns import IMPLIED
 from ...meaning.indexed import with_index
@@ -25,7 +25,6 @@ __all__ = ["NoRows", "from_grid"]
 KEPT = (*ROLES, "offset", "sigma", "r")
 EMPTY = ("-", "--", "---", "/", "n/a", "n.a.", "none")  # a dash, or what stands for one
 JOINT = re.compile(r"joint|gelenk|articula|关节|關節|関節", re.IGNORECASE)
-TOTAL = re.compile(r"[\W_]*(?:total|sum|summe|gesamt|somme|suma|合计|總計|总计)\b", re.IGNORECASE)
 OWN_D = re.compile(r"(?<!\w)d_?[({]?i[)}]?(?!\w|\s?-\s?1)")  # d(i), where the heading has d(i-1)
 
 
@@ -79,7 +78,7 @@ def from_grid(grid, source=None, roles=None, why="", units=None, form=""):
             named = zip(reversed(roles), reversed(below))  # empty first cells may be lost
             heads = {**{role: unit for role, unit in named if unit and role}, **heads}
             continue
-        if (not rows and _is_title(cells)) or (rows and TOTAL.match(plain(str(cells[0])))):
+        if (not rows and _is_title(cells)) or (rows and TOTAL.fullmatch(plain(str(cells[0])))):
             continue
         cells = ["-" if k in empty and not str(c).strip() else c for k, c in enumerate(cells)]
         rows.append(_row(_counted(cells, roles, first), roles, where, source))
