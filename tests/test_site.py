@@ -84,121 +84,161 @@ def page(new_page):
 
 @pytest.fixture(scope="module")
 def opened(new_page, address):
-    """Every page after loading: {name: (page, what went wrong while it loaded)}."""
-    seen = {}
-    for name in PAGES:
-        page, faults = new_page(), []
-        page.on(
-            "request",
-            lambda r, f=faults: (
-                None
-                if r.url.startswith((address, "data:", "blob:"))
-                else f.append(f"outside: {r.url}")
-            ),
-        )
-        page.on(
-            "response",
-            lambda r, f=faults: f.append(f"{r.status}: {r.url}") if r.status >= 400 else None,
-        )
-        page.on("pageerror", lambda e, f=faults: f.append(f"script: {e}"))
-        page.on(
-            "console",
-            lambda m, f=faults: f.append(f"console: {m.text}") if m.type == "error" else None,
-        )
+    """``opened(name)`` is a page after loading, and what goes wrong on it: one reader for all,
+    since a new one costs as much as most pages.
+    """
+    page, faults = reader(new_page(), address)
+
+    def get(name):
+        page.set_viewport_size({"width": 1280, "height": 720})
+        faults.clear()
         page.goto(f"{address}/{name}.html")
-        seen[name] = page, faults
-    for page, _ in seen.values():  # each waits half a second, together
-        page.wait_for_load_state("networkidle")
-    return seen
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_page_loads_with_nothing_from_elsewhere_and_no_fault(opened, name):
-    page, faults = opened[name]
-    assert faults == []
-    assert page.locator("h1").count() == 1
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_pictures_have_words(opened, name):
-    for image in opened[name][0].locator("img").all():
-        alt = image.get_attribute("alt") or ""
-        assert len(alt.split()) >= 8 and not re.search(r"\.(png|svg|jpe?g)$", alt), (
-            f"{name}: alt text {alt!r}"
+        page.wait_for_function(
+            "[...document.querySelectorAll('.dhlab-explorer')].every((e) => e.explorer)"
         )
-        shown = "i => { i.loading = 'eager'; return i.decode().then(() => i.naturalWidth); }"
-        assert image.evaluate(shown) > 100
+        return page, faults
+
+    return get
 
 
-@pytest.fixture(scope="module")
-def telephone(new_page):
-    """One page for all that is looked at on it."""
-    return new_page(viewport={"width": 390, "height": 844})
-
-
-@pytest.mark.parametrize("name", LESSONS)
-def test_no_picture_scrolls_sideways_on_a_telephone(telephone, address, name):
-    page = telephone
-    page.goto(f"{address}/lessons/{name}.html")
-    wide = "f => f.scrollWidth > f.clientWidth + 1"
-    assert page.evaluate("document.documentElement.scrollWidth") <= 390
-    for figure in page.locator("figure.dhlab-picture").all():
-        assert not figure.evaluate(wide)
-        image = figure.locator("img")
-        image.evaluate("i => { i.loading = 'eager'; return i.decode(); }")
-        shown, whole = image.evaluate("i => [i.clientWidth, i.naturalWidth]")
-        # drawn for this width, so that its letters are as large as elsewhere
-        assert not shown or abs(whole / shown - 1) < 0.15, (name, shown, whole)
+def reader(page, address):
+    """A page, and the list of what goes wrong on it."""
+    faults = []
+    page.on(
+        "request",
+        lambda r: (
+            None
+            if r.url.startswith((address, "data:", "blob:"))
+            else faults.append(f"outside: {r.url}")
+        ),
+    )
+    page.on(
+        "response", lambda r: faults.append(f"{r.status}: {r.url}") if r.status >= 400 else None
+    )
+    page.on("pageerror", lambda e: faults.append(f"script: {e}"))
+    page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
+    return page, faults
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_formulas_are_set(opened, name):
-    page = opened[name][0]
+def test_a_page_is_whole(opened, site, name):
+    """All claims on one page after another, since to open it costs more than to look at it."""
+    page, faults = opened(name)
+    assert page.locator("h1").count() == 1
+    pictures_have_words(page)
+    formulas_are_set(page)
+    assert page.locator("pre:not([tabindex])").count() == 0, "keys reach what scrolls"
+    assert page.locator("aside:not([aria-label])").count() == 0, "what surrounds has a name"
+    folder, _, stem = name.rpartition("/")
+    if folder == "reference":
+        for entry in reference.room(stem)[1]:
+            assert page.locator(f'dt[id="{entry}"]').count() == 1, f"{entry} is not there"
+    if name == "robots/index":
+        the_gallery_finds_every_arm(page, site)
+    if stem in LESSONS:
+        the_lesson_is_whole(page, stem)
+        each_exercise_has_its_worked_answer_folded(page, stem)
+        no_picture_scrolls_sideways_on_a_telephone(page)
+    if stem == "01-frames":
+        assert page.locator("math mtable mtr").count() >= 2, "a formula is a matrix"
+    assert faults == [], "nothing from elsewhere and no fault"
+
+
+def pictures_have_words(page):
+    images = page.locator("img").evaluate_all(
+        """images => Promise.all(images.map(async (image) => {
+        image.loading = 'eager';
+        if (!image.complete) await new Promise((done) => { image.onload = image.onerror = done; });
+        return [image.getAttribute('alt') ?? '', image.naturalWidth]; }))"""
+    )
+    for alt, width in images:
+        assert len(alt.split()) >= 8 and not re.search(r"\.(png|svg|jpe?g)$", alt), alt
+        assert width > 100, alt
+
+
+def no_picture_scrolls_sideways_on_a_telephone(page):
+    page.set_viewport_size({"width": 390, "height": 844})
+    figures = page.locator("figure.dhlab-picture").evaluate_all(
+        """figures => Promise.all(figures.map(async (figure) => {
+        const image = figure.querySelector('img');
+        image.loading = 'eager';
+        await image.decode();
+        return [figure.scrollWidth - figure.clientWidth, image.clientWidth, image.naturalWidth,
+            image.currentSrc]; }))"""
+    )
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    for beyond, shown, whole, source in figures:
+        assert beyond <= 1, source
+        # drawn for this width, so that its letters are as large as elsewhere
+        assert not shown or abs(whole / shown - 1) < 0.15, (source, shown, whole)
+
+
+def formulas_are_set(page):
     page.evaluate("document.querySelectorAll('.later').forEach((e) => e.classList.remove('later'))")
     assert not re.search(
         r"\\(begin|hat|theta|frac|text|qquad)\b|\$\$",
         page.locator("#furo-main-content").inner_text(),
     )
     widths = "[...document.querySelectorAll('math')].map((m) => m.getBoundingClientRect().width)"
-    assert all(width > 3 for width in page.evaluate(widths))
+    assert all(width > 3 for width in page.evaluate(widths)), "a formula has a width"
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_what_scrolls_and_what_surrounds_is_in_reach_of_keyboard_and_screen_reader(opened, name):
-    page = opened[name][0]
-    assert page.locator("pre:not([tabindex])").count() == 0
-    assert page.locator("aside:not([aria-label])").count() == 0
-
-
-@pytest.mark.parametrize("lesson", LESSONS)
-def test_lesson_is_whole(opened, lesson):
-    page = opened[f"lessons/{lesson}"][0]
+def the_lesson_is_whole(page, lesson):
     notebook = nbformat.read(ROOT / "lessons" / f"{lesson}.ipynb", as_version=4)
     prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
-    code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
-    headings = [
-        heading.inner_text().rstrip("¶#").strip()
-        for heading in page.locator("#furo-main-content :is(h1, h2)").all()
-    ]
-    assert headings == re.findall(r"^##? (.+)$", prose, re.MULTILINE)
     cells = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
-    shown = page.locator("div.cell").all()
-    assert len(shown) == len(cells) and any(
-        re.search(DRAWS, source, re.MULTILINE) for source in cells
+    headings = page.locator("#furo-main-content :is(h1, h2)").all_inner_texts()
+    assert [one.rstrip("¶#").strip() for one in headings] == re.findall(
+        r"^##? (.+)$", prose, re.MULTILINE
     )
-    for source, cell in zip(cells, shown):
-        assert (
-            not re.search(DRAWS, source, re.MULTILINE)
-            or cell.locator("figure.dhlab-picture img").count() == 1
-        ), source
+    drawn = page.locator("div.cell").evaluate_all(
+        "cells => cells.map(cell => cell.querySelectorAll('figure.dhlab-picture img').length)"
+    )
+    draws = [bool(re.search(DRAWS, source, re.MULTILINE)) for source in cells]
+    assert len(drawn) == len(cells) and any(draws)
+    for source, wanted, count in zip(cells, draws, drawn):
+        assert not wanted or count == 1, source
     assert page.locator("[role=status]", has_text="Not attempted yet").count() >= len(
-        re.findall(r"^check\(", code, re.MULTILINE)
+        re.findall(r"^check\(", "\n".join(cells), re.MULTILINE)
     )
-    assert page.locator("div.cell_input button.copybtn").count() == sum(
-        cell.cell_type == "code" for cell in notebook.cells
-    )
+    assert page.locator("div.cell_input button.copybtn").count() == len(cells)
     assert page.locator(".traceback, .stderr").count() == 0 and "Traceback" not in page.content()
     assert page.locator('a[href$="index.html#set-up"]').count() == 1
+
+
+def each_exercise_has_its_worked_answer_folded(page, name):
+    solution = nbformat.read(ROOT / "solutions" / f"{name}.ipynb", as_version=4)
+    regions = {
+        cell.metadata["exercise"]: re.findall(
+            r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", cell.source, re.DOTALL
+        )
+        for cell in solution.cells
+        if cell.cell_type == "code" and cell.metadata.get("exercise")
+    }
+    answers = page.locator("details.worked-answer").evaluate_all(
+        "all => all.map(one => [one.open, one.querySelector('summary').textContent,"
+        " one.querySelector('pre').textContent])"
+    )
+    assert len(answers) == len(regions) and not any(is_open for is_open, _, _ in answers)
+    for exercise, texts in regions.items():
+        [answer] = [code for _, title, code in answers if title.strip().endswith(f"to {exercise}")]
+        lines = {" ".join(line.split()) for line in answer.splitlines()}
+        for line in (line for text in texts for line in text.splitlines() if line.strip()):
+            unknown = line.strip().endswith('= "?"')  # there the right letter stands
+            assert unknown or " ".join(line.split()) in lines, f"{exercise}: {line}"
+
+
+def the_gallery_finds_every_arm(page, site):
+    assert page.locator(".arm-card").count() == len(dh.robots())
+    assert all((site / f"robots/{name}.html").is_file() for name in dh.robots())
+    page.fill(".arm-search input", "UR5-e")
+    # its text as it stands: a card that has just come into view has no inner text before a frame is
+    # drawn (content-visibility)
+    assert page.locator(".arm-card:visible b").all_text_contents() == ["UR5e"]
+    page.fill(".arm-search input", "kuka iiwa")
+    assert page.locator(".arm-card:visible").count() == 2
+    page.fill(".arm-search input", "no such arm")
+    assert "No arm" in page.locator(".arm-search [role=status]").inner_text()
 
 
 def test_formulas_have_space_round_functions_and_no_unknown_commands():
@@ -220,34 +260,18 @@ def test_formulas_have_space_round_functions_and_no_unknown_commands():
             module.mathml(tex)
 
 
-def test_a_formula_of_a_lesson_is_a_matrix(opened):
-    assert opened["lessons/01-frames"][0].locator("math mtable mtr").count() >= 2
-
-
-def test_every_name_of_the_reference_has_its_entry(opened):
-    for room in ROOMS:
-        _, names = reference.room(room)
-        page, _ = opened[f"reference/{room}"]
-        for name in names:
-            assert page.locator(f'dt[id="{name}"]').count() == 1, f"{name} is not on {room}"
-
-
-@pytest.mark.parametrize(
-    "asked, page_found",
-    [
+def test_search_finds_what_is_called_so(page, address):
+    for asked, page_found in (
         ("flange", "glossary"),
         ("atan2", "02-parameters"),
         ("UR5e", "robots/ur5e"),
         ("wrong place", "doctor"),
-    ],
-)
-def test_search_finds_what_is_called_so(page, address, asked, page_found):
-    page.goto(f"{address}/search.html?q={asked}")
-    page.wait_for_selector("#search-results li a")
-    assert any(
-        page_found in (link.get_attribute("href") or "")
-        for link in page.locator("#search-results li a").all()
-    )
+    ):
+        page.goto(f"{address}/search.html?q={asked}")
+        links = page.locator("#search-results li a")
+        links.first.wait_for()
+        found = links.evaluate_all("all => all.map(one => one.getAttribute('href') ?? '')")
+        assert any(page_found in link for link in found), asked
 
 
 def test_pages_are_light_and_pictures_come_when_they_are_seen(site):
@@ -289,20 +313,6 @@ def test_the_site_and_a_lesson_can_be_taken_along(site):
         nbformat.read(site / f"lessons/{name}.ipynb", as_version=4)
 
 
-def test_the_gallery_has_a_page_for_every_arm_and_finds_them(opened, site):
-    page = opened["robots/index"][0]
-    assert page.locator(".arm-card").count() == len(dh.robots())
-    assert all((site / f"robots/{name}.html").is_file() for name in dh.robots())
-    page.fill(".arm-search input", "UR5-e")
-    # its text as it stands: a card that has just come into view has no inner text before a frame is
-    # drawn (content-visibility)
-    assert page.locator(".arm-card:visible b").all_text_contents() == ["UR5e"]
-    page.fill(".arm-search input", "kuka iiwa")
-    assert page.locator(".arm-card:visible").count() == 2
-    page.fill(".arm-search input", "no such arm")
-    assert "No arm" in page.locator(".arm-search [role=status]").inner_text()
-
-
 def test_an_arm_is_changed_shared_and_saved_on_its_page(page, address, tmp_path):
     page.goto(f"{address}/robots/ur5e.html#q=10,-60,80,-110,-80,20")
     page.get_by_text("Change the table").click()
@@ -342,6 +352,9 @@ def test_an_arm_is_changed_shared_and_saved_on_its_page(page, address, tmp_path)
 
 def test_a_motion_is_planned_played_and_told_of_on_an_arms_page(page, address):
     arm = dh.load("irb2400")
+    page.set_viewport_size(
+        {"width": 390, "height": 844}
+    )  # what plays is drawn sixty times a second
     page.goto(f"{address}/robots/irb2400.html#q=40,20,-20,30,-50,60")
     page.get_by_text("Play a motion").click()
     keep = page.get_by_role("button", name="Keep this pose")
@@ -490,31 +503,6 @@ def _contents(folder):
         for path in folder.rglob("*")
         if path.is_file()
     }
-
-
-@pytest.mark.parametrize("name", LESSONS)
-def test_each_exercise_has_its_worked_answer_folded(opened, name):
-    page = opened[f"lessons/{name}"][0]
-    solution = nbformat.read(ROOT / "solutions" / f"{name}.ipynb", as_version=4)
-    regions = {
-        cell.metadata["exercise"]: re.findall(
-            r"### BEGIN SOLUTION\n(.*?)### END SOLUTION", cell.source, re.DOTALL
-        )
-        for cell in solution.cells
-        if cell.cell_type == "code" and cell.metadata.get("exercise")
-    }
-    answers = page.locator("details.worked-answer")
-    assert (
-        answers.count() == len(regions) and page.locator("details.worked-answer[open]").count() == 0
-    )
-    for exercise, texts in regions.items():
-        answer = answers.filter(has=page.locator("summary", has_text=re.compile(f"to {exercise}$")))
-        lines = {
-            " ".join(line.split()) for line in answer.locator("pre").text_content().splitlines()
-        }
-        for line in (line for text in texts for line in text.splitlines() if line.strip()):
-            unknown = line.strip().endswith('= "?"')  # there the right letter stands
-            assert unknown or " ".join(line.split()) in lines, f"{exercise}: {line}"
 
 
 def test_the_class_edition_gives_no_solution_away(class_edition):
