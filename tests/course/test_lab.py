@@ -12,6 +12,7 @@ import urllib.request
 import nbformat
 import numpy as np
 import pytest
+from draws import few
 
 from dhlab.course import workspace
 
@@ -152,11 +153,13 @@ placing""",
 
 
 def run(panel, cell):
-    """Run one cell, from 0, and wait until it is done."""
+    """Run one cell, from 0, perhaps once more, and wait until it is done."""
     cells = panel.locator(".jp-CodeCell")
+    prompt = cells.nth(cell).locator(".jp-InputPrompt")
+    before = prompt.text_content()
     cells.nth(cell).locator(".cm-content").click()
     panel.page.keyboard.press("Shift+Enter")
-    done = cells.nth(cell).locator(".jp-InputPrompt", has_text=re.compile(r"\[\d+\]"))
+    done = prompt.filter(has_text=re.compile(r"\[\d+\]"), has_not_text=before)
     wait_for(panel.page, f"cell {cell} to be run", lambda: done.wait_for())
     return cells.nth(cell)
 
@@ -251,20 +254,29 @@ def test_explorer_is_moved_by_mouse_keyboard_and_python_and_is_still_there_tomor
     assert found == []
 
 
-def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, jupyter):
+# the lesson that is open already, and another one
+CARDS = {
+    "06-forward-kinematics.ipynb": ("06.5", "it is a third pitch", 'joint_4 = "c"'),
+    "01-frames.ipynb": ("01.6", "the controller reported the flange", 'why = "c"'),
+}
+
+
+@pytest.mark.parametrize("name", few(CARDS, 1))
+def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, jupyter, name):
     from playwright.sync_api import expect
 
-    path = lab[1] / "01-frames.ipynb"
+    path = lab[1] / name
+    exercise, card, written = CARDS[name]
     before = json.loads(path.read_text(encoding="utf-8"))["cells"]
     codes = ["".join(cell["source"]) for cell in before if cell["cell_type"] == "code"]
-    checks = next(k for k, text in enumerate(codes) if text.startswith('check("01.6"'))
+    checks = next(k for k, text in enumerate(codes) if text.startswith(f'check("{exercise}"'))
     page, panel = jupyter, opened(jupyter, path.name)
     for cell in (0, checks - 1, checks):
         run(panel, cell)
-    page.get_by_role("radio", name="the controller reported the flange").check(force=True)
+    panel.get_by_role("radio", name=card).check(force=True)
     expect(panel.get_by_text("is not in the notebook yet").first).to_be_visible()
     cell = run(panel, checks - 1)
-    expect(cell.locator(".cm-content")).to_contain_text('why = "c"')
+    expect(cell.locator(".cm-content")).to_contain_text(written)
     expect(run(panel, checks)).to_contain_text("Right")
     # the server empties the file before it writes it anew: read it when it says that it is saved
     with page.expect_response(lambda one: one.request.method == "PUT" and path.name in one.url):
@@ -272,4 +284,4 @@ def test_a_card_that_is_clicked_is_written_into_its_own_cell_alone(lab, jupyter)
     after = json.loads(path.read_text(encoding="utf-8"))["cells"]
     changed = [one["id"] for one, old in zip(after, before) if one["source"] != old["source"]]
     assert len(after) == len(before) and len(changed) == 1
-    assert 'why = "c"' in "".join(next(one for one in after if one["id"] == changed[0])["source"])
+    assert written in "".join(next(one for one in after if one["id"] == changed[0])["source"])
