@@ -4,6 +4,7 @@ up together.
 
 import numpy as np
 import pytest
+from draws import ALL, few
 
 import dhlab as dh
 from dhlab import transform
@@ -49,13 +50,6 @@ def arrow_of(page, T, column):
     return np.array([x, y]), scale
 
 
-def test_the_matrices_are_the_poses_and_their_products(live):
-    page = live(dh.explore([T_01, T_12], mode="pose"))
-    wanted = [T_01, T_12, T_01 @ T_12, T_12 @ T_01]
-    for matrix, T in zip(shown(page).values(), wanted, strict=True):
-        np.testing.assert_allclose(matrix, T, atol=5.1e-4)
-
-
 def test_hands_move_a_plate_along_the_picture_and_python_reads_where(live):
     explorer = dh.explore(T_01, mode="pose")
     page = live(explorer)
@@ -70,26 +64,30 @@ def test_hands_move_a_plate_along_the_picture_and_python_reads_where(live):
     np.testing.assert_allclose(shown(page)["T₀₁"], moved, atol=5.1e-4)
 
 
-@pytest.mark.parametrize("column", [0, 1, 2])
-def test_an_arrow_follows_the_hand_and_stays_square_to_the_others(live, column):
+def test_an_arrow_follows_the_hand_and_stays_square_to_the_others(live):
     explorer = dh.explore(T_01, mode="pose")
     page = live(explorer)
-    start, _ = arrow_of(page, T_01, column)
-    middle, _ = arrow_of(page, T_01, 3)
-    to = middle + 0.8 * (start - middle) + [4, 3]
-    drag(page, start, to)
-    T = explorer.poses[0]
-    np.testing.assert_allclose(T[:3, 3], T_01[:3, 3], atol=1e-12)
-    np.testing.assert_allclose(T[:3, :3].T @ T[:3, :3], np.eye(3), atol=1e-9)
-    assert np.linalg.det(T[:3, :3]) > 0
-    tip, _ = arrow_of(page, T, column)
-    snapped = np.abs(T[:3, column]).max() > 1 - 1e-9
-    assert snapped or np.linalg.norm(tip - to) < 2, "the tip is where the hand is"
+    for column in range(3):
+        before = explorer.poses[0]
+        start, _ = arrow_of(page, before, column)
+        middle, _ = arrow_of(page, before, 3)
+        to = middle + 0.8 * (start - middle) + [4, 3]
+        drag(page, start, to)
+        T = explorer.poses[0]
+        assert np.abs(T - before).max() > 1e-3, column
+        np.testing.assert_allclose(T[:3, 3], T_01[:3, 3], atol=1e-12)
+        np.testing.assert_allclose(T[:3, :3].T @ T[:3, :3], np.eye(3), atol=1e-9)
+        assert np.linalg.det(T[:3, :3]) > 0
+        tip, _ = arrow_of(page, T, column)
+        snapped = np.abs(T[:3, column]).max() > 1 - 1e-9
+        assert snapped or np.linalg.norm(tip - to) < 2, f"tip {column} is where the hand is"
+        page.mouse.up()
 
 
 def test_the_second_plate_is_moved_in_the_first_ones_arrows(live):
     explorer = dh.explore([T_01, T_12], mode="pose")
     page = live(explorer)
+    the_matrices_are_the_poses_and_their_products(page)
     page.get_by_role("spinbutton", name="x of the origin, metres, exactly").fill("0.5")
     page.keyboard.press("Enter")
     page.get_by_role("slider", name="yaw, the turn about z, degrees").press("ArrowRight")
@@ -102,6 +100,12 @@ def test_the_second_plate_is_moved_in_the_first_ones_arrows(live):
         explorer.poses.tolist(),
     )
     np.testing.assert_allclose(shown(page)["T₀₂ = T₀₁ · T₁₂"], T_12 @ T_01, atol=5.1e-4)
+
+
+def the_matrices_are_the_poses_and_their_products(page):
+    wanted = [T_01, T_12, T_01 @ T_12, T_12 @ T_01]
+    for matrix, T in zip(shown(page).values(), wanted, strict=True):
+        np.testing.assert_allclose(matrix, T, atol=5.1e-4)
 
 
 def test_a_quarter_turn_is_about_the_plates_own_arrow(live):
@@ -149,11 +153,11 @@ def test_a_finger_on_a_plate_moves_it_and_elsewhere_scrolls(live):
     assert page.evaluate(kept, [x + 150, y + 150]) is False
 
 
-@pytest.mark.parametrize("name", ["ur5e", "stanford", "cobra600"])
+@pytest.mark.parametrize("name", few(["stanford", "ur5e", "cobra600"], 2))
 def test_columns_of_the_jacobian_are_pythons_and_light_up(opened, name):
     arm = dh.load(name)
     q = np.linspace(-0.7, 0.4, len(arm))
-    page = opened(dh.explore(arm, q=q, jacobian=True))
+    page = opened(dh.explore(arm, q=q, jacobian=True), webgl=ALL)
     for one in (arm, arm.to("craig")):
         found = page.evaluate(
             "([a, q]) => dhlab.jacobian(a, dhlab.frames(a, q), dhlab.forward(a, q))",
