@@ -180,3 +180,49 @@ Arm() :
 """, convention="standard")  # fmt: skip
     rows = found.arm.table.rows
     assert np.allclose(rows[:, 1:], np.array(ROWS)[:, 1:], rtol=0, atol=1e-9)
+
+
+FIELDS = """DH(1).a = 0; DH(1).alpha = pi/2; DH(1).d = 0.31;
+DH(2).a = 0.27; DH(2).alpha = 0; DH(2).d = 0;
+DH(3).a = 0.12; DH(3).alpha = 0; DH(3).d = 0;
+"""
+MADE = """for i = 1:3
+    links{i} = Link('revolute', 'd', DH(i).d, 'a', DH(i).a, 'alpha', DH(i).alpha, 'm', M(i));
+end
+"""
+SYMBOLS = """
+    q1, q2, q3, d1, a2 = symbols("q1 q2 q3 d1 a2")
+    s = {q1: q1, q2: q2 + pi/2, d1: 0.31, a2: 0.27, q3: 0}
+    def link(t, d, a, w):
+        T = Matrix([[cos(t), -sin(t)*cos(w), sin(t)*sin(w), a*cos(t)],
+                    [sin(t), cos(t)*cos(w), -cos(t)*sin(w), a*sin(t)],
+                    [0, sin(w), cos(w), d], [0, 0, 0, 1]])
+        return T.subs(s)
+    T0_1 = link(q1, d1, 0, pi/2)
+    T1_2 = link(q2, 0, a2, 0)
+    T2_G = link(q3, 0, 0.12, 0)
+"""
+
+
+@pytest.mark.parametrize(
+    "before",
+    ["DH = struct('d', cell(1,3), 'a', cell(1,3));", "DH = load('arm.mat');", "DH = [];", ""],
+)
+def test_fields_of_records_in_an_array_count_from_one_whoever_made_it(before):
+    text = f"{before}\n{FIELDS}{MADE}arm = SerialLink([links{{:}}], 'name', 'it');\n"
+    table = dh.recognise_table(text).arm.table
+    assert np.allclose(table.rows, np.multiply(ROWS, [0, 1, 1, 1]))
+
+
+def test_links_that_no_robot_takes_are_in_the_order_of_their_names():
+    text = "rows = [0 0.31 0 pi/2; 0 0 0.27 0];\nL1 = Link([rows(1,:) 0 pi]);\n"
+    table = dh.recognise_table(text + "L2 = Link([rows(2,:) 0 -pi/2]);").arm.table
+    assert np.allclose(table.rows, [[np.pi, 0.31, 0, QUARTER], [-QUARTER, 0, 0.27, 0]])
+
+
+def test_what_is_put_in_for_a_joint_is_its_zero_or_fixes_it_where_others_stay():
+    found = dh.recognise_table(SYMBOLS)
+    assert len(found.arm) == 2 and len(found.readings) == 1
+    q = np.random.default_rng(3).uniform(-1, 1, (4, 2))
+    whole = dh.Arm(dh.DHTable.standard(ROWS, angle="rad"))
+    assert np.allclose(found.arm.forward(q), whole.forward(np.column_stack([q, np.zeros(4)])))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 from .held.budget import Budget, Stopped
-from .held.values import Samples
+from .held.values import Samples, Shift
 from .interpreting.calling import call_all
 from .interpreting.linking import called_in, linked
 from .interpreting.running import Run
@@ -17,6 +17,7 @@ from .shown import different, shown_in
 __all__ = ["chain_of", "tables_of"]
 
 RUNS = 4
+SAME = 1e-9
 LENGTHS = 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
 
 
@@ -170,10 +171,28 @@ def _lengths(statements):
     return [length for length in LENGTHS[1:] if length in sizes]
 
 
+def _told(way, first, length):
+    """What a program says later of its letters: their numbers, and what is added to joints' values;
+    a joint's own number is where it stands, unless others stay as they are beside it.
+    """
+    told = {name: value for name, value in first.told.items() if not first.is_joint(name)}
+    joints = first.told.keys() - told.keys()
+    other = way.run(2, length) if joints else first
+    for name in joints & other.told.keys():
+        one, two = first.told[name], other.told[name]
+        if one == two and first.stays:
+            told[name] = one
+        by = one - first.samples.of(name)
+        if one != two and abs(two - other.samples.of(name) - by) < SAME and abs(by) > SAME:
+            told[name] = Shift(by)
+    return told
+
+
 def _chain(way, first, length):
     """(Links, posed) from a run and others like it; None without a chain, False with several."""
-    told = {name: value for name, value in first.told.items() if not first.is_joint(name)}
-    if not (first.factors.products or first.robots or first.listed() or way.linked(first)):
+    told = _told(way, first, length)
+    kept = first.factors.products or first.robots or first.listed() or first.loose_links()
+    if not (kept or way.linked(first)):
         return None
     seeds = range(1 if told else 2, RUNS + 2)
     runs = [] if told else [first]

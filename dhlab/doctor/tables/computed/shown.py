@@ -15,10 +15,11 @@ FEWEST = 2  # joints of an arm
 
 def shown_in(way, runs):
     """The Links that runs show."""
-    multiplied = _from_products(runs) or _from_robots(runs)
+    multiplied = _from_products(runs) or _from_robots([run.robots for run in runs])
     if multiplied or not way.whole:
         return multiplied
-    return _from_lists(runs) or _from_functions([way.linked(run) for run in runs], runs)
+    listed = _from_lists(runs) or _from_robots([run.loose_links() for run in runs])
+    return listed or _from_functions([way.linked(run) for run in runs], runs)
 
 
 def _from_products(runs):
@@ -39,11 +40,11 @@ def _leaves_out(product, lists):
 
 
 def _from_robots(runs):
-    """The Links of a toolbox's robots whose numbers are the same in all runs."""
-    if len({len(run.robots) for run in runs}) > 1:
+    """The Links of a toolbox's robots, of each run, whose numbers are the same in all."""
+    if len(set(map(len, runs))) > 1:
         return []
     found = []
-    for same in zip(*(run.robots for run in runs)):
+    for same in zip(*runs):
         rows = {tuple(link.row for link in robot) for robot in same}
         if any(None in row for row in rows):
             return []

@@ -20,6 +20,13 @@ LONGEST_PATH = 200
 SPREAD = 100_003
 
 
+@dataclass(frozen=True)
+class Shift:
+    """What a program adds to something, ``q2: q2 - pi/2``."""
+
+    by: float
+
+
 @dataclass(eq=False)
 class Samples:
     """The numbers that stand in one run for what is not known.
@@ -29,7 +36,7 @@ class Samples:
     seed : int
         Of the run.
     given : dict of str to float
-        What the program says later of something (``subs``).
+        What the program says later of something (``subs``): a number, or a Shift.
     length : int
         How many items a list has of which nobody knows; ``asked`` whether it mattered.
     stored : dict
@@ -64,12 +71,13 @@ class Samples:
         >>> samples.of("q[0]") == samples.of("q[0]") != samples.of("q[1]")
         True
         """
-        if path in self.given:
-            return self.given[path]
+        said = self.given.get(path)
+        if said is not None and not isinstance(said, Shift):
+            return said
         if path not in self.drawn:
             mixed = zlib.crc32(f"{path} {self.seed}".encode()) * 2_654_435_761
             self.drawn[path] = 0.1 + 0.8 * ((mixed >> 7) % SPREAD) / SPREAD
-        return self.drawn[path]
+        return self.drawn[path] + (said.by if said else 0.0)
 
     def many(self):
         """How many items a list has of which nobody knows."""

@@ -116,7 +116,10 @@ def _choice(run, node, scope):
 
 
 def _subscript(run, node, scope):
-    return indexed(evaluate(run, node.value, scope), evaluate(run, node.slice, scope))
+    held, key = evaluate(run, node.value, scope), evaluate(run, node.slice, scope)
+    if getattr(run.dialect, "counts_from_one", False):
+        return run.dialect.picked(held, key if isinstance(key, tuple) else (key,))
+    return indexed(held, key)
 
 
 def _slice(run, node, scope):

@@ -1,6 +1,5 @@
 """One run of a program with numbers for what is not known."""
 
-import re
 from operator import itemgetter
 
 import numpy as np
@@ -27,21 +26,12 @@ from ..library.methods import attribute, from_library
 from ..library.toolbox import Link
 from .binding import bind
 from .expressions import YIELDED, evaluate
+from .naming import JOINT, NO_JOINT, numbered
 from .products import OwnProducts
 from .statements import body
 
-__all__ = ["JOINT", "Run"]
+__all__ = ["Run"]
 
-JOINT = re.compile(
-    r"_?(?:q|thetas?|th|joint|angles?|ang|tita|phi|j|config|t(?=_?\d)|motor|servo|pose|rads?|gdl)"
-    r"(?:_?\w*)?$",
-    re.IGNORECASE,
-)
-NO_JOINT = re.compile(
-    r"off|zero|lim|min|max|num|dof|type|name|count|len|bias|home|init|n_|_n\b|idx|index|twist"
-    r"|q(?:uat|uit)|json|jac|sign|dir|range|matri|trans|param|dh|table",
-    re.IGNORECASE,
-)
 DEEPEST_CALL = 24
 MOST_AT_ONCE = 12_000
 
@@ -58,7 +48,7 @@ class Run:
         self.outermost: list = []
         self.instances: list = []
         self.tickets = self.calls = self.failed = 0
-        self.skipped, self.own_products = False, OwnProducts()
+        self.skipped, self.stays, self.own_products = False, False, OwnProducts()
         self.called: set = set()
         self.linked: dict | None = None
         self.me = Instance(None, path="self")
@@ -109,16 +99,22 @@ class Run:
         """
         if self.factors.broken:
             return []
-        numbered: dict = {}
+        rows: dict = {}
         for k, scope in enumerate([self.scope, *self.outermost]):
             for name, value in scope.names.items():
                 self.keep_list(value)
-                end = re.search(r"\d+$", name)
-                if end and is_known_pose(value):
-                    numbered.setdefault((k, name[: end.start()]), []).append((end[0], value))
-        rows = [[value for _, value in sorted(one, key=itemgetter(0))] for one in numbered.values()]
-        lists = [*self.lists, *(one for one in rows if len(one) > 1)]
+                stem, number = numbered(name)
+                if number and is_known_pose(value):
+                    rows.setdefault((k, stem), []).append((number, value))
+        found = [[value for _, value in sorted(one, key=itemgetter(0))] for one in rows.values()]
+        lists = [*self.lists, *(one for one in found if len(one) > 1)]
         return [tuple(part for one in row for part in self.factors.of(one)) for row in lists]
+
+    def loose_links(self):
+        """The links of a toolbox that have names and make no robot, in their order, as one list."""
+        held = [] if self.robots else list(self.scope.names.values())
+        found = [one for one in held if isinstance(one, Link)]
+        return [tuple(found)] if len(found) > 1 else []
 
     def is_joint(self, name):
         """Whether a name is one of joints' values."""

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from textwrap import dedent
 
 from ..held.budget import FAILURES
 from .clike.dialect import Braces
@@ -32,7 +33,7 @@ def statements_in(text):
             return _functions_first(from_matlab(text)), Matlab(), _is_closed(text)
         if is_clike(text):
             return _functions_first(from_braces(text)), Braces(), _is_closed(text)
-        return statements_of(text), None, _is_closed(text) and parsed(text) is not None
+        return statements_of(text), None, _is_closed(text) and parsed(dedent(text)) is not None
     except FAILURES:  # brackets in brackets in brackets
         return [], None, False
 

@@ -46,10 +46,14 @@ def _lambdified(run, args, kwargs):
 
 
 def substituted(run, value, args):
-    """A value of which a program says what its letters are: the next run knows it."""
+    """A value of which a program says what its letters are: the next run knows it. Where it says of
+    one joint that it stays as it is, ``q1: q1``, the numbers of others are no pose.
+    """
     pairs = [args] if len(args) == 2 else items_of_pairs(args[0] if args else {})
+    pairs = [pair for pair in pairs if isinstance(pair[0], Unknown) and is_number(pair[1])]
+    run.stays |= any(pair[0] == pair[1] for pair in pairs)
     for letter, number in pairs:
-        if isinstance(letter, Unknown) and is_number(number) and not isinstance(number, Unknown):
+        if not isinstance(number, Unknown) or (number.path == letter.path and number.steps):
             run.told[letter.path] = float(number_of(number))
     return value
 

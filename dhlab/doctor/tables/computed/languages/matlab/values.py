@@ -76,7 +76,7 @@ def picked(value, args):
     """``value(args)``, where value is no function."""
     key = tuple(args) if len(args) != 1 else args[0]
     if isinstance(value, dict):
-        return value[key_of(key)]
+        return _cells_of(value, key) if isinstance(key, Span) else value[key_of(key)]
     if isinstance(value, Unknown):
         return _of_unknown(value, args)
     if isinstance(value, list) and isinstance(key, tuple) and isinstance(value[0], list):
@@ -100,6 +100,12 @@ def picked(value, args):
         found = np.asarray(value)[at]
     found = found.reshape(found.shape[:2]) if found.ndim == 3 and found.shape[2] == 1 else found
     return found.item() if found.size == 1 else found.view(Multiplied)
+
+
+def _cells_of(value, key):
+    """The cells of a range, or all of them, in the order of their numbers: ``links{:}``."""
+    wanted = sorted(value) if key.first is None else map(int, key.numbers())
+    return [value[one] for one in wanted]
 
 
 def _places(one, n):
@@ -129,7 +135,7 @@ def _span(run, args, _):
 
 def _matrix(run, args, _):
     """Rows of numbers, of matrices beside each other, or of links."""
-    rows = [[_part(one) for one in row] for row in args[0]]
+    rows = [[part for one in row for part in _parts(one)] for row in args[0]]
     flat = [one for row in rows for one in row]
     if flat and all(isinstance(one, Link | str) for one in flat):
         return flat
@@ -145,8 +151,10 @@ def _matrix(run, args, _):
     return run.budget.checked(found.view(Multiplied))
 
 
-def _part(one):
-    return one.numbers() if isinstance(one, Span) else one
+def _parts(one):
+    if isinstance(one, list) and one and all(isinstance(link, Link) for link in one):
+        return one  # links{:}
+    return [one.numbers() if isinstance(one, Span) else one]
 
 
 def _cells(run, args, _):
@@ -243,15 +251,25 @@ def _robot(run, args, kwargs):
 
 
 def _struct(run, args, _):
-    """``struct('d', 0.3, 'a', 0)``; without fields it is filled later."""
-    if not args:
-        return {}
+    """``struct('d', 0.3, 'a', 0)``, as many records as a cell has items: ``struct('d', {1, 2})``;
+    without fields, or with empty cells, it is filled later.
+    """
     fields = dict(zip(args[::2], args[1::2]))
-    if not all(isinstance(name, str) for name in fields) or any(
-        isinstance(value, list | dict) for value in fields.values()
-    ):
+    if not all(isinstance(name, str) for name in fields):
+        raise Unsupported("fields without a name")
+    if all(value == {} for value in fields.values()):
+        return {}
+    many = [value for value in fields.values() if isinstance(value, list)]
+    if any(isinstance(value, dict) for value in fields.values()) or len(set(map(len, many))) > 1:
         raise Unsupported("many records")
-    return Instance(None, fields, "struct")
+    if not many:
+        return Instance(None, fields, "struct")
+    return {
+        k + 1: Instance(
+            None, {name: v[k] if isinstance(v, list) else v for name, v in fields.items()}, "struct"
+        )
+        for k in range(len(many[0]))
+    }
 
 
 def _is_case(run, args, _):
