@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from draws import ALL
 from hypothesis import currently_in_test_context, settings
 from hypothesis.database import DirectoryBasedExampleDatabase
 from system_packages import CHROMIUMS, WINDOWLESS
@@ -47,7 +48,9 @@ WANTED = {
 
 # ---- draws: the same in every run, and others under ``make fuzz``
 
-settings.register_profile("same", max_examples=40, derandomize=True, database=None, deadline=None)
+settings.register_profile(
+    "same", max_examples=40 if ALL else 20, derandomize=True, database=None, deadline=None
+)
 settings.register_profile(
     "fuzz",
     max_examples=400,
