@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from compiling import InC, InPython, random_arm, worst
-from draws import few
+from draws import few, shared_out
 
 import dhlab as dh
 from dhlab.generating import formulas, runs
@@ -16,14 +16,14 @@ TABLES = [f"{arm}.{table}" for arm in few(dh.robots(), 12) for table in entry(ar
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", shared_out(TABLES, 0, 2))
 def test_every_table_of_the_library_in_c(name, gcc, tmp_path):
     arm = dh.load(name)
     assert worst(InC(gcc, arm, tmp_path), arm) < 1e-12
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", shared_out(TABLES, 1, 2))
 def test_every_table_of_the_library_in_python(name):
     arm = dh.load(name)
     assert worst(InPython(arm), arm) < 1e-12
@@ -38,9 +38,9 @@ def test_random_arms_with_every_part(n, convention):
         assert worst(InPython(arm), arm, trials=5, seed=seed) < 1e-12
 
 
-@pytest.mark.parametrize("convention", ["standard", "craig"])
-def test_random_arms_in_c(convention, gcc, tmp_path):
-    for seed, n in enumerate([1, 3, 6, 7]):
+@pytest.mark.parametrize("k, convention", [(0, "standard"), (1, "craig")])
+def test_random_arms_in_c(k, convention, gcc, tmp_path):
+    for seed, n in shared_out(enumerate([1, 3, 6, 7]), k, 2):
         folder = tmp_path / str(n)
         folder.mkdir()
         arm = random_arm(100 + seed, n, convention)
