@@ -5,7 +5,7 @@ import stat
 
 import numpy as np
 import pytest
-from draws import few
+from draws import few, shared_out
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
@@ -51,10 +51,11 @@ def same(a, b):
 
 
 @pytest.mark.parametrize(
-    "options", [{}, {"length": "mm"}, {"angle": "rad"}, {"angle": "deg", "length": "mm"}]
+    "k, options",
+    [(0, {}), (1, {"length": "mm"}), (2, {"angle": "rad"}), (3, {"angle": "deg", "length": "mm"})],
 )
-def test_every_arm_comes_back(tmp_path, options):
-    for key in few(dh.robots(), 20):
+def test_every_arm_comes_back(tmp_path, k, options):
+    for key in shared_out(few(dh.robots(), 20), k, 4):
         for table, arm in entry(key).tables.items():
             arm.save(tmp_path / f"{key}.{table}.yaml", **options)
             back = dh.load(tmp_path / f"{key}.{table}.yaml")

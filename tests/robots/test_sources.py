@@ -27,7 +27,7 @@ COUPLED = [key for key in MADE if "controller:" in (FOLDER / f"{key}.yaml").read
 FEW = few(dh.robots(), 24)
 
 
-@pytest.mark.parametrize("key", few(sources(), 24))
+@pytest.mark.parametrize("key", few(sources(), 12))
 def test_the_sources_agree_with_the_arm(key):
     """The URDF that a table is from within what its rounded angles make, others within 1 mm."""
     for name, _, found in compared(key, 10):
