@@ -226,3 +226,27 @@ def test_what_is_put_in_for_a_joint_is_its_zero_or_fixes_it_where_others_stay():
     q = np.random.default_rng(3).uniform(-1, 1, (4, 2))
     whole = dh.Arm(dh.DHTable.standard(ROWS, angle="rad"))
     assert np.allclose(found.arm.forward(q), whole.forward(np.column_stack([q, np.zeros(4)])))
+
+
+QUOTED = """
+rows = [{"t": "q1", "d": 0.31, "a": 0, "w": pi/2}, {"t": "q2 + pi/2", "d": 0, "a": 0.27, "w": 0}]
+def fk():
+    T = eye(4)
+    for row in rows:
+        t, d, a, w = READ(row["t"]), row["d"], row["a"], row["w"]
+        T = T @ array([[cos(t), -sin(t)*cos(w), sin(t)*sin(w), a*cos(t)],
+                       [sin(t), cos(t)*cos(w), -cos(t)*sin(w), a*sin(t)],
+                       [0, sin(w), cos(w), d], [0, 0, 0, 1]])
+    return T
+"""
+
+
+@pytest.mark.parametrize("read", ["eval", "sympify", "parse_expr"])
+def test_an_expression_in_quotes_that_a_program_evaluates_keeps_its_zero(read):
+    table = dh.recognise_table(QUOTED.replace("READ", read)).arm.table
+    assert np.allclose(table.rows, ROWS[:2])
+
+
+def test_a_zero_in_quotes_that_somebody_elses_function_reads_is_not_left_out():
+    with pytest.raises(ValueError, match="recognise_table"):
+        dh.recognise_table(QUOTED.replace("READ", "my_own"))

@@ -14,6 +14,7 @@ from ..library.methods import from_library
 __all__ = ["YIELDED", "arguments", "assign", "evaluate"]
 
 YIELDED = "yield"  # no name of a program
+OF_TEXT = "eval", "sympify", "S", "parse_expr", "str2sym", "str2num"
 
 
 def evaluate(run, node, scope):
@@ -138,9 +139,22 @@ def _call(run, node, scope):
         isinstance(function, Unknown) and function.path == "super"
     ):
         return run.above(scope)
+    called = function.path if isinstance(function, Unknown) else getattr(function, "name", "")
+    if called in OF_TEXT and args and (isinstance(args[0], str) or called == "eval"):
+        return _of_text(run, args[0], scope)
     found = run.call(function, args, kwargs)
     run.factors.made(found, node)
     return found
+
+
+def _of_text(run, text, scope):
+    """What an expression in quotes comes to: a row's ``'q2 - pi/2'``, which a program evaluates."""
+    if not isinstance(text, str):
+        raise Unsupported("a text that is not known")
+    try:
+        return evaluate(run, ast.parse(text.strip(), mode="eval").body, scope)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise Unsupported("no expression") from None
 
 
 def arguments(run, node, scope):

@@ -2,7 +2,7 @@
 
 import re
 
-__all__ = ["JOINT", "NO_JOINT", "numbered"]
+__all__ = ["JOINT", "NO_JOINT", "has_zero", "numbered"]
 
 JOINT = re.compile(
     r"_?(?:q|thetas?|th|joint|angles?|ang|tita|phi|j|config|t(?=_?\d)|motor|servo|pose|rads?|gdl)"
@@ -14,6 +14,7 @@ NO_JOINT = re.compile(
     r"|q(?:uat|uit)|json|jac|sign|dir|range|matri|trans|param|dh|table",
     re.IGNORECASE,
 )
+WITH_ZERO = re.compile(r"\s*-?(\w+)(?:\[\d\]|\(\d\))?\s*[-+]\s*(?:\d|(?:np\.|math\.)?pi\b).*")
 BETWEEN = re.compile(r"(\D*)(\d+)_(\w+)")
 LAST = "G", "g", "E", "e", "EE", "ee", "EF", "ef", "T", "tool"  # what a last link leads to
 
@@ -31,3 +32,15 @@ def numbered(name):
         return between[1], between[2]
     end = re.search(r"\d+$", name)
     return (name[: end.start()], end[0]) if end else (name, "")
+
+
+def has_zero(text):
+    """Whether a text is a joint's value and what is added to it.
+
+    Examples
+    --------
+    >>> has_zero("q2 - np.pi/2"), has_zero("q2"), has_zero("arm-1")
+    (True, False, False)
+    """
+    said = WITH_ZERO.fullmatch(text)
+    return bool(said and JOINT.match(said[1]))

@@ -26,7 +26,7 @@ from ..library.methods import attribute, from_library
 from ..library.toolbox import Link
 from .binding import bind
 from .expressions import YIELDED, evaluate
-from .naming import JOINT, NO_JOINT, numbered
+from .naming import JOINT, NO_JOINT, has_zero, numbered
 from .products import OwnProducts
 from .statements import body
 
@@ -162,6 +162,8 @@ class Run:
         if self.dialect and self.dialect.is_index(function, args):
             return self.dialect.picked(function, args)
         if isinstance(function, Unknown):
+            if any(isinstance(one, str) and has_zero(one) for one in args):
+                raise Unsupported("somebody else's reading of an expression in quotes")
             if sum(map(is_known_pose, args)) > 1:  # somebody else's product
                 self.factors.spoil(*args)
             return Unknown(f"{function.path}()", self.samples) if not args else self.unknown("call")
