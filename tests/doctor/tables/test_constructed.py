@@ -214,9 +214,10 @@ def test_fields_of_records_in_an_array_count_from_one_whoever_made_it(before):
     assert np.allclose(table.rows, np.multiply(ROWS, [0, 1, 1, 1]))
 
 
-def test_links_that_no_robot_takes_are_in_the_order_of_their_names():
-    text = "rows = [0 0.31 0 pi/2; 0 0 0.27 0];\nL1 = Link([rows(1,:) 0 pi]);\n"
-    table = dh.recognise_table(text + "L2 = Link([rows(2,:) 0 -pi/2]);").arm.table
+@pytest.mark.parametrize("one, two", [("L1", "L2"), ("L(1)", "L(2)")])
+def test_links_that_no_robot_takes_are_in_the_order_of_their_names(one, two):
+    text = f"rows = [0 0.31 0 pi/2; 0 0 0.27 0];\n{one} = Link([rows(1,:) 0 pi]);\n"
+    table = dh.recognise_table(text + f"{two} = Link([rows(2,:) 0 -pi/2]);").arm.table
     assert np.allclose(table.rows, [[np.pi, 0.31, 0, QUARTER], [-QUARTER, 0, 0.27, 0]])
 
 

@@ -23,7 +23,7 @@ from ..held.values import (
     plain,
 )  # fmt: skip
 from ..library.methods import attribute, from_library
-from ..library.toolbox import Link
+from ..library.toolbox import Link, links_in
 from .binding import bind
 from .expressions import YIELDED, evaluate
 from .naming import JOINT, NO_JOINT, has_zero, numbered
@@ -113,7 +113,7 @@ class Run:
     def loose_links(self):
         """The links of a toolbox that have names and make no robot, in their order, as one list."""
         held = [] if self.robots else list(self.scope.names.values())
-        found = [one for one in held if isinstance(one, Link)]
+        found = [one for value in held for one in links_in(value)]
         return [tuple(found)] if len(found) > 1 else []
 
     def is_joint(self, name):

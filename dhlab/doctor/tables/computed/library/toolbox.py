@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from ..held.budget import Unsupported
 from ..held.values import Unknown, is_number, number_of
 
-__all__ = ["BESIDE", "LINKS", "Link", "keep_robot"]
+__all__ = ["BESIDE", "LINKS", "Link", "keep_robot", "links_in"]
 
 TURNING = ("d", "a", "alpha", "offset")
 BESIDE = ("qlim", "name", "I", "m", "r", "Jm", "G", "B", "Tc")  # no part of the row
@@ -63,6 +63,13 @@ def keep_robot(run, given):
     """Keep a list of links."""
     if isinstance(given, list | tuple) and given and all(isinstance(one, Link) for one in given):
         run.robots.append(tuple(given))
+
+
+def links_in(value):
+    """The links that a name holds: one, or those set by their numbers, ``L(2) = Link(…)``."""
+    numbered = isinstance(value, dict) and all(isinstance(key, int) for key in value)
+    held = [value[key] for key in sorted(value)] if numbered else [value]
+    return held if all(isinstance(one, Link) for one in held) else []
 
 
 LINKS = {
