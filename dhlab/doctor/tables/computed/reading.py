@@ -12,8 +12,9 @@ from ....table import DHTable
 from ..cells import Cell
 from ..completing.words import with_words
 from ..evidence.source import source_of
+from ..language.values import TO_METRES
 from ..language.wrapping.notebook import without_notebook
-from ..meaning.scales import TO_METRES, UNIT_WORDS, in_metres, length_units
+from ..meaning.scales import UNIT_WORDS, in_metres, length_units
 from ..pasted import Pasted
 from ..readings import BOOKS, QUESTIONS, Reading, arm_of_rows
 from .chains import chain_of

@@ -7,7 +7,7 @@ import math
 import re
 
 from .expressions import NoExpression, evaluate
-from .values import added
+from .values import TO_METRES, added
 from .words import RANGE
 
 __all__ = ["decorated", "is_doubled"]
@@ -37,7 +37,6 @@ DOUBLED = re.compile(  # 210 (d1), d1 [210], -90 / -1.5708: no product, element 
     r"|[-+]?[\d.]+°?\s*/\s*[-+]?\d\.\d{2,}(?:\s*rad)?"
 )
 QUOTIENT = re.compile(r"(\d+\.?\d*) / (\d+\.?\d*)")
-TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 NEAR = 2e-3
 
 

@@ -3,7 +3,9 @@
 import math
 from dataclasses import dataclass, field
 
-__all__ = ["NoExpression", "Value", "added", "in_radians", "in_unit", "multiplied"]
+__all__ = ["TO_METRES", "NoExpression", "Value", "added", "in_radians", "in_unit", "multiplied"]
+
+TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 
 
 class NoExpression(Exception):

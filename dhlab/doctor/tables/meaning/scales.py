@@ -8,6 +8,7 @@ import numpy as np
 
 from ....units import convert
 from ..language.expressions import key
+from ..language.values import TO_METRES
 from .columns import LENGTHS, snapped
 
 __all__ = [
@@ -18,7 +19,6 @@ __all__ = [
     "units_by_size",
 ]  # fmt: skip
 
-TO_METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}
 UNIT_WORDS = {
     "deg": "degrees",
     "rad": "radians",

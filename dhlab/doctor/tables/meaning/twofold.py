@@ -2,7 +2,7 @@
 
 import math
 
-from .scales import TO_METRES
+from ..language.values import TO_METRES
 
 __all__ = ["say_one_thing"]
 

@@ -1,6 +1,7 @@
 """Readings of arms that are told as chains: nothing is to be asked but the unit of the lengths."""
 
-from ...meaning.scales import TO_METRES, TOY, UNIT_WORDS, reached, units_by_size
+from ...language.values import TO_METRES
+from ...meaning.scales import TOY, UNIT_WORDS, reached, units_by_size
 from ...readings import QUESTIONS, Reading
 
 __all__ = ["told"]
